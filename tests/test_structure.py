@@ -38,6 +38,7 @@ FOUNDATION = (
     "project",
     "inputs",
     "data_text",
+    "typed",
     "trust",
     "template_files",
 )

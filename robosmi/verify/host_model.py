@@ -10,7 +10,6 @@ import shutil
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from robosmi import resources
 from robosmi.errors import MissingToolError
@@ -119,5 +118,4 @@ def load_host_model(platform: str, project: Path | None = None) -> HostModel:
 
 
 def _device(entry: DataTable) -> DeviceUse:
-    settings: dict[str, Any] = entry.table("settings").values if "settings" in entry.values else {}
-    return DeviceUse(entry.text("kind"), {}, settings)
+    return DeviceUse(entry.text("kind"), {}, dict(entry.table("settings", needed=False).values))

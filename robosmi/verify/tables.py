@@ -7,13 +7,13 @@ knows a key.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from robosmi import inputs, resources
-from robosmi.data_text import toml_of
+from robosmi.data_text import Json, toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 
@@ -33,7 +33,7 @@ class DataTable:
     """
 
     path: Path
-    values: dict[str, Any]
+    values: Mapping[str, Json]
     prefix: str = ""
 
     @staticmethod
@@ -65,22 +65,26 @@ class DataTable:
         """A text; missing is an error unless there is a default."""
         if default is not None and key not in self.values:
             return default
-        return str(self._get(key, str, "a text"))
+        return self._get(key, str, "a text")
 
     def number(self, key: str) -> int:
         """A whole number."""
-        return int(self._get(key, int, "a whole number"))
+        return self._get(key, int, "a whole number")
 
     def decimal(self, key: str) -> float:
         """A number with or without a fraction."""
-        return float(self._get(key, (int, float), "a number"))
+        if isinstance(self.values.get(key), float):
+            return self._get(key, float, "a number")
+        return float(self._get(key, int, "a number"))
 
     def optional_number(self, key: str) -> int | None:
         """A whole number, or None if the key is not there."""
         return self.number(key) if key in self.values else None
 
-    def flag(self, key: str, default: bool) -> bool:
-        """True or false; the default where the key is missing."""
+    def flag(self, key: str, default: bool | None = None) -> bool:
+        """True or false; missing is an error unless there is a default."""
+        if default is None and key not in self.values:
+            raise self.error(key, f"is missing{did_you_mean(key, self.values)}")
         value = self.values.get(key, default)
         if not isinstance(value, bool):
             raise self.error(key, f"must be true or false, it is {value!r}")
@@ -95,8 +99,10 @@ class DataTable:
             raise self.error(key, f"must be a list of texts, it is {items!r}")
         return tuple(items)
 
-    def numbers(self, key: str) -> tuple[int, ...]:
-        """A list of whole numbers."""
+    def numbers(self, key: str, default: tuple[int, ...] | None = None) -> tuple[int, ...]:
+        """A list of whole numbers; missing is an error unless there is a default."""
+        if default is not None and key not in self.values:
+            return default
         items = self._get(key, list, "a list of whole numbers")
         if not all(isinstance(item, int) and not isinstance(item, bool) for item in items):
             raise self.error(key, f"must be a list of whole numbers, it is {items!r}")
@@ -109,8 +115,20 @@ class DataTable:
         except re.error as error:
             raise self.error(key, f"is no regular expression: {error}") from error
 
-    def table(self, key: str) -> DataTable:
-        """A table inside."""
+    def texts_by_name(self, key: str) -> dict[str, str]:
+        """A table inside whose values are all texts; empty if the key is missing."""
+        table = self.table(key, needed=False)
+        return {name: table.text(name) for name in table.values}
+
+    def numbers_by_name(self, key: str) -> dict[str, int]:
+        """A table inside whose values are all whole numbers; empty if the key is missing."""
+        table = self.table(key, needed=False)
+        return {name: table.number(name) for name in table.values}
+
+    def table(self, key: str, needed: bool = True) -> DataTable:
+        """A table inside; empty if the key is missing and not needed."""
+        if not needed and key not in self.values:
+            return DataTable(self.path, {}, f"{self.prefix}{key}.")
         return DataTable(self.path, self._get(key, dict, "a table"), f"{self.prefix}{key}.")
 
     def tables(self, key: str, needed: bool = True) -> list[DataTable]:

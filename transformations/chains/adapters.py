@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -31,6 +31,7 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2t.task_list import RELATIONS
 from robosmi.transformations.queries.written_bodies import Body, bodies
+from robosmi.typed import distinct, fresh
 
 _INCLUDE = re.compile(r"^#include\s+(<[^>]+>|\"[^\"]+\")", re.MULTILINE)
 
@@ -47,9 +48,9 @@ class AdaptersTold:
         written: the adapter files that were written.
     """
 
-    adapters: list[dict[str, Any]] = field(default_factory=list)
-    findings: list[Finding] = field(default_factory=list)
-    written: list[str] = field(default_factory=list)
+    adapters: list[dict[str, Any]] = fresh(list)
+    findings: list[Finding] = fresh(list)
+    written: list[str] = fresh(list)
 
     @property
     def result(self) -> dict[str, Any]:
@@ -279,11 +280,7 @@ def _with_piece(path: Path, before: str, use: migration.AdapterUse, body: Body, 
     head += [f"{MARK}   needs: {' '.join(sorted(needs))}"] if needs else []
     given = _INCLUDE.findall(text[: text.find(body.text)])
     shipped = {str(header) for piece in pieces for header in piece.includes}
-    own = [
-        header
-        for header in dict.fromkeys(given)
-        if header not in shipped and header.startswith("<") and "Arduino.h" not in header
-    ]
+    own = [header for header in distinct(given) if header not in shipped and header.startswith("<") and "Arduino.h" not in header]
     head += [f"{MARK}   include: {' '.join(own)}"] if own else []
     head += [f"{MARK}   pin: {pin}" for pin in _pins(use, body, plan)]
     head += [f"{MARK}   fidelity: written by hand for {plan.name}"]

@@ -7,7 +7,7 @@ is called no more stays in its file, switched off, with a word about it; so neit
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from robosmi.diagnostics import Finding, Location, Severity

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -26,14 +26,15 @@ from robosmi.transformations.chains.constraint_sets import KIND, constraints_of
 from robosmi.transformations.chains.readers import is_drawing
 from robosmi.transformations.chains.reading import read_drawing
 from robosmi.transformations.constraints.electrical_plan import wired
+from robosmi.typed import distinct, fresh
 
 
 @dataclass
 class Checked:
     """What was checked, and what was found."""
 
-    models: list[dict[str, Any]] = field(default_factory=list)
-    findings: list[Finding] = field(default_factory=Findings)
+    models: list[dict[str, Any]] = fresh(list)
+    findings: list[Finding] = fresh(Findings)
 
     @property
     def result(self) -> dict[str, Any]:
@@ -105,4 +106,4 @@ def _referred(model: Any, models: list[Any]) -> list[Any]:
 
 def _metamodels(model: Model) -> list[str]:
     """The names of a model's metamodels; a technology without any has none."""
-    return list(dict.fromkeys(kind.partition("::")[0] for kind, _ in model.types() if "::" in kind))
+    return distinct(kind.partition("::")[0] for kind, _ in model.types() if "::" in kind)

@@ -104,4 +104,4 @@ def _included(path: Path) -> list[str]:
     """The names in a file's include directives."""
     data = _read(path)
     directives = (text for kind, _, _, text in tokens(data) if kind == "directive") if b"include" in data else ()
-    return [match[1].replace("\\", "/") for match in map(_INCLUDE.match, directives) if match]
+    return [match[1].replace("\\", "/") for directive in directives if (match := _INCLUDE.match(directive))]

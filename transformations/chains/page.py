@@ -132,7 +132,7 @@ class PlanPage:
         """Do it; what is said of it, the command for the same, and the diff."""
         if what == "choose":
             identity, value, why = (str(about.get(name, "")) for name in ("id", "value", "why"))
-            if not identity or max(map(len, (identity, value, why))) > _LONGEST:
+            if not identity or max(len(identity), len(value), len(why)) > _LONGEST:
                 raise UsageError("this is no choice", fix="load the page again")
             read = partial(self._read, now=shown)
             done = choose(self.output, {identity: value}, why=why, source=self.source, seen=shown, read=read)

@@ -20,8 +20,10 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.model.files import write_atomic
 from robosmi.project import defaults
+from robosmi.transformations.knowledge.api_data import HeaderContent, PlatformSettings
 from robosmi.transformations.knowledge.platform_api import ApiIndex, forget_platforms
 from robosmi.transformations.t2m.platform_headers import read_headers
+from robosmi.typed import distinct
 
 _NAME = re.compile(r"[A-Za-z][\w-]{0,63}")
 _KINDS = ("functions", "macros", "vars", "consts", "types", "registers")
@@ -74,18 +76,18 @@ def import_platform(
         write_atomic(target / "platform.toml", _settings(name, base, defines).encode())
         written.append(target / "platform.toml")
     forget_platforms()
+    counts = [_counts(entry) for entry in found.headers.values()]
     result = {
         "platform": name,
         "like": base.name,
         "added": [
-            {"header": header, "path": found.paths[header], "kind": entry["kind"], "replaced": header in before}
-            | {kind: len(entry.get(kind, ())) for kind in _KINDS}
+            {"header": header, "path": found.paths[header], "kind": entry["kind"], "replaced": header in before} | _counts(entry)
             for header, entry in sorted(found.headers.items())
         ],
         "skipped": [{"path": path, "why": why} for path, why in sorted(found.skipped.items())],
         "missing": found.missing,
         "written": [str(path) for path in written],
-        "totals": {kind: sum(len(entry.get(kind, ())) for entry in found.headers.values()) for kind in _KINDS},
+        "totals": {kind: sum(each[kind] for each in counts) for kind in _KINDS},
         "known": len(headers),
     }
     return PlatformImport(target, result, _findings(found.skipped, found.missing))
@@ -112,7 +114,19 @@ def _base(name: str, like: str | None) -> ApiIndex:
     return ApiIndex.load(like)
 
 
-def _headers(path: Path) -> dict[str, Any]:
+def _counts(entry: HeaderContent) -> dict[str, int]:
+    """How much of each kind a header declares."""
+    return {
+        "functions": len(entry.get("functions", {})),
+        "macros": len(entry.get("macros", {})),
+        "vars": len(entry.get("vars", {})),
+        "consts": len(entry.get("consts", [])),
+        "types": len(entry.get("types", {})),
+        "registers": len(entry.get("registers", [])),
+    }
+
+
+def _headers(path: Path) -> dict[str, HeaderContent]:
     """The headers of earlier imports.
 
     Raises:
@@ -121,7 +135,7 @@ def _headers(path: Path) -> dict[str, Any]:
     if not path.is_file():
         return {}
     try:
-        headers = json_of(inputs.read_bytes(path, inputs.DATA))["headers"]
+        headers: dict[str, HeaderContent] = json_of(inputs.read_bytes(path, inputs.DATA))["headers"]
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise PlatformDataError(f"{path} is damaged: {error}", fix="delete the file and import again") from error
     if not isinstance(headers, dict):
@@ -131,16 +145,16 @@ def _headers(path: Path) -> dict[str, Any]:
 
 def _settings(name: str, base: ApiIndex, defines: Sequence[str]) -> str:
     """The text of `platform.toml`: the settings of another platform under the new name."""
-    settings: dict[str, Any] = {
+    parser = base.settings["parser"].copy()
+    parser["defines"] = distinct([*parser.get("defines", []), *defines])
+    settings: PlatformSettings = {
         **base.settings,
         "name": name,
         "title": name,
         "standard": base.settings.get("standard", base.name),
+        "like": base.name,
+        "parser": parser,
     }
-    settings["like"] = base.name
-    parser = dict(settings["parser"])
-    parser["defines"] = list(dict.fromkeys([*parser.get("defines", ()), *defines]))
-    settings["parser"] = parser
     lines = [
         f"# Made by `robosmi platform import` after the settings of '{base.name}'. Yours to change; another import keeps it.",
         "",

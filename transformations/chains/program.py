@@ -21,6 +21,7 @@ from robosmi.transformations.queries.analysis import library_cogs, unknown_funct
 from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.t2m.c_source.side_file import ENDING, SideProject, project_beside, read_side
 from robosmi.transformations.t2m.c_source.sources import source_files
+from robosmi.typed import distinct
 
 
 class ProgramFiles(NamedTuple):
@@ -75,8 +76,8 @@ def program_files(
         include_dirs = [*include_dirs, *(Path(each) for each in side.include_dirs)]
         defines = [*defines, *side.defines]
     sources = source_files(given, [str(d) for d in include_dirs], defines)
-    folders = [Path(d) for d in dict.fromkeys(d for source in sources for d in source.include_dirs)]
-    macros = list(dict.fromkeys(d for source in sources for d in source.defines))
+    folders = [Path(d) for d in distinct(d for source in sources for d in source.include_dirs)]
+    macros = distinct(d for source in sources for d in source.defines)
     paths = [Path(source.path) for source in sources]
     reached = with_headers(paths, folders, api)
     outside = from_outside(reached[len(paths) :], [*named, *(path.parent for path in paths)])

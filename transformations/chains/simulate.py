@@ -7,7 +7,7 @@ names pins. Nothing is written but the trace that was asked for.
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +21,7 @@ from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
 from robosmi.transformations.verification.played_devices import devices_at, played
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports
+from robosmi.typed import fresh
 from robosmi.verify.activity import activity
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.libraries import STAND_IN
@@ -52,7 +53,7 @@ class Simulated:
 
     compiled: CompileReport
     trace: PinTrace | None = None
-    ports: list[BoundPort] = field(default_factory=list)
+    ports: list[BoundPort] = fresh(list)
     written: Path | None = None
 
     @property

@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -41,6 +41,7 @@ from robosmi.transformations.verification.played_devices import played, signals_
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, reads_console, texts_understood
 from robosmi.transformations.verification.scenario_search import search
 from robosmi.transformations.verification.source_reached import cover
+from robosmi.typed import fresh
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.libraries import STAND_IN
@@ -72,7 +73,7 @@ class Verified:
 
     verdict: Verdict
     compiled: CompileReport
-    written: list[tuple[Path, str]] = field(default_factory=list)
+    written: list[tuple[Path, str]] = fresh(list)
 
     @property
     def findings(self) -> list[Finding]:
@@ -265,8 +266,8 @@ def _original(models: MigrationModels, folder: Path, place: Path) -> OriginalPro
 
 @dataclass
 class _Made:
-    new: list[Scenario] = field(default_factory=list)
-    racy_counts: list[bytes] = field(default_factory=list)
+    new: list[Scenario] = fresh(list)
+    racy_counts: list[bytes] = fresh(list)
 
 
 Case = tuple[Scenario, SourceRuns]

@@ -12,10 +12,12 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.constraints.code_move import move, moved, place, the_move, together
+from robosmi.transformations.queries.code import named_type
 from robosmi.transformations.queries.cores import reached
 from robosmi.transformations.queries.expression_type import ARITHMETIC
 from robosmi.transformations.queries.initialisers import record_of
 from robosmi.transformations.queries.type_sizes import on_source, on_target
+from robosmi.typed import distinct
 from robosmi.validate import Fail
 
 SMALL = 65536
@@ -81,7 +83,7 @@ def KeepsItsLayout(unit: ccode.SourceUnit) -> Any:
     some = [each for each, record in found.values() if id(record) in sizes]
     if not some:
         return True
-    told = dict.fromkeys(sizes[id(record)] for _, record in found.values() if id(record) in sizes)
+    told = distinct(sizes[id(record)] for _, record in found.values() if id(record) in sizes)
     return together(f"what takes structures as bytes finds others on the target: {'; '.join(told)}", some)
 
 
@@ -130,7 +132,7 @@ def _declared(spelling: str) -> ccode.Declaration | None:
 
 def _record_of_value(expression: ccode.Expression | None) -> ccode.Record | None:
     if isinstance(expression, ccode.NameReference):
-        declared = getattr(expression.target, "valueType", None)
+        declared = named_type(expression)
         return record_of(declared) if declared is not None and not declared.pointerDepth else None
     if isinstance(expression, ccode.Unary) and expression.operator == "*":
         return _pointed_at(expression.operand)
@@ -142,7 +144,7 @@ def _pointed_at(expression: ccode.Expression | None) -> ccode.Record | None:
     if isinstance(expression, ccode.Unary) and expression.operator == "&":
         inner = expression.operand
         return _record_of_value(inner.array if isinstance(inner, ccode.Index) else inner)
-    declared = getattr(expression.target, "valueType", None) if isinstance(expression, ccode.NameReference) else None
+    declared = named_type(expression)
     if declared is None:
         return None
     if declared.pointerDepth == 1:
@@ -154,7 +156,7 @@ def _copies(size: ccode.SizeOf) -> bool:
     """Whether a size is an argument of a function that takes memory as bytes, alone or times a number."""
     element = size
     parent = element.eContainer()
-    while isinstance(parent, (ccode.Cast, ccode.Binary)) and getattr(parent, "operator", "*") == "*":
+    while isinstance(parent, ccode.Cast) or (isinstance(parent, ccode.Binary) and parent.operator == "*"):
         parent = parent.eContainer()
     if not isinstance(parent, ccode.Call):
         return False

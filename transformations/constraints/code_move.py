@@ -32,6 +32,7 @@ from robosmi.transformations.queries.port_masks import PortMasks
 from robosmi.transformations.queries.ranges import Ranges
 from robosmi.transformations.queries.signature_text import function_type
 from robosmi.transformations.queries.values import Values
+from robosmi.typed import distinct
 from robosmi.validate import EVL, Fail, Unsatisfied
 
 moved = EVL()
@@ -242,7 +243,7 @@ def together(message: str, elements: Sequence[ccode.Located]) -> Fail:
 
 def in_lines(elements: Iterable[ccode.Located]) -> str:
     """The lines of elements, each once, the first eight of them."""
-    lines = list(dict.fromkeys(int(e.line) for e in elements))
+    lines = distinct(int(e.line) for e in elements)
     shown = ", ".join(str(each) for each in lines[:8]) + (" ..." if len(lines) > 8 else "")
     return f"line{'s' * (len(lines) > 1)} {shown}"
 

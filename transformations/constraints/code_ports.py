@@ -16,6 +16,7 @@ from robosmi.transformations.queries.made_calls import MadeCalls
 from robosmi.transformations.queries.pin_uses import PinUse, macro_uses_of, pin_uses_of
 from robosmi.transformations.queries.pointers import pointed_functions
 from robosmi.transformations.queries.register_bits import register_bits
+from robosmi.typed import distinct
 from robosmi.validate import Fail
 
 _SHOWN = 4
@@ -50,7 +51,7 @@ def PortsAreKnown(u: ccode.SourceUnit) -> Any:
     if any(b.origin == "runtime" and b.chosenBy is migration.ChosenBy.person for b in the_move().plan.portBindings):
         return True
     found = list(_unknown(u))
-    names = ", ".join(dict.fromkeys(name for name, _ in found))
+    names = ", ".join(distinct(name for name, _ in found))
     places = [element for _, element in found]
     return not found or Fail(
         f"only the running program knows which ports {names} are given ({in_lines(places)})", places=tuple(places)
@@ -81,6 +82,6 @@ def PointersTellNumbersApart(u: ccode.SourceUnit) -> Any:
     m = the_move()
     platform, own = pointed_functions(m.views)
     here = [reference for reference, view in platform if view.unit is u] if own else []
-    names = ", ".join(dict.fromkeys(f"'{reference.name}'" for reference in here))
+    names = ", ".join(distinct(f"'{reference.name}'" for reference in here))
     wrong = f"{names} may be called through a pointer with numbers of the source, which are other pins on the target"
     return not here or Fail(f"{wrong} ({in_lines(here)})", places=tuple(here))

@@ -13,6 +13,7 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.transformations.constraints.code_move import Move, is_narrower, move, moved, place, the_move, together
+from robosmi.transformations.queries.code import named_type
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.numbers import COMPARISONS, Number
 from robosmi.transformations.queries.ranges import Range
@@ -324,10 +325,7 @@ def KeepsItsSize(unit: ccode.SourceUnit) -> Any:
 
 
 def _shrinks(m: Move, size: ccode.SizeOf) -> bool:
-    measured = size.measured
-    if measured is None and isinstance(size.operand, ccode.NameReference):
-        measured = getattr(size.operand.target, "valueType", None)
-    kind = of_use(measured)
+    kind = of_use(size.measured if size.measured is not None else named_type(size.operand))
     if kind is None or kind.function:
         return False
     if kind.depth and not kind.array:

@@ -13,6 +13,7 @@ from robosmi.transformations.constraints.places import drawing, fault
 from robosmi.transformations.queries.circuit_walk import behind
 from robosmi.transformations.queries.connector_names import told_name
 from robosmi.transformations.queries.electrical import Kind, Role, Wiring, listed, stated_volts, who, wiring
+from robosmi.typed import distinct
 from robosmi.validate import EVL
 
 supply = EVL()
@@ -117,7 +118,7 @@ def GroundsAreJoined(c: hardware.Component) -> Any:
     """The ground of a component is that of the board whose pins it is on."""
     w = wiring_of(c)
     own = [net for connector, net in w.nets(c) if connector.kind is Kind.ground and w.is_wired(c, net)]
-    for board in dict.fromkeys(p.board for p in w.board_pins(c)) if own else ():
+    for board in distinct(p.board for p in w.board_pins(c)) if own else ():
         theirs = {net for connector, net in w.nets(board) if connector.kind is Kind.ground}
         known = any(connector.kind is Kind.ground for connector in board.connectors)
         if known and theirs.isdisjoint(own) and not any(_leads_to(w, net, theirs) or (w.volts(net) or 0) > 0 for net in own):
@@ -151,7 +152,7 @@ def IsTheRightWayRound(c: hardware.Component) -> Any:
 def BoardCanSupplyThem(b: hardware.Component) -> Any:
     """What takes its supply from a board takes no more than the board gives."""
     w = wiring_of(b)
-    for net in dict.fromkeys(n for connector, n in w.nets(b) if connector.kind is Kind.supply):
+    for net in distinct(n for connector, n in w.nets(b) if connector.kind is Kind.supply):
         volts = w.volts(net)
         most = w.supply_ma(volts) if volts and w.fed_by_board(net) is b else None
         loads = dict(_loads(w, net)) if most is not None else {}

@@ -29,6 +29,7 @@ from robosmi.transformations.knowledge.adapter_files import (
     adapter_file,
 )
 from robosmi.transformations.knowledge.adapter_ranges import ArgumentRange
+from robosmi.typed import distinct
 
 ENDINGS = (".cpp", ".c")
 """Of adapter files, in C++ and in C."""
@@ -129,7 +130,7 @@ def build(folder: Path) -> dict[Path, str]:
     files = {path: adapter_file(path, raw[path].decode("utf-8")) for path in paths}
     headers: dict[str, list[str]] = {}
     for file in files.values():
-        for name in dict.fromkeys(piece.name for piece in file.pieces):
+        for name in distinct(piece.name for piece in file.pieces):
             headers.setdefault(name, []).append(file.header)
     return {path.with_suffix(".json"): to_data(file, raw[path], headers) for path, file in files.items()}
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
@@ -18,6 +18,7 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapter_ranges import ArgumentRange, argument_range
+from robosmi.typed import fresh
 
 MARK = "//#"
 NOT_SERVED = "unsupported"
@@ -127,25 +128,25 @@ class AdapterPiece:
     header: str
     location: Location
     text: str = ""
-    signatures: list[str] = field(default_factory=list)
+    signatures: list[str] = fresh(list)
     relation: str = ""
-    needs: list[str] = field(default_factory=list)
-    includes: list[str] = field(default_factory=list)
-    libraries: list[str] = field(default_factory=list)
+    needs: list[str] = fresh(list)
+    includes: list[str] = fresh(list)
+    libraries: list[str] = fresh(list)
     role: str = ""
-    setup: list[str] = field(default_factory=list)
-    timers: list[str] = field(default_factory=list)
-    vectors: list[str] = field(default_factory=list)
-    taken: list[str] = field(default_factory=list)
-    mcus: list[str] = field(default_factory=list)
-    members: list[str] = field(default_factory=list)
-    pins: list[AdapterPin] = field(default_factory=list)
-    ports: list[ConventionalPort] = field(default_factory=list)
-    tables: list[PortTable] = field(default_factory=list)
-    ranges: list[ArgumentRange] = field(default_factory=list)
+    setup: list[str] = fresh(list)
+    timers: list[str] = fresh(list)
+    vectors: list[str] = fresh(list)
+    taken: list[str] = fresh(list)
+    mcus: list[str] = fresh(list)
+    members: list[str] = fresh(list)
+    pins: list[AdapterPin] = fresh(list)
+    ports: list[ConventionalPort] = fresh(list)
+    tables: list[PortTable] = fresh(list)
+    ranges: list[ArgumentRange] = fresh(list)
     fidelity: str = ""
-    limits: list[str] = field(default_factory=list)
-    symmetric: list[str] = field(default_factory=list)
+    limits: list[str] = fresh(list)
+    symmetric: list[str] = fresh(list)
     target_name: str = ""
     stack: int = 0
     ram: int = 0
@@ -163,9 +164,9 @@ class AdapterFile:
     """
 
     header: str = ""
-    pieces: list[AdapterPiece] = field(default_factory=list)
+    pieces: list[AdapterPiece] = fresh(list)
     unsupported: str = ""
-    tasks: dict[str, str] = field(default_factory=dict)
+    tasks: dict[str, str] = fresh(dict)
 
 
 def read_adapter_file(path: Path) -> list[AdapterPiece]:

@@ -7,7 +7,9 @@ Where facts come from is another module's business: `platform_folder` reads the 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple, Protocol
+from typing import NamedTuple, Protocol
+
+from robosmi.transformations.knowledge.api_data import FunctionMeaning, HeaderContent, PlatformSettings
 
 HEADER_KINDS = {"platform": "platform", "standard": "standard", "posix": "posix", "std-internal": "standard"}
 
@@ -80,11 +82,11 @@ class ApiFacts(Protocol):
         """Where the facts come from; two platforms have two origins."""
 
     @property
-    def settings(self) -> Mapping[str, Any]:
+    def settings(self) -> PlatformSettings:
         """`name`, widths of types, and in the table `parser` how programs are parsed."""
 
     @property
-    def headers(self) -> Mapping[str, Mapping[str, Any]]:
+    def headers(self) -> Mapping[str, HeaderContent]:
         """Name -> `kind` and `includes`."""
 
     @property
@@ -100,7 +102,7 @@ class ApiFacts(Protocol):
         """Function and header -> its pins."""
 
     @property
-    def functions(self) -> Mapping[str, Mapping[str, Any]]:
+    def functions(self) -> Mapping[str, FunctionMeaning]:
         """Function -> what it means: `parameters`, `blocking`, `startsCog`."""
 
     @property

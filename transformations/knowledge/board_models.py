@@ -161,7 +161,7 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
         problem = f"is '{name}', a microcontroller of which nothing is known{did_you_mean(name, known)}"
         raise named_in.error("mcu", problem) if named_in is not None else PlatformDataError(f"'mcu' {problem}")
     table = table_of(path)
-    buses = table.table("buses") if "buses" in table.values else DataTable(path, {})
+    buses = table.table("buses", needed=False)
     uses = []
     for entry in table.tables("takes", needed=False):
         for kind, key in _USERS:
@@ -227,11 +227,11 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
     chip = board.microcontroller
     if table is not None:
         _check_mapping(table, platform_name, board.name, project)
-    literals = table.table("literals").values if table is not None and "literals" in table.values else {}
-    interrupts = table.table("interrupts").values if table is not None and "interrupts" in table.values else {}
+    literals = table.texts_by_name("literals") if table is not None else {}
+    interrupts = table.numbers_by_name("interrupts") if table is not None else {}
     labels = [pin.label for pin in board.pins]
-    for key, values in (("literals", literals), ("interrupts", interrupts)):
-        for label in values:
+    for key, named in (("literals", list(literals)), ("interrupts", list(interrupts))):
+        for label in named:
             if table is not None and label not in labels:
                 raise table.error(f"{key}.{label}", f"is no pin of this board{did_you_mean(label, labels)}")
     rules = _literal_rules(platform_name, project)
@@ -248,7 +248,7 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
         ramBytes=table.number("ram_bytes") if table is not None else chip.ramBytes if chip is not None else 0,
         pinNames=[
             platform.PinName(
-                pin=pin, literal=str(literals.get(pin.label) or _literal(pin, rules)), interrupt=interrupts.get(pin.label, -1)
+                pin=pin, literal=literals.get(pin.label) or _literal(pin, rules), interrupt=interrupts.get(pin.label, -1)
             )
             for pin in board.pins
         ],

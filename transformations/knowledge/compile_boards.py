@@ -52,5 +52,8 @@ def _boot_loader(found: platform.BootLoader | None, chip: platform.Microcontroll
     if found is None:
         return None
     return BootLoader(
-        str(found.programmer), tuple(map(int, found.bauds)), int(chip.flashBytes) - int(found.bytes), int(found.touchBaud)
+        str(found.programmer),
+        tuple(int(baud) for baud in found.bauds),
+        int(chip.flashBytes) - int(found.bytes),
+        int(found.touchBaud),
     )

@@ -63,7 +63,7 @@ def drawn_chip(texts: Iterable[str], connectors: Mapping[str, str], project: Pat
         table = table_of(path)
         for entry in table.tables("drawn_chips", needed=False):
             least, most = entry.number("least_pins"), entry.number("most_pins")
-            if chip in map(str.upper, entry.texts("chips")) and least <= len(connectors) <= most:
+            if chip in (named.upper() for named in entry.texts("chips")) and least <= len(connectors) <= most:
                 board = DrawnBoard(path.stem, table.text("title", path.stem), _pins(table, connectors))
                 return DrawnChip(board, chip, table.number("f_cpu"))
     return None

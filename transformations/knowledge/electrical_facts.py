@@ -22,6 +22,7 @@ from robosmi.metamodels import hardware
 from robosmi.resources import folders
 from robosmi.transformations.knowledge.board_models import ABILITIES
 from robosmi.transformations.knowledge.part_names import Phrases, read_toml
+from robosmi.typed import distinct
 
 FILE = "parts/electrical.toml"
 """Place of the table in a folder of data; its head says what the keys mean."""
@@ -147,7 +148,7 @@ class Electrical:
         """What a connector's name says (`sda`, `output`; the keys of `[names]`), each once."""
         word = " ".join(name.lower().split())
         found = (key for file in self._files for key, pattern in file.names.items() if pattern.match(word))
-        return tuple(dict.fromkeys(found))
+        return tuple(distinct(found))
 
     @property
     def supply_limits(self) -> list[tuple[float, int]]:

@@ -26,7 +26,7 @@ _BEHIND = rf">>=|<<=|\.\.\.|->|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|##|
 _PIECES = re.compile(f"{_BEFORE}|{_DIRECTIVE}|{_BEHIND}", re.DOTALL | re.ASCII)
 _KINDS = (
     dict.fromkeys("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_$", "name")
-    | dict.fromkeys(map(chr, range(0x80, 0x100)), "name")
+    | dict.fromkeys((chr(code) for code in range(0x80, 0x100)), "name")
     | dict.fromkeys("0123456789", "number")
     | dict.fromkeys(" \t\r\n\f\v", "space")
     | {'"': "string", "'": "char", "#": "directive"}

@@ -19,6 +19,7 @@ from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
+from robosmi.typed import fresh
 
 _LISTS = ("supply", "ground", "idle", "polarity", "control", "bus", "write", "read", "read_chip", "write_chip")
 _WORD = re.compile(r"[^\W_]+")
@@ -85,7 +86,7 @@ class PartNames:
     device_properties: frozenset[str] = frozenset()
     headers: tuple[str, ...] = ()
     solder_jumpers: tuple[str, ...] = ()
-    symbols: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    symbols: Mapping[str, tuple[str, ...]] = fresh(dict)
     joined: tuple[JoinedPins, ...] = ()
     generated: tuple[Mapping[str, Any], ...] = field(default=())
 

@@ -11,12 +11,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fnmatch import fnmatchcase
 from pathlib import Path
-from typing import Any
 
-from robosmi.data_text import Json
 from robosmi.transformations.knowledge.part import Part
 from robosmi.transformations.knowledge.part_names import PartNames, Phrases, names
-from robosmi.transformations.knowledge.role_rules import RoleRules, curated_entries, role_rules
+from robosmi.transformations.knowledge.role_rules import ByTool, RoleRule, RoleRules, curated_entries, role_rules
 
 _REMARK = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
 _SYMBOL_CONNECTORS = 2  # of a symbol of a supply; a part with more is one that has a supply
@@ -58,7 +56,7 @@ def classify_by_id(part: Part, project: Path | None = None) -> Part:
     for known in role_rules(project):
         for rule in known.rules:
             ids = rule.get("ids")
-            if isinstance(ids, Mapping) and part.tool in ids and (clue := _id_clue(part.id[:400].lower(), part.tool, rule)):
+            if isinstance(ids, dict) and part.tool in ids and (clue := _id_clue(part.id[:400].lower(), part.tool, rule)):
                 return _with(part, rule, clue)
     return part
 
@@ -104,7 +102,7 @@ def _curated(part: Part, project: Path | None) -> Part | None:
     return replace(part, role=entry["role"], driver=bool(entry.get("driver", False)), evidence=f"curated: {entry['why']}")
 
 
-def _with(part: Part, rule: Mapping[str, Any], clue: str) -> Part:
+def _with(part: Part, rule: RoleRule, clue: str) -> Part:
     return replace(part, role=rule["role"], driver=bool(rule.get("driver", False)), evidence=f"{clue}: {rule['why']}")
 
 
@@ -167,9 +165,9 @@ def _connector_clues(part: Part, known: RoleRules) -> Iterator[tuple[int, str]]:
             yield number, f"connectors {', '.join(sorted(wanted))}"
 
 
-def _of_tool(listed: Any, tool: str) -> Iterator[str]:
+def _of_tool(listed: ByTool, tool: str) -> Iterator[str]:
     """The texts of a list that hold for a tool: a plain list for all, a table by tool; for no tool all of them."""
-    if isinstance(listed, Mapping):
+    if isinstance(listed, dict):
         for name, texts in listed.items():
             if _same_tool(name, tool):
                 yield from texts
@@ -181,10 +179,10 @@ def _same_tool(named: str, tool: str) -> bool:
     return not named or not tool or named == tool
 
 
-def _id_clue(part_id: str, tool: str, rule: Mapping[str, Json]) -> str:
-    return next((f"the part's id has '{text}' in it" for text in _of_tool(rule.get("ids", ()), tool) if text in part_id), "")
+def _id_clue(part_id: str, tool: str, rule: RoleRule) -> str:
+    return next((f"the part's id has '{text}' in it" for text in _of_tool(rule.get("ids", []), tool) if text in part_id), "")
 
 
-def _family_clue(family: str, tool: str, rule: Mapping[str, Json]) -> str:
-    found = any(fnmatchcase(family, pattern) for pattern in _of_tool(rule.get("families", ()), tool))
+def _family_clue(family: str, tool: str, rule: RoleRule) -> str:
+    found = any(fnmatchcase(family, pattern) for pattern in _of_tool(rule.get("families", []), tool))
     return f"family '{family}'" if found else ""

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from robosmi import resources
+from robosmi.transformations.knowledge.api_data import FunctionMeaning, PlatformSettings
 from robosmi.transformations.knowledge.api_facts import HEADER_KINDS, ApiEntry, ApiFacts, PinFacts
 from robosmi.transformations.knowledge.platform_folder import facts_of, forget_folders
 
@@ -62,7 +63,7 @@ class ApiIndex:
         return self._facts.origin
 
     @property
-    def settings(self) -> Mapping[str, Any]:
+    def settings(self) -> PlatformSettings:
         """The platform's settings: widths of types, how programs are parsed."""
         return self._facts.settings
 
@@ -171,7 +172,7 @@ class ApiIndex:
         """Pins of a function as the header declares it, or None where nothing is known."""
         return self._facts.pins.get((function, header))
 
-    def meaning(self, function: str) -> Mapping[str, Any]:
+    def meaning(self, function: str) -> FunctionMeaning:
         """What is known of a function: parameters, blocking, startsCog."""
         return self._facts.functions.get(function, {})
 

@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache, cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from robosmi import inputs, resources
 from robosmi.data_text import json_of, toml_of
 from robosmi.errors import PlatformDataError
+from robosmi.transformations.knowledge.api_data import FunctionMeaning, FunctionPins, HeaderContent, PlatformSettings
 from robosmi.transformations.knowledge.api_facts import ApiEntry, Convention, PinFacts, PinParameter
 
-_KINDS = ("functions", "macros", "vars", "consts", "types")
 _BUILTIN = "builtin"
 
 
@@ -33,32 +33,33 @@ class FolderFacts:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.origin = str(folder)
-        self.settings: dict[str, Any] = _toml(folder / "platform.toml")
+        self.settings = cast(PlatformSettings, _toml(folder / "platform.toml"))
         self._standard = _other(self.settings.get("standard"), folder)
         self._like = _other(self.settings.get("like"), folder)
-        own: dict[str, dict[str, Any]] = _json(folder / "api.json").get("headers", {})
+        own: dict[str, HeaderContent] = _json(folder / "api.json").get("headers", {})
         inherited = self._standard.headers if self._standard is not None else {}
-        self.headers: dict[str, dict[str, Any]] = {h: c for h, c in inherited.items() if c["kind"] != "platform"} | own
+        self.headers: dict[str, HeaderContent] = {h: c for h, c in inherited.items() if c["kind"] != "platform"} | own
         self.entries: Mapping[str, Sequence[ApiEntry]] = _Entries(
             self.headers, self.settings["parser"].get("builtins", {}), self.settings.get("type_names", {})
         )
-        registers: set[str] = set(self.settings.get("registers", {}).get("names", ()))
-        self.registers = frozenset(registers.union(*(content.get("registers", ()) for content in self.headers.values())))
+        registers = set(self.settings.get("registers", {}).get("names", []))
+        self.registers = frozenset(registers.union(*(content.get("registers", []) for content in self.headers.values())))
 
     @cached_property
     def pins(self) -> Mapping[tuple[str, str], PinFacts]:
         """Function and header -> its pins."""
         found: dict[tuple[str, str], PinFacts] = {}
         path = self._file("pins.json")
-        for fact in _json(path).get("functions", []) if path.is_file() else ():
+        listed: list[FunctionPins] = _json(path).get("functions", []) if path.is_file() else []
+        for fact in listed:
             facts = _pin_facts(fact)
             found.update({(fact["function"], h): facts for h in fact["headers"]})
         return found
 
     @property
-    def functions(self) -> Mapping[str, Mapping[str, Any]]:
+    def functions(self) -> Mapping[str, FunctionMeaning]:
         """Function -> what it means: `parameters`, `blocking`, `startsCog`."""
-        found: Mapping[str, Mapping[str, Any]] = self._meanings.get("functions", {})
+        found: Mapping[str, FunctionMeaning] = self._meanings.get("functions", {})
         return found
 
     @property
@@ -76,8 +77,7 @@ class FolderFacts:
     @property
     def code_arguments(self) -> Mapping[str, int]:
         """Function -> which argument is the code that it starts on another core."""
-        found: Mapping[str, int] = self.settings.get("cogs", {})
-        return found
+        return self.settings.get("cogs", {})
 
     @property
     def virtual_headers(self) -> Mapping[str, bytes]:
@@ -105,14 +105,18 @@ class _Entries(Mapping[str, Sequence[ApiEntry]]):
         type_names: type -> the type of the platform that it is another name of.
     """
 
-    def __init__(
-        self, headers: Mapping[str, Mapping[str, Any]], builtins: Mapping[str, str], type_names: Mapping[str, str]
-    ) -> None:
+    def __init__(self, headers: Mapping[str, HeaderContent], builtins: Mapping[str, str], type_names: Mapping[str, str]) -> None:
         self._headers, self._builtins, self._type_names = headers, builtins, type_names
         self._where: dict[str, list[tuple[str, str]]] = {}
         for header, content in headers.items():
-            for kind in _KINDS:
-                for name in content.get(kind, ()):
+            for kind, names in (
+                ("functions", content.get("functions")),
+                ("macros", content.get("macros")),
+                ("vars", content.get("vars")),
+                ("consts", content.get("consts")),
+                ("types", content.get("types")),
+            ):
+                for name in names or ():
                     self._where.setdefault(name, []).append((header, kind))
         self._where.update((name, [("", _BUILTIN)]) for name in builtins)
         self._made: dict[str, Sequence[ApiEntry]] = {}
@@ -128,15 +132,17 @@ class _Entries(Mapping[str, Sequence[ApiEntry]]):
             return ApiEntry("", "function", self._builtins[name], "()")
         if kind == "consts":
             return ApiEntry(header, "constant")
-        said = self._headers[header][kind][name]
+        content = self._headers[header]
         if kind == "functions":
-            result, parameters = said
+            result, parameters = content["functions"][name]
             return ApiEntry(header, "function", result, parameters)
         if kind == "macros":
-            return ApiEntry(header, "function_macro" if said else "macro")
-        if kind == "types" and said == "typedef" and name in self._type_names:
-            said = f"typedef {self._type_names[name]}"
-        return ApiEntry(header, "variable" if kind == "vars" else "type", said)
+            return ApiEntry(header, "function_macro" if content["macros"][name] else "macro")
+        if kind == "vars":
+            return ApiEntry(header, "variable", content["vars"][name])
+        form = content["types"][name]
+        known = self._type_names.get(name) if form == "typedef" else None
+        return ApiEntry(header, "type", form if known is None else f"typedef {known}")
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._where)
@@ -203,7 +209,7 @@ def _toml(path: Path) -> dict[str, Any]:
         raise PlatformDataError(f"the platform data {path.name} cannot be read: {error}", fix="repair or reinstall it") from error
 
 
-def _pin_facts(fact: dict[str, Any]) -> PinFacts:
+def _pin_facts(fact: FunctionPins) -> PinFacts:
     return PinFacts(
         tuple(
             PinParameter(
@@ -213,9 +219,9 @@ def _pin_facts(fact: dict[str, Any]) -> PinFacts:
                 p.get("range_with"),
                 p.get("span", 1),
                 p.get("count"),
-                tuple(p.get("none", ())),
+                tuple(p.get("none", [])),
             )
-            for p in fact.get("parameters", ())
+            for p in fact.get("parameters", [])
         ),
-        tuple(Convention(**c) for c in fact.get("conventions", ())),
+        tuple(Convention(**c) for c in fact.get("conventions", [])),
     )

@@ -64,7 +64,7 @@ def build(
         hasCogs=settings["has_cogs"],
         portCount=int(settings.get("ports", {}).get("count", 0)),
         architecture=settings.get("architecture", ""),
-        attributeMacros=list(settings["parser"].get("attribute_macros", ())),
+        attributeMacros=list(settings["parser"].get("attribute_macros", [])),
         headers=[_header(api, header, entries) for header, entries in sorted(by_header.items())],
     )
 
@@ -85,7 +85,7 @@ def _header(api: ApiIndex, header: str, entries: dict[str, ApiEntry]) -> pf.Head
 def _function(api: ApiIndex, name: str, entry: ApiEntry) -> pf.ApiFunction:
     meaning = api.meaning(name)
     pins = api.pins(name, entry.header)
-    meanings = list(meaning.get("parameters", ()))
+    meanings = list(meaning.get("parameters", []))
     ports = {pin.position: pin for pin in (pins.parameters if pins else ())}
     for position in ports:
         meanings += [""] * (position + 1 - len(meanings))

@@ -11,6 +11,8 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from robosmi.typed import distinct
+
 
 class Terminal(NamedTuple):
     """A connector as the rules see it: its component's identity, title, role and stated voltage, its own id, name and kind."""
@@ -45,9 +47,9 @@ def rail(terminals: Sequence[Terminal]) -> Rail | None:
     board = [t for t in powered if t.role == "Board"]
     supplies = [t for t in terminals if t.role == "Power"]
     named = [t for t in powered if t.role not in ("Board", "Power")]
-    reasons = list(dict.fromkeys(f"{t.name or t.connector} of {_who(t)}" for t in (*board, *supplies)))
+    reasons = distinct(f"{t.name or t.connector} of {_who(t)}" for t in (*board, *supplies))
     if not reasons and len({t.component for t in named}) > 1:
-        reasons = list(dict.fromkeys(f"{t.name} of {_who(t)}" for t in named))
+        reasons = distinct(f"{t.name} of {_who(t)}" for t in named)
     if not reasons:
         return None
     more = f" and {len(reasons) - _SHOWN} more" if len(reasons) > _SHOWN else ""

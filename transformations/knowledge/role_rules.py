@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple, TypedDict
 
 from robosmi.data_text import Json
 from robosmi.diagnostics import Location
@@ -27,10 +27,29 @@ _CURATED_KEYS = ("role", "why", "driver", "ids")
 _NAMED = ("supply", "ground")
 
 
+ByTool = list[str] | dict[str, list[str]]
+"""Texts that hold for every drawing tool, or texts by tool."""
+_ListsOfRule = TypedDict("_ListsOfRule", {"words": list[str], "not": list[str], "named": list[str]}, total=False)
+
+
+class RoleRule(_ListsOfRule, total=False):
+    """An entry as the files have it: a rule, or the role of single ids."""
+
+    role: str
+    why: str
+    driver: bool
+    first: bool
+    weak: bool
+    tags: bool
+    connectors: list[list[str]]
+    ids: ByTool
+    families: ByTool
+
+
 class RoleRules(NamedTuple):
     """The rules of one `roles.toml` in their order, ready for looking up."""
 
-    rules: tuple[Mapping[str, Any], ...]
+    rules: tuple[RoleRule, ...]
     words: Phrases
     tags: Phrases
     weak: frozenset[int]
@@ -55,7 +74,7 @@ def role_rules(project: Path | None) -> list[RoleRules]:
     return found
 
 
-def curated_entries(project: Path | None) -> dict[tuple[str, str], Mapping[str, Any]]:
+def curated_entries(project: Path | None) -> dict[tuple[str, str], RoleRule]:
     """The entries of all files by tool (empty for every tool) and id; the first file that has one counts.
 
     Args:
@@ -64,7 +83,7 @@ def curated_entries(project: Path | None) -> dict[tuple[str, str], Mapping[str, 
     Raises:
         PlatformDataError: a file is damaged.
     """
-    result: dict[tuple[str, str], Mapping[str, Any]] = {}
+    result: dict[tuple[str, str], RoleRule] = {}
     for path in _files("curated.toml", project):
         for key, entry in _curated(str(path), path.stat().st_mtime_ns).items():
             result.setdefault(key, entry)
@@ -78,25 +97,25 @@ def _files(name: str, project: Path | None) -> Iterator[Path]:
 @cache
 def _rules(path: str, changed: int) -> RoleRules:
     rules = _entries(path, "rule", _RULE_KEYS)
-    words = [(word, number) for number, rule in enumerate(rules) for word in rule.get("words", ())]
+    words = [(word, number) for number, rule in enumerate(rules) for word in rule.get("words", [])]
     return RoleRules(
         rules=tuple(rules),
         words=Phrases(words),
         tags=Phrases((word, number) for word, number in words if rules[number].get("tags", True)),
         forbidden=tuple(Phrases((word, 0) for word in rule["not"]) if rule.get("not") else None for rule in rules),
         weak=frozenset(number for number, rule in enumerate(rules) if rule.get("weak")),
-        named=tuple((kind, number) for number, rule in enumerate(rules) for kind in rule.get("named", ())),
-        families=tuple((tool, family, n) for n, rule in enumerate(rules) for tool, family in _by_tool(rule.get("families", ()))),
-        connectors=tuple((frozenset(wanted), number) for number, r in enumerate(rules) for wanted in r.get("connectors", ())),
+        named=tuple((kind, number) for number, rule in enumerate(rules) for kind in rule.get("named", [])),
+        families=tuple((tool, family, n) for n, rule in enumerate(rules) for tool, family in _by_tool(rule.get("families", []))),
+        connectors=tuple((frozenset(wanted), number) for number, r in enumerate(rules) for wanted in r.get("connectors", [])),
     )
 
 
 @cache
-def _curated(path: str, changed: int) -> dict[tuple[str, str], Mapping[str, Json]]:
-    return {key: entry for entry in _entries(path, "part", _CURATED_KEYS) for key in _by_tool(entry.get("ids", ()))}
+def _curated(path: str, changed: int) -> dict[tuple[str, str], RoleRule]:
+    return {key: entry for entry in _entries(path, "part", _CURATED_KEYS) for key in _by_tool(entry.get("ids", []))}
 
 
-def _by_tool(listed: Any) -> Iterator[tuple[str, str]]:
+def _by_tool(listed: ByTool) -> Iterator[tuple[str, str]]:
     """Tool (empty for all) and text of each entry of such a list."""
     if isinstance(listed, Mapping):
         yield from ((tool, text) for tool, texts in listed.items() for text in texts)
@@ -104,7 +123,7 @@ def _by_tool(listed: Any) -> Iterator[tuple[str, str]]:
         yield from (("", text) for text in listed)
 
 
-def _entries(path: str, key: str, keys: Sequence[str]) -> Sequence[Mapping[str, Any]]:
+def _entries(path: str, key: str, keys: Sequence[str]) -> list[RoleRule]:
     """The tables `[[key]]` of a file, each with keys and values that mean something.
 
     Raises:
@@ -137,17 +156,18 @@ def _check_role(entry: Mapping[str, Json], path: str) -> None:
         )
 
 
-def _problem(entry: Mapping[str, Any], keys: Sequence[str], tools: Collection[str] | None) -> str:
+def _problem(entry: Mapping[str, Json], keys: Sequence[str], tools: Collection[str] | None) -> str:
     """What is wrong with an entry, or an empty text; `tools` are those it may name, None for any."""
     for key, value in entry.items():
         if key not in keys:
             return f"'{key}' is no key{did_you_mean(key, keys)}"
-        by_tool = key in _BY_TOOL and isinstance(value, Mapping)
-        if by_tool and (odd := next((tool for tool in value if tools is not None and tool not in tools), None)) is not None:
-            return f"'{key}.{odd}' names a drawing tool that no reader reads{did_you_mean(odd, tools or ())}"
+        named = list(value) if key in _BY_TOOL and isinstance(value, Mapping) else []
+        if tools is not None and (odd := next((tool for tool in named if tool not in tools), None)) is not None:
+            return f"'{key}.{odd}' names a drawing tool that no reader reads{did_you_mean(odd, tools)}"
         if not _fits(key, value):
             return f"'{key}' has the value {value!r}"
-        if key == "named" and (odd := next((kind for kind in value if kind not in _NAMED), None)) is not None:
+        kinds = [str(kind) for kind in value] if key == "named" and isinstance(value, list) else []
+        if (odd := next((kind for kind in kinds if kind not in _NAMED), None)) is not None:
             return f"'named' has '{odd}'{did_you_mean(odd, _NAMED)}; there are: {', '.join(_NAMED)}"
     return ""
 
@@ -171,6 +191,6 @@ def _texts(value: Json) -> bool:
 def _tools() -> set[str]:
     """The drawing tools that an entry may name: those with a reader, and those that the built-in rules know."""
     named = {name for kind in ("drawing reader", "parts reader") for name in registry().names(kind)}
-    for rule in read_toml(str(built_in("platform_repo") / "parts" / "roles.toml")).get("rule", ()):
-        named |= {tool for key in _BY_TOOL if isinstance(rule.get(key), Mapping) for tool in rule[key]}
+    for rule in _entries(str(built_in("platform_repo") / "parts" / "roles.toml"), "rule", _RULE_KEYS):
+        named |= {tool for listed in (rule.get("ids"), rule.get("families")) if isinstance(listed, dict) for tool in listed}
     return named

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from robosmi.data_text import Json
 from robosmi.metamodels import platform as pf
+from robosmi.transformations.knowledge.api_data import FunctionMeaning, HeaderContent, PlatformSettings
 from robosmi.transformations.knowledge.api_facts import ApiEntry, Convention, PinFacts, PinParameter
 from robosmi.transformations.knowledge.platform_model import COMPILER, DIRECTIONS, RELATIONS
 
@@ -22,7 +22,7 @@ class StoredFacts:
 
     def __init__(self, model: pf.Platform) -> None:
         self.origin = f"stored model of {model.name}"
-        self.settings: dict[str, Json] = {
+        self.settings: PlatformSettings = {
             "name": str(model.name),
             "language": str(model.language),
             "int_bits": model.intBits,
@@ -33,10 +33,10 @@ class StoredFacts:
             "has_cogs": model.hasCogs,
             "parser": {"attribute_macros": list(model.attributeMacros)},
         }
-        self.headers: dict[str, dict[str, Json]] = {}
+        self.headers: dict[str, HeaderContent] = {}
         self.entries: dict[str, list[ApiEntry]] = {}
         self.pins: dict[tuple[str, str], PinFacts] = {}
-        self.functions: dict[str, dict[str, Json]] = {}
+        self.functions: dict[str, FunctionMeaning] = {}
         self.symbols: dict[str, dict[str, str]] = {}
         self.code_arguments: dict[str, int] = {}
         self.library_cores: dict[str, Sequence[str]] = {}
@@ -60,7 +60,9 @@ class StoredFacts:
             for declared in header.types:
                 self._add(str(declared.name), ApiEntry(name, "type", str(declared.form)))
         self.registers = frozenset(registers)
-        self.settings["ports"] = {"registers": bits} | ({"count": model.portCount} if model.portCount else {})
+        self.settings["ports"] = {"registers": bits}
+        if model.portCount:
+            self.settings["ports"]["count"] = model.portCount
 
     def _add(self, name: str, entry: ApiEntry) -> None:
         self.entries.setdefault(name, []).append(entry)

@@ -12,7 +12,6 @@ from pathlib import Path
 
 from robosmi import resources
 from robosmi.data_text import Json
-from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.metamodels import platform
 from robosmi.plugins import registry
@@ -33,7 +32,6 @@ STRUCTURES = {"setup/loop": platform.EntryStructure.setupLoop, "main": platform.
 """How data calls the places where programs begin."""
 PLAIN_C, CPLUSPLUS = "C", "C++"
 LANGUAGES = (PLAIN_C, CPLUSPLUS)
-_NUMBERS = ("intBits", "longBits", "pointerBits", "doubleBits")
 _KEYS = (
     "platform", "board", "generator", "toolchain", "structure", "language", "suffix", "module_suffix", "project_file",
     "libraries", "any_board", "by_board",
@@ -186,7 +184,7 @@ def target_facts(target: str, project: Path | None = None) -> TargetFacts:
         projectFile=table.text("project_file", ""),
         libraryIndex=table.text("libraries", ""),
     )
-    return TargetFacts(model, bool(table.values.get("any_board", False)))
+    return TargetFacts(model, table.flag("any_board", False))
 
 
 def takes_libraries_of(target: str, index: str, project: Path | None = None) -> bool:
@@ -241,8 +239,8 @@ def _whole(own: dict[str, Json], place: Path, prefix: str, project: Path | None)
     for key in own:
         if key not in _KEYS:
             raise table.error(key, f"is no key of a target{did_you_mean(key, _KEYS)}")
-    base = platform_table(table.text("platform"), table, project).values.get("target", {})
-    return DataTable(place, {**base, **own}, prefix)
+    base = platform_table(table.text("platform"), table, project).table("target", needed=False)
+    return DataTable(place, {**base.values, **own}, prefix)
 
 
 def platform_table(name: str, named_in: DataTable, project: Path | None) -> DataTable:
@@ -264,7 +262,7 @@ def _platforms_by_board(project: Path | None) -> Iterator[tuple[str, Path]]:
         for path in sorted(folder.glob("*/platform.toml")):
             if path.parent.name not in seen:
                 seen.add(path.parent.name)
-                if table_of(path).values.get("target", {}).get("by_board"):
+                if table_of(path).table("target", needed=False).flag("by_board", False):
                     yield path.parent.name, path
 
 
@@ -278,29 +276,30 @@ def target_platform(name: str, project: Path | None = None) -> platform.Platform
 
 
 def _platform(table: DataTable, folder: str, project: Path | None) -> platform.Platform:
-    try:
-        data = table.values
-        return platform.Platform(
-            name=data["name"],
-            title=data.get("title", data["name"]),
-            language=data["language"],
-            charSigned=data["charSigned"],
-            hasCogs=data["hasCogs"],
-            architecture=data["architecture"],
-            coreVersion=data["core"],
-            coreName=data.get("core_name", ""),
-            mainHeader=data["include"],
-            pinFunctions=data.get("pin_functions", ()),
-            standardHeaders=data["standard_headers"],
-            widths=[platform.TypeWidth(sourceType=wide, targetType=kept) for wide, kept in data["widths"].items()],
-            widerNames=[
-                platform.TypeWidth(sourceType=name, targetType=kept) for name, kept in data.get("wider_names", {}).items()
-            ],
-            names=reserved_names(folder, project),
-            **{key: data[key] for key in _NUMBERS},
-        )
-    except KeyError as error:
-        raise PlatformDataError(f"the key {error} is missing", location=Location(str(table.path)), fix="add it") from None
+    return platform.Platform(
+        name=table.text("name"),
+        title=table.text("title", table.text("name")),
+        language=table.text("language"),
+        charSigned=table.flag("charSigned"),
+        hasCogs=table.flag("hasCogs"),
+        architecture=table.text("architecture"),
+        coreVersion=table.text("core"),
+        coreName=table.text("core_name", ""),
+        mainHeader=table.text("include"),
+        pinFunctions=table.texts("pin_functions", ()),
+        standardHeaders=table.texts("standard_headers"),
+        intBits=table.number("intBits"),
+        longBits=table.number("longBits"),
+        pointerBits=table.number("pointerBits"),
+        doubleBits=table.number("doubleBits"),
+        widths=_widths(table.table("widths")),
+        widerNames=_widths(table.table("wider_names", needed=False)),
+        names=reserved_names(folder, project),
+    )
+
+
+def _widths(table: DataTable) -> list[platform.TypeWidth]:
+    return [platform.TypeWidth(sourceType=name, targetType=table.text(name)) for name in table.values]
 
 
 def _toolchain(name: str, named_in: DataTable, project: Path | None) -> platform.Toolchain:

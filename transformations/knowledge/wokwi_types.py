@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from functools import cache
 from pathlib import Path
@@ -20,6 +20,7 @@ from robosmi.transformations.knowledge.board_models import drawing_files, table_
 from robosmi.transformations.knowledge.part import Part
 from robosmi.transformations.knowledge.part_names import Phrases
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
+from robosmi.typed import fresh
 from robosmi.verify.tables import DataTable
 
 TOOL = "wokwi"
@@ -45,7 +46,7 @@ class WokwiPart:
     attributes: Mapping[str, str]
     pins: Mapping[str, str]
     supplies: Mapping[str, str]
-    returns: Mapping[str, str] = field(default_factory=dict)
+    returns: Mapping[str, str] = fresh(dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +67,7 @@ class _Entry:
     pins: tuple[tuple[str, str], ...]
     order: tuple[tuple[str, ...], ...]
     returns: tuple[str, ...]
-    takes: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    takes: Mapping[str, tuple[str, ...]] = fresh(dict)
 
 
 def wokwi_board(name: str, project: Path | None = None) -> WokwiBoard | None:
@@ -231,20 +232,18 @@ def _entries(path: Path, changed: int) -> tuple[_Entry, ...]:  # `changed` keys 
 
 
 def _entry(table: DataTable) -> _Entry:
-    attributes = table.table("attrs") if "attrs" in table.values else None
-    pins = table.table("pins") if "pins" in table.values else None
-    takes = table.table("takes") if "takes" in table.values else None
+    pins, takes = table.table("pins", needed=False), table.table("takes", needed=False)
     order = table.values.get("order", [])
     if not isinstance(order, list) or not all(isinstance(pins, list) for pins in order):
         raise table.error("order", "must be a list of lists of pins")
     return _Entry(
         kind=table.text("type"),
-        attributes={key: attributes.text(key) for key in attributes.values} if attributes is not None else {},
+        attributes=table.texts_by_name("attrs"),
         words=Phrases((word, 0) for word in table.texts("words")),
         forbidden=Phrases((word, 0) for word in table.texts("not", ())),
-        pins=tuple(pair for pin in pins.values for pair in _told(pin, pins.texts(pin))) if pins is not None else (),
+        pins=tuple(pair for pin in pins.values for pair in _told(pin, pins.texts(pin))),
         returns=table.texts("returns", ()),
-        takes={key: takes.texts(key) for key in takes.values} if takes is not None else {},
+        takes={key: takes.texts(key) for key in takes.values},
         order=tuple(tuple(str(each) for each in pins) for pins in order),
     )
 

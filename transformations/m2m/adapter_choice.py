@@ -22,6 +22,7 @@ from robosmi.transformations.queries.adapter_needs import AdapterPieces
 from robosmi.transformations.queries.adapter_signature import spelling
 from robosmi.transformations.queries.plan_adapters import closure, emitted
 from robosmi.transformations.queries.signature_text import parameter_type, taken_apart
+from robosmi.typed import distinct
 
 Status = migration.AdapterStatus
 _LONG = re.compile(r"(?<!long )\blong(?! long)(?: int)?\b")
@@ -168,7 +169,7 @@ class AdapterChoice:
         same = [other for other, signature in declared.items() if signature == declared.get(header)]
         below = [other for other in declared if other in self.api.closure((header,))]
         above = [other for other in self.index.headers if header in self.api.closure((other,))]
-        return list(dict.fromkeys((header, *same, *below, *(other for other in above if other not in declared))))
+        return distinct((header, *same, *below, *(other for other in above if other not in declared)))
 
     def _conflict(self, pieces: Iterable[AdapterPiece]) -> str:
         """Which interrupt pieces need that another function's adapter has; empty for none."""

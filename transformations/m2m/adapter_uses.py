@@ -19,6 +19,7 @@ from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.queries.code import CalledFunction, CodeView
 from robosmi.transformations.queries.own_headers import included
 from robosmi.transformations.queries.signature_text import declare, nothing, parameter_type, type_names
+from robosmi.typed import distinct
 
 Source = migration.SignatureSource
 _RESERVED = re.compile(r"__(?!builtin_)|_[A-Z]")
@@ -203,7 +204,7 @@ def target_type(spelling: str, own: Mapping[str, ccode.Declaration], language: s
     empty = nothing(spelling)
     if empty == "{}" and language == PLAIN_C:
         empty = f"({spelling}){{0}}"
-    named = dict.fromkeys(word for word in type_names(spelling) if word in own)
+    named = distinct(word for word in type_names(spelling) if word in own)
     return migration.TargetType(spelling=spelling, emptyValue=empty, declarations=[own[word] for word in named])
 
 

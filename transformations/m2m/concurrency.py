@@ -26,6 +26,7 @@ from robosmi.transformations.queries.main_function import Division
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.transformations.queries.source_text import SourceText
 from robosmi.transformations.queries.stack_depth import IDLE, interrupt_bytes, measured_stacks
+from robosmi.typed import distinct
 
 SPARE = 1.25
 """By what an estimate is multiplied."""
@@ -84,4 +85,4 @@ def concurrency(
 def _functions(views: Sequence[CodeView], starts: Sequence[CogStart]) -> list[ccode.Function]:
     """The program's functions that are started, each once."""
     own = {str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition}
-    return [own[name] for name in dict.fromkeys(s.function for s in starts) if name in own]
+    return [own[name] for name in distinct(s.function for s in starts) if name in own]

@@ -9,7 +9,7 @@ figures. Nothing here knows a drawing tool.
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import islice
 
 from robosmi import quoting
@@ -21,6 +21,7 @@ from robosmi.transformations.knowledge.part_names import PartNames, name_directi
 from robosmi.transformations.queries.circuit_walk import ReachedComponent, either_side, natural_key, pins_of, walk
 from robosmi.transformations.queries.connector_names import told_name
 from robosmi.transformations.queries.joined_inside import tied_inside
+from robosmi.typed import distinct, fresh
 
 Role = hardware.Role
 
@@ -52,8 +53,8 @@ class _Mapped:
 class _State:
     known: PartNames
     path: str
-    findings: list[Finding] = field(default_factory=list)
-    on_boards: dict[int, list[hardware.Connector]] = field(default_factory=dict)
+    findings: list[Finding] = fresh(list)
+    on_boards: dict[int, list[hardware.Connector]] = fresh(dict)
     """Of a net, by its identity: the connectors that boards have on it."""
 
     def report(self, rule: str, severity: Severity, message: str, fix: str | None = None, **evidence: object) -> None:
@@ -154,7 +155,7 @@ def _map_board(board: hardware.Component, target: platform.Board | None, state: 
         pins = dict(sorted(pins.items(), key=lambda item: known_pins.get(item[0], (len(known_pins), None))[0]))
     _report_joined(board, pins, state)
     for place, (label, connectors) in enumerate(pins.items()):
-        nets = list(dict.fromkeys(c.net for c in connectors if c.net is not None))
+        nets = distinct(c.net for c in connectors if c.net is not None)
         for net in nets:
             _report_net(board, label, net, state)
         pin = known_pins[label][1] if label in known_pins else None

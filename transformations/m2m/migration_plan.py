@@ -7,7 +7,7 @@ with their digests, so that a stored plan can tell whether it still belongs to i
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import NamedTuple
 
 from robosmi.diagnostics import Finding
@@ -31,6 +31,7 @@ from robosmi.transformations.queries.binding_edits import TRACED
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.ports import ProgramPorts
 from robosmi.transformations.queries.source_text import words_of
+from robosmi.typed import distinct, fresh
 
 
 @dataclass(frozen=True)
@@ -44,10 +45,10 @@ class LibrariesSaid:
         stored: (elementId, title) -> what a person chose in a stored plan, behind `libraries`.
     """
 
-    libraries: Mapping[str, str] = field(default_factory=dict)
+    libraries: Mapping[str, str] = fresh(dict)
     limit: float = 0.8
     candidates: int = 10
-    stored: Mapping[tuple[str, str], Said] = field(default_factory=dict)
+    stored: Mapping[tuple[str, str], Said] = fresh(dict)
 
 
 class Hardware(NamedTuple):
@@ -170,7 +171,7 @@ def put_together(
     for widening in d.widened.widenings:
         trace.link("widths", "code", [widening.element], [widening])
     words = words_of(d.files[unit.path] for unit in d.program.units)
-    for name in dict.fromkeys(library for piece in d.dependence.pieces for library in piece.libraries):
+    for name in distinct(library for piece in d.dependence.pieces for library in piece.libraries):
         d.libraries.get(name)
     repository = target_repository(d.target, d.dependence.source, d.board, list(d.libraries.elements.values()), words)
     target = d.target.model.platform

@@ -68,7 +68,7 @@ def implicit_int(view: CodeView, data: bytes, functions: Mapping[str, FunctionTy
 
 def _without_macros(head: str, view: CodeView) -> str:
     """What stands before a name, without the platform's macros that say where a thing lies."""
-    places = set(view.api.settings["parser"].get("attribute_macros", ()))
+    places = set(view.api.settings["parser"].get("attribute_macros", []))
     return re.sub(r"\w+", lambda word: "" if word[0] in places else word[0], head)
 
 

@@ -13,6 +13,7 @@ from robosmi.metamodels import ccode, migration
 from robosmi.transformations.queries.port_pins import text_in_place
 from robosmi.transformations.queries.ports import FlowPorts, ProgramPorts
 from robosmi.transformations.queries.value_flows import PinArgument, PortPlace
+from robosmi.typed import distinct
 
 RULE = "port"
 """Id of the rule that writes a pin in the place of a port's number."""
@@ -79,7 +80,7 @@ def _flow(
     each: FlowPorts, changes: list[migration.TextChange], numbers: Mapping[int, migration.PortBinding]
 ) -> migration.PortFlow:
     first = each.flow.arguments[0]
-    names = list(dict.fromkeys(p.name for p in each.flow.places if p.name))[:3]
+    names = distinct(p.name for p in each.flow.places if p.name)[:3]
     why = each.flow.kept[:_REASONS] if not each.moved else ["its numbers go to pins of platform functions only"]
     return migration.PortFlow(
         name=", ".join(names) or f"{first.function} {_where(first)}",

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import accumulate
 
 from robosmi.diagnostics import Finding, Location, Severity
@@ -23,6 +23,7 @@ from robosmi.transformations.m2m.width_wants import Want
 from robosmi.transformations.queries.numbers import Machine
 from robosmi.transformations.queries.typed import TypedExpression, deep_calls
 from robosmi.transformations.queries.width_types import retyped, retyped_words
+from robosmi.typed import distinct, fresh
 
 TYPE = "type"
 """The rule of a change of a declared type."""
@@ -46,8 +47,8 @@ class Widened:
         lost: what has to be written otherwise and finds no place.
     """
 
-    widenings: list[migration.Widening] = field(default_factory=list)
-    lost: list[Want] = field(default_factory=list)
+    widenings: list[migration.Widening] = fresh(list)
+    lost: list[Want] = fresh(list)
 
 
 def widenings(
@@ -222,7 +223,7 @@ def _decisions(unit: ccode.SourceUnit, edits: Iterable[WidthEdit]) -> Iterator[m
                 break
         found.setdefault(owner, []).append(edit)
     for owner in sorted(found, key=lambda o: int(o.startOffset) if o is not None else -1):
-        reasons = dict.fromkeys(_REASONS[e.rule] for e in found[owner])
+        reasons = distinct(_REASONS[e.rule] for e in found[owner])
         yield migration.Widening(
             element=owner, choice="fix", chosenBy=migration.ChosenBy.rule, confidence=1.0, evidence=list(reasons),
             changes=[

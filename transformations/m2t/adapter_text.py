@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 
 from robosmi.metamodels import platform
+from robosmi.typed import distinct
 
 WIDTH = 125
 INTERRUPTS = "ADAPTERS_INTERRUPTS"
@@ -46,7 +47,7 @@ def apart(piece: platform.Adapter, above: platform.Adapter | None) -> bool:
 
 def includes(pieces: Iterable[platform.Adapter]) -> list[str]:
     """The headers of the target that pieces need, each once."""
-    return list(dict.fromkeys(str(header) for piece in pieces for header in piece.includes))
+    return distinct(str(header) for piece in pieces for header in piece.includes)
 
 
 def declarations(

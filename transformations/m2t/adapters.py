@@ -20,6 +20,7 @@ from robosmi.transformations.queries.plan_adapters import emitted
 from robosmi.transformations.queries.port_pins import UNBOUND, port_literals
 from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.queries.split_wires import answering_pin, asking_pin
+from robosmi.typed import distinct
 
 
 class Adapter(NamedTuple):
@@ -158,7 +159,7 @@ def _split_wires(plan: migration.MigrationPlan, pieces: Iterable[platform.Adapte
     ]
     if not pairs or not any(piece.name == SPLIT_WIRES for piece in pieces):
         return []
-    rows = [f"  {{{pin_literal(asked)}, {pin_literal(heard)}}}," for asked, heard in dict.fromkeys(pairs)]
+    rows = [f"  {{{pin_literal(asked)}, {pin_literal(heard)}}}," for asked, heard in distinct(pairs)]
     about = "// Components with a wire for each direction: the pin that asks, and the one that answers"
     kinds = "uint8_t asks, answers;"
     return ["", about, "#define SPLIT_WIRES", f"static const struct {{ {kinds} }} split_wires[] = {{", *rows, "};"]

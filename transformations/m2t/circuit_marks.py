@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import hardware
+from robosmi.typed import distinct, fresh
 
 _ELEMENT = re.compile(r"//@(components|nets)\.(\d+)")
 _QUOTED = re.compile(r"'([^']+)'")
@@ -32,9 +33,9 @@ class Mark:
 class Marks:
     """The marks of a picture: by component, by connector, and those of the drawing as a whole."""
 
-    components: dict[hardware.Component, list[Mark]] = field(default_factory=dict)
-    connectors: dict[hardware.Connector, Mark] = field(default_factory=dict)
-    whole: list[Mark] = field(default_factory=list)
+    components: dict[hardware.Component, list[Mark]] = fresh(dict)
+    connectors: dict[hardware.Connector, Mark] = fresh(dict)
+    whole: list[Mark] = fresh(list)
 
 
 def marks(circuit: hardware.Circuit, findings: Iterable[Finding]) -> Marks:
@@ -59,7 +60,7 @@ def marks(circuit: hardware.Circuit, findings: Iterable[Finding]) -> Marks:
         if net is not None:
             for connector in net.connectors:
                 made.connectors.setdefault(connector, mark)
-            about = about or list(dict.fromkeys(c.component for c in net.connectors if c.component is not None))
+            about = about or distinct(c.component for c in net.connectors if c.component is not None)
         for component in about:
             mine = made.components.setdefault(component, [])
             if mark not in mine:

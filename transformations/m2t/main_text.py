@@ -232,7 +232,7 @@ def _indented(pieces: Sequence[Piece], source: SourceText) -> list[str]:
 
 
 def _elements(piece: Piece) -> list[object]:
-    return [*piece.elements, *(d for d in map(decision_of, piece.changes) if d is not None)]
+    return [*piece.elements, *(d for change in piece.changes if (d := decision_of(change)) is not None)]
 
 
 def _first_line(source: SourceText, offset: int) -> int:

@@ -140,7 +140,7 @@ def _retained(parts: list[MainPart], unit: ccode.SourceUnit, pieces: Iterator[Pi
         text = piece.text.lstrip("\n") if before.endswith("\n\n") or before == "\n" else piece.text
         if not text:
             continue
-        bindings = [b for b in map(decision_of, piece.changes) if isinstance(b, migration.PortBinding)]
+        bindings = [b for change in piece.changes if isinstance(b := decision_of(change), migration.PortBinding)]
         connections = [b.connection for b in bindings if b.connection is not None]
         elements = [*(piece.elements or [unit]), *bindings, *connections]
         parts.append(MainPart(_lines(text), "hardware" if bindings else "code", "retained code", elements))

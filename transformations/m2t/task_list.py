@@ -18,6 +18,7 @@ from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.plan import called
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.verdicts import CARE, Construct, verdict_counts
+from robosmi.typed import distinct
 
 RELATIONS = {"oneToOne": "1:1", "oneToMany": "1:n", "manyToOne": "n:1", "semantic": "semantic"}
 """How calls correspond -> how the paper writes it (3.4)."""
@@ -66,7 +67,7 @@ def _kept_numbers(plan: migration.MigrationPlan) -> list[dict[str, str]]:
     """The flows whose numbers stay those of the source, each said once."""
     flows = [flow for flow in plan.portFlows if flow.choice == "source"]
     rows = [(str(f.name), ", ".join(b.name for b in f.bindings) or "any", "; ".join(f.evidence)) for f in flows]
-    return [{"name": name, "ports": ports, "why": why} for name, ports, why in dict.fromkeys(rows)]
+    return [{"name": name, "ports": ports, "why": why} for name, ports, why in distinct(rows)]
 
 
 def _sections(screen: FirstScreen) -> list[dict[str, Any]]:
@@ -135,7 +136,7 @@ def _port(binding: migration.PortBinding) -> dict[str, str]:
     return {
         "name": binding.name,
         "pin": f"P{binding.sourcePin}" if binding.sourcePin >= 0 else "",
-        "names": ", ".join(n for n in dict.fromkeys([binding.name, *binding.names]) if n != f"P{binding.sourcePin}"),
+        "names": ", ".join(n for n in distinct([binding.name, *binding.names]) if n != f"P{binding.sourcePin}"),
         "component": binding.connection.component.title if binding.connection and binding.connection.component else "",
         "target": _target(binding),
         "what": binding.what,

@@ -16,6 +16,7 @@ from robosmi.transformations.queries.memory import Memory, memory
 from robosmi.transformations.queries.plan import platform_of
 from robosmi.transformations.queries.plan_adapters import closure, emitted
 from robosmi.transformations.queries.split_wires import answering_pin
+from robosmi.typed import distinct
 
 _MILLION = 1e6
 
@@ -141,7 +142,7 @@ def _timers(plan: migration.MigrationPlan) -> Iterable[TimerNeeds]:
         library = next((str(name) for each in needed for name in each.libraries), "")
         for timer in piece.timers:
             _join(takers.setdefault(str(timer), []), {id(each) for each in needed}, id(piece), library or str(piece.name))
-    return (TimerNeeds(timer, tuple(dict.fromkeys(name for _, name in takers[timer]))) for timer in sorted(takers))
+    return (TimerNeeds(timer, tuple(distinct(name for _, name in takers[timer]))) for timer in sorted(takers))
 
 
 def _join(families: list[tuple[set[int], str]], needed: set[int], piece: int, name: str) -> None:
@@ -183,7 +184,7 @@ def needs_in_words(needs: BoardNeeds) -> str:
 def _time_in_words(time: Time) -> str:
     low, high = _seconds(time.low), _seconds(time.high)
     counted = f"{low} to {high}" if low != high else low
-    names = list(dict.fromkeys(wait.what for wait in time.unbounded))
+    names = distinct(wait.what for wait in time.unbounded)
     lines = sorted({wait.line for wait in time.unbounded})
     if not names:
         return f"waits {counted}" if time.high else "does not wait"

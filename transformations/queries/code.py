@@ -20,6 +20,7 @@ from robosmi.transformations.knowledge.api_facts import ApiEntry
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.values import Values
+from robosmi.typed import fresh
 
 T = TypeVar("T")
 _CALLED = re.compile(r"(?<![\w.#>])([A-Za-z_]\w*)\s*\(")
@@ -44,7 +45,7 @@ class CalledFunction:
     """
 
     name: str
-    calls: list[ccode.Call] = field(default_factory=list)
+    calls: list[ccode.Call] = fresh(list)
     entry: ApiEntry | None = None
     header: str = ""
     signature: str = ""
@@ -71,7 +72,7 @@ class UsedName:
     name: str
     kind: str
     header: str
-    lines: list[int] = field(default_factory=list)
+    lines: list[int] = fresh(list)
 
 
 @dataclass
@@ -110,7 +111,7 @@ class CodeView:
         """The unit's elements of a kind, a container before what it contains."""
         found = self._kinds.get(kind)
         if found is None:
-            wanted = {cls for cls in set(map(type, self.elements)) if issubclass(cls, kind)}
+            wanted = {cls for cls in {each.__class__ for each in self.elements} if issubclass(cls, kind)}
             found = self._kinds[kind] = [x for x in self.elements if x.__class__ in wanted]
         return found
 
@@ -371,6 +372,12 @@ def _code_name(argument: ccode.Expression) -> str:
         else:
             break
     return str(getattr(argument, "name", None) or getattr(argument, "text", None) or "")
+
+
+def named_type(expression: Element | None) -> ccode.TypeUse | None:
+    """The declared type of the variable, parameter or field that an expression names; None for any other expression."""
+    target = expression.target if isinstance(expression, ccode.NameReference) else None
+    return target.valueType if isinstance(target, (ccode.Variable, ccode.Parameter, ccode.Field)) else None
 
 
 def unit_of(element: Element | None) -> ccode.SourceUnit | None:

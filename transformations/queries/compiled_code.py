@@ -9,17 +9,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
 
 from robosmi.metamodels import ccode, migration
 from robosmi.model.strict import Element
 from robosmi.query import all_of_kind
 from robosmi.transformations.queries.answered_calls import calls_at_no_pin, ignored_arguments, unwritten_calls
+from robosmi.transformations.queries.code import named_type
 from robosmi.transformations.queries.folded_code import FoldedCode
 from robosmi.transformations.queries.folded_values import PURE, Key
 from robosmi.transformations.queries.live_code import identity, in_macros, is_global
 from robosmi.transformations.queries.values import Values
+from robosmi.typed import fresh
 
 _COUNTS = ("++", "--")
 _VALUE = re.compile(r"^(?:const \w+ \w+ =|#define \w+) (?P<number>-?(?:0x[0-9A-Fa-f]+|0|[1-9]\d*))L?;?$")
@@ -41,10 +42,10 @@ class CompiledCode:
 
     elements: list[Element]
     ignored: set[int]
-    fixed: dict[Key, int | None] = field(default_factory=dict)
-    unread: set[Key] = field(default_factory=set)
-    answers: dict[int, int] = field(default_factory=dict)
-    arguments: dict[int, list[int | None]] = field(default_factory=dict)
+    fixed: dict[Key, int | None] = fresh(dict)
+    unread: set[Key] = fresh(set)
+    answers: dict[int, int] = fresh(dict)
+    arguments: dict[int, list[int | None]] = fresh(dict)
 
 
 def compiled_code(plan: migration.MigrationPlan, *, pins: bool = True) -> CompiledCode:
@@ -84,9 +85,10 @@ def compiled_code(plan: migration.MigrationPlan, *, pins: bool = True) -> Compil
             unread.add(identity(variable))
     second = FoldedCode(units, answer, fixed, moved, names)
     for each in second.elements:
-        target = each.left.target if isinstance(each, ccode.Assignment) and isinstance(each.left, ccode.NameReference) else None
-        if isinstance(target, ccode.Variable) and identity(target) in unread:
-            ignored.add(id(each.right))
+        if isinstance(each, ccode.Assignment) and isinstance(each.left, ccode.NameReference):
+            target = each.left.target
+            if isinstance(target, ccode.Variable) and identity(target) in unread:
+                ignored.add(id(each.right))
     return CompiledCode(second.elements, _with_unused(second, ignored, moved), fixed, unread, answers, second.arguments)
 
 
@@ -114,11 +116,11 @@ def _first_value(variable: ccode.Variable, values: Values | None) -> int | None:
     return found[0].number if len(found) == 1 else None
 
 
-def _is_number(initializer: Any) -> bool:
+def _is_number(initializer: ccode.Expression) -> bool:
     return not any(isinstance(each, (ccode.NameReference, ccode.Call)) for each in (initializer, *initializer.eAllContents()))
 
 
-def uses_of(elements: Iterable[Any], ignored: set[int]) -> dict[Key, list[ccode.NameReference]]:
+def uses_of(elements: Iterable[Element], ignored: set[int]) -> dict[Key, list[ccode.NameReference]]:
     """Where each variable is named, but for what nothing is made of.
 
     Args:
@@ -127,9 +129,10 @@ def uses_of(elements: Iterable[Any], ignored: set[int]) -> dict[Key, list[ccode.
     """
     uses: dict[Key, list[ccode.NameReference]] = {}
     for element in elements:
-        target = element.target if isinstance(element, ccode.NameReference) else None
-        if isinstance(target, ccode.Variable) and not is_ignored(element, ignored):
-            uses.setdefault(identity(target), []).append(element)
+        if not isinstance(element, ccode.NameReference) or is_ignored(element, ignored):
+            continue
+        if isinstance(element.target, ccode.Variable):
+            uses.setdefault(identity(element.target), []).append(element)
     return uses
 
 
@@ -153,7 +156,7 @@ def _stays(declaration: ccode.Variable | ccode.Parameter, moved: set[int]) -> bo
     return isinstance(declaration, ccode.Variable) and _lasts(declaration, moved)
 
 
-def _given(declaration: ccode.Variable | ccode.Parameter, inside: set[int]) -> Iterator[Any]:
+def _given(declaration: ccode.Variable | ccode.Parameter, inside: set[int]) -> Iterator[ccode.Expression | None]:
     """What a local variable or a parameter is given."""
     if isinstance(declaration, ccode.Variable):
         if declaration.initializer is not None:
@@ -169,7 +172,7 @@ def _given(declaration: ccode.Variable | ccode.Parameter, inside: set[int]) -> I
             yield container.right
 
 
-def declared_in(element: Any) -> Iterable[ccode.Variable]:
+def declared_in(element: Element | None) -> Iterable[ccode.Variable]:
     """The variables that an element declares, itself or within it."""
     return [element] if isinstance(element, ccode.Variable) else all_of_kind(element, ccode.Variable)
 
@@ -183,9 +186,9 @@ def is_volatile(declaration: ccode.Variable | ccode.Parameter) -> bool:
 # ---- what is done at a place
 
 
-def is_ignored(reference: Any, ignored: set[int]) -> bool:
+def is_ignored(reference: ccode.Expression, ignored: set[int]) -> bool:
     """Whether an expression stands in one of which nothing is made."""
-    element: Any = reference
+    element: Element | None = reference
     while isinstance(element, ccode.Expression):
         if id(element) in ignored:
             return True
@@ -198,9 +201,9 @@ def is_ignored(reference: Any, ignored: set[int]) -> bool:
 
 def way(reference: ccode.NameReference) -> str:
     """What is done at a reference: read, written, both, its address taken, or any element read."""
-    element: Any = reference
+    element: Element = reference
     indexed = False
-    container: Any = element.eContainer()
+    container = element.eContainer()
     while (isinstance(container, ccode.Index) and container.array is element) or isinstance(container, ccode.Member):
         indexed = indexed or (isinstance(container, ccode.Index) and not isinstance(container.index, ccode.IntegerLiteral))
         element, container = container, container.eContainer()
@@ -212,7 +215,7 @@ def way(reference: ccode.NameReference) -> str:
         return "written" if isinstance(container.eContainer(), (ccode.ExpressionStatement, ccode.For)) else "both"
     if isinstance(container, ccode.Assignment) and container.left is element:
         return "written" if isinstance(container.eContainer(), (ccode.ExpressionStatement, ccode.For)) else "both"
-    target: Any = reference.target
-    if target.valueType is not None and target.valueType.arrayDims and element is reference:
+    use = named_type(reference)
+    if use is not None and use.arrayDims and element is reference:
         return "address"
     return "any" if indexed else "read"

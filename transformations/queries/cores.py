@@ -102,7 +102,7 @@ def handed_over(call: ccode.Call, api: ApiIndex) -> tuple[ccode.Expression | Non
     name, arguments = str(call.calleeName or ""), list(call.arguments)
     own = call.callee is not None and call.callee.definition
     position = None if own else api.code_argument(name)
-    meanings = list(api.meaning(name).get("parameters", ())) if position is not None else []
+    meanings = list(api.meaning(name).get("parameters", [])) if position is not None else []
     handed = meanings.index("handed") if "handed" in meanings else None
     if position is None or handed is None or max(position, handed) >= len(arguments):
         return None, None

@@ -17,6 +17,7 @@ from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.described_circuit import describe, device_facts, joins_by_bus_only, supply_limit
 from robosmi.transformations.knowledge.drawn_boards import drawn_board
 from robosmi.transformations.knowledge.electrical_facts import DeviceFacts
+from robosmi.typed import distinct
 
 T = TypeVar("T")
 Role = hardware.Role
@@ -128,9 +129,7 @@ class Wiring:
 
     def pins_at(self, net: hardware.Net) -> list[tuple[hardware.Component, str]]:
         """The boards at a net, each with the label of its pin there."""
-        return self.once(
-            "pins", net, lambda: list(dict.fromkeys((o, c.pin) for o, c in self.on(net) if o.role is Role.Board and c.pin))
-        )
+        return self.once("pins", net, lambda: distinct((o, c.pin) for o, c in self.on(net) if o.role is Role.Board and c.pin))
 
     def is_gpio(self, board: hardware.Component, label: str) -> bool:
         """Whether a label is that of a pin of the controller, and not of a driver that the board has."""
@@ -168,7 +167,7 @@ class Wiring:
 
         def find() -> list[hardware.Net]:
             others = (self.across(owner, net) for owner, _ in self.on(net))
-            return list(dict.fromkeys(other for other in others if other is not None))
+            return distinct(other for other in others if other is not None)
 
         return self.once("beyond", net, find)
 
@@ -228,5 +227,5 @@ def who(component: hardware.Component) -> str:
 
 def listed(texts: list[str]) -> str:
     """Texts as one: `a`, `a and b`, `a, b and c`; each once."""
-    once = list(dict.fromkeys(texts))
+    once = distinct(texts)
     return once[0] if len(once) == 1 else f"{', '.join(once[:-1])} and {once[-1]}"

@@ -21,6 +21,7 @@ from robosmi.transformations.queries.number_names import holder_of
 from robosmi.transformations.queries.pin_uses import pin_number
 from robosmi.transformations.queries.pointers import gives_access, moved_pointer, pointed_functions
 from robosmi.transformations.queries.value_flows import Flows, PinArgument, PortPlace
+from robosmi.typed import distinct
 
 _WRITTEN = re.compile(rb"[0-9']")
 """What a number or character begins with that stands in the text itself."""
@@ -362,7 +363,7 @@ class FlowReader:
         found = [
             self._enumerator(e) if isinstance(e, ccode.EnumerationLiteral) else self.key(e) for e in self.elements_named(name)
         ]
-        return list(dict.fromkeys(found))
+        return distinct(found)
 
 
 _THROUGH = {"Cast": "operand", "Index": "array", "Assignment": "left"}

@@ -8,10 +8,11 @@ the model does not know and what nests deeper than `DEPTH` count as carried out,
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, TypeGuard
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.query import all_contents
 from robosmi.transformations.queries.folded_values import DEPTH, Answer, FoldedValues, Key, State, join
 from robosmi.transformations.queries.live_code import identity
@@ -39,7 +40,7 @@ class FoldedCode(FoldedValues):
         while self.pending:
             self._start(self.pending.pop())
 
-    def _start(self, declaration: Any) -> None:
+    def _start(self, declaration: Element) -> None:
         self.see(declaration)
         if isinstance(declaration, ccode.Function):
             for parameter in declaration.parameters:
@@ -54,12 +55,14 @@ class FoldedCode(FoldedValues):
 
     # ---- statements
 
-    def _run(self, statement: Any, state: State) -> State | None:
+    def _run(self, statement: ccode.Statement | None, state: State) -> State | None:
         """Carry out a statement.
 
         Returns:
             The values behind it; None where nothing gets there.
         """
+        if statement is None:  # what the reader could not tell
+            return state
         if self.depth > DEPTH:
             self.whatever(statement, state)
             return state
@@ -74,7 +77,7 @@ class FoldedCode(FoldedValues):
         self.depth -= 1
         return result
 
-    def _block(self, block: Any, state: State) -> State | None:
+    def _block(self, block: ccode.Block, state: State) -> State | None:
         after: State | None = state
         for statement in block.statements:
             after = self._run(statement, after) if after is not None else None
@@ -82,11 +85,11 @@ class FoldedCode(FoldedValues):
                 break
         return after
 
-    def _expression(self, statement: Any, state: State) -> State:
+    def _expression(self, statement: ccode.ExpressionStatement, state: State) -> State:
         self.value(statement.expression, state)
         return state
 
-    def _declared(self, statement: Any, state: State) -> State:
+    def _declared(self, statement: ccode.DeclarationStatement, state: State) -> State:
         for declaration in statement.declarations:
             self.see(declaration)
             if not isinstance(declaration, ccode.Variable):
@@ -100,18 +103,18 @@ class FoldedCode(FoldedValues):
                     self.set_(declaration, value, state)
         return state
 
-    def _return(self, statement: Any, state: State) -> None:
+    def _return(self, statement: ccode.Return, state: State) -> None:
         self.value(statement.value, state)
 
-    def _break(self, _: Any, state: State) -> None:
+    def _break(self, _: ccode.Break, state: State) -> None:
         if self._breaks:
             self._breaks[-1].append(state)
 
-    def _continue(self, _: Any, state: State) -> None:
+    def _continue(self, _: ccode.Continue, state: State) -> None:
         if self._continues:
             self._continues[-1].append(state)
 
-    def _if(self, statement: Any, state: State) -> State | None:
+    def _if(self, statement: ccode.If, state: State) -> State | None:
         for first in (statement.initial, statement.declaration):
             if first is not None:
                 self._run(first, state)
@@ -123,7 +126,7 @@ class FoldedCode(FoldedValues):
         left = self._run(statement.elseBranch, other) if statement.elseBranch is not None else other
         return join([taken, left])
 
-    def _loop(self, loop: Any, state: State) -> State | None:
+    def _loop(self, loop: ccode.Loop, state: State) -> State | None:
         if isinstance(loop, ccode.For) and loop.initial is not None:
             self._run(loop.initial, state)
         if loop.declaration is not None or (isinstance(loop, ccode.For) and loop.range is not None):
@@ -138,7 +141,7 @@ class FoldedCode(FoldedValues):
             head = joined if number < _ROUNDS - 1 else {}
         return leaving
 
-    def _once(self, loop: Any, state: State) -> tuple[State | None, State | None]:
+    def _once(self, loop: ccode.Loop, state: State) -> tuple[State | None, State | None]:
         """Carry out a loop once: the values behind it, and those at its next round."""
         self._breaks.append([])
         self._continues.append([])
@@ -156,35 +159,36 @@ class FoldedCode(FoldedValues):
         self._continues.pop()
         return join([*exits, *self._breaks.pop()]), after
 
-    def _asked(self, loop: Any, state: State, exits: list[State | None]) -> State | None:
+    def _asked(self, loop: ccode.Loop, state: State, exits: list[State | None]) -> State | None:
         """Ask the condition of a loop: the values with which it goes on; those with which it ends are added."""
         value = self.value(loop.condition, state) if loop.condition is not None else 1
         if not value:
             exits.append(dict(state))
         return None if value == 0 and value is not None else state
 
-    def _at_head(self, loop: Any, state: State) -> State:
+    def _at_head(self, loop: ccode.Loop, state: State) -> State:
         """What is known each time round a loop begins: nothing of memory that it, or what it calls, may change."""
         changed: set[Key] = set()
         for each in all_contents(loop):
             if isinstance(each, ccode.Call) and not self.harmless(each):
                 return {key: value for key, value in state.items() if not self.in_memory(key)}
-            target: Any = each.left if isinstance(each, ccode.Assignment) else each.operand if _counts(each) else None
+            target = each.left if isinstance(each, ccode.Assignment) else each.operand if _counts(each) else None
             if isinstance(target, ccode.NameReference) and isinstance(target.target, ccode.Variable):
                 changed.add(identity(target.target))
         return {key: value for key, value in state.items() if key not in changed or not self.in_memory(key)}
 
-    def _switch(self, switch: Any, state: State) -> State | None:
+    def _switch(self, switch: ccode.Switch, state: State) -> State | None:
         for first in (switch.initial, switch.declaration):
             if first is not None:
                 self._run(first, state)
         chosen = self.value(switch.selector, state)
-        cases = list(switch.body.statements) if isinstance(switch.body, ccode.Block) else []
+        body = switch.body
+        cases = list(body.statements) if isinstance(body, ccode.Block) else []
         inner = sum(isinstance(e, (ccode.Case, ccode.Default)) for e in all_contents(switch))
-        if not cases or inner != sum(len(_labels(each)) for each in cases):
+        if body is None or not cases or inner != sum(len(_labels(each)) for each in cases):
             self.whatever(switch, state)
             return state
-        self.see(switch.body)
+        self.see(body)
         numbers = {
             id(label): self.value(label.constant, {}) for e in cases for label in _labels(e) if isinstance(label, ccode.Case)
         }
@@ -208,7 +212,7 @@ class FoldedCode(FoldedValues):
         return join([after, past, *self._breaks.pop()])
 
 
-_STATEMENTS: dict[str, Any] = {
+_STATEMENTS: dict[str, Callable[[FoldedCode, Any, State], State | None]] = {
     "Block": FoldedCode._block,
     "ExpressionStatement": FoldedCode._expression,
     "DeclarationStatement": FoldedCode._declared,
@@ -224,14 +228,14 @@ _STATEMENTS: dict[str, Any] = {
 }
 
 
-def _labels(statement: Any) -> list[Any]:
+def _labels(statement: ccode.Statement | None) -> list[ccode.Case | ccode.Default]:
     """The cases that a statement begins with, one within the other."""
-    found = []
+    found: list[ccode.Case | ccode.Default] = []
     while isinstance(statement, (ccode.Case, ccode.Default)):
         found.append(statement)
         statement = statement.statement
     return found
 
 
-def _counts(element: Any) -> bool:
+def _counts(element: Element) -> TypeGuard[ccode.Unary]:
     return isinstance(element, ccode.Unary) and element.operator in ("++", "--")

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.query import all_contents
 from robosmi.transformations.queries.live_code import beginnings, identity, is_global, leads_to, what_is_defined
 from robosmi.transformations.queries.values import Values, calculate
@@ -55,7 +56,7 @@ class FoldedValues:
         lasting: Iterable[Key] = (),
         names: Mapping[str, int] | None = None,
     ) -> None:
-        self.elements: list[Any] = []
+        self.elements: list[Element] = []
         self.loads: set[int] = set()
         self.arguments: dict[int, list[int | None]] = {}
         self._names = names or {}
@@ -69,7 +70,7 @@ class FoldedValues:
         program = units[0].program if units else None
         self._values = Values(program, units[0]) if program is not None else None
 
-    def see(self, element: Any) -> None:
+    def see(self, element: Element) -> None:
         """Something may be carried out; so may what it leads to."""
         if id(element) in self.seen:
             return
@@ -80,7 +81,7 @@ class FoldedValues:
                 self._started.add(id(led))
                 self.pending.append(led)
 
-    def whatever(self, element: Any, state: State | None = None) -> None:
+    def whatever(self, element: Element, state: State | None = None) -> None:
         """All in an element may be carried out, in any order."""
         for each in (element, *all_contents(element)):
             self.see(each)
@@ -91,7 +92,7 @@ class FoldedValues:
 
     # ---- expressions
 
-    def value(self, expression: Any, state: State) -> int | None:
+    def value(self, expression: ccode.Expression | None, state: State) -> int | None:
         """Evaluate an expression: its value where that is known."""
         if expression is None:
             return None
@@ -105,7 +106,7 @@ class FoldedValues:
         self.depth -= 1
         return result
 
-    def _parts(self, expression: Any, state: State) -> int | None:
+    def _parts(self, expression: ccode.Expression, state: State) -> int | None:
         """Evaluate all that stands in an expression of which no value is asked."""
         for part in expression.eContents:
             if isinstance(part, ccode.Expression):
@@ -114,14 +115,14 @@ class FoldedValues:
                 self.whatever(part)
         return None
 
-    def _literal(self, literal: Any, _: State) -> int:
+    def _literal(self, literal: ccode.IntegerLiteral | ccode.CharacterLiteral, _: State) -> int:
         return int(literal.value)
 
-    def _measured(self, measured: Any, _: State) -> None:
+    def _measured(self, measured: ccode.SizeOf, _: State) -> None:
         for each in all_contents(measured):
             self.see(each)
 
-    def _name(self, reference: Any, state: State) -> int | None:
+    def _name(self, reference: ccode.NameReference, state: State) -> int | None:
         target = reference.target
         if isinstance(target, ccode.Variable):
             key = identity(target)
@@ -136,12 +137,12 @@ class FoldedValues:
             return known if known is not None else self._text(reference)
         return None
 
-    def _text(self, reference: Any) -> int | None:
+    def _text(self, reference: ccode.NameReference) -> int | None:
         """The value that the text gives a name."""
         found = self._values.of(reference) if self._values is not None else []
         return found[0].number if len(found) == 1 else None
 
-    def _assignment(self, assignment: Any, state: State) -> int | None:
+    def _assignment(self, assignment: ccode.Assignment, state: State) -> int | None:
         value = self.value(assignment.right, state)
         if assignment.operator != "=":
             before = self.value(assignment.left, state)
@@ -152,7 +153,7 @@ class FoldedValues:
             self._place(assignment.left, state)
         return self._store(assignment.left, value, state)
 
-    def _place(self, expression: Any, state: State) -> None:
+    def _place(self, expression: ccode.Expression | None, state: State) -> None:
         """Find out where something lies, without reading it."""
         if expression is None:  # what the reader could not tell
             return
@@ -177,7 +178,7 @@ class FoldedValues:
             self._parts(expression, state)
         self.depth -= 1
 
-    def _store(self, left: Any, value: int | None, state: State) -> int | None:
+    def _store(self, left: ccode.Expression | None, value: int | None, state: State) -> int | None:
         if isinstance(left, ccode.NameReference) and isinstance(left.target, ccode.Variable):
             return self.set_(left.target, value, state)
         return None
@@ -190,7 +191,7 @@ class FoldedValues:
             return value
         return None
 
-    def _unary(self, unary: Any, state: State) -> int | None:
+    def _unary(self, unary: ccode.Unary, state: State) -> int | None:
         operator = str(unary.operator)
         if operator == "&":
             self._place(unary.operand, state)
@@ -203,7 +204,7 @@ class FoldedValues:
         change = _CHANGES.get(operator)
         return change(value) if change is not None and value is not None else None
 
-    def _binary(self, binary: Any, state: State) -> int | None:
+    def _binary(self, binary: ccode.Binary, state: State) -> int | None:
         operator = str(binary.operator)
         left = self.value(binary.left, state)
         if operator not in ("&&", "||"):
@@ -221,7 +222,7 @@ class FoldedValues:
             return None
         return int(bool(right)) if left is not None or bool(right) == (operator == "||") else None
 
-    def _conditional(self, conditional: Any, state: State) -> int | None:
+    def _conditional(self, conditional: ccode.ConditionalExpression, state: State) -> int | None:
         value = self.value(conditional.condition, state)
         if value is not None:
             return self.value(conditional.whenTrue if value else conditional.whenFalse, state)
@@ -232,10 +233,10 @@ class FoldedValues:
         state.update(both)
         return first if first == second else None
 
-    def _cast(self, cast: Any, state: State) -> int | None:
+    def _cast(self, cast: ccode.Cast, state: State) -> int | None:
         return _fitting(self.value(cast.operand, state), cast.target)
 
-    def _call(self, call: Any, state: State) -> int | None:
+    def _call(self, call: ccode.Call, state: State) -> int | None:
         answer = self._answers(call)
         if call.callee is None and call.calleeExpression is not None:
             self.value(call.calleeExpression, state)
@@ -275,11 +276,11 @@ class FoldedValues:
         if use is None or use.arrayDims or "volatile" in str(use.spelling or "") or variable.storage.name == "staticStorage":
             return False
         number = bool(use.pointerDepth) or not isinstance(use.declaration, ccode.Record)
-        return number and not any(map(self._addressed, variable.references))
+        return number and not any(self._addressed(reference) for reference in variable.references)
 
     def _addressed(self, reference: ccode.NameReference) -> bool:
         """Whether the address of a variable is taken, for more than a call that does nothing with it."""
-        element: Any = reference
+        element: Element = reference
         container = element.eContainer()
         while isinstance(container, (ccode.Member, ccode.Index, ccode.Cast)):
             element, container = container, container.eContainer()
@@ -297,7 +298,7 @@ _CHANGES: dict[str, Callable[[int], int]] = {
     "~": lambda v: ~v,
     "!": lambda v: int(not v),
 }
-_EXPRESSIONS: dict[str, Any] = {
+_EXPRESSIONS: dict[str, Callable[[FoldedValues, Any, State], int | None]] = {
     "IntegerLiteral": FoldedValues._literal,
     "CharacterLiteral": FoldedValues._literal,
     "SizeOf": FoldedValues._measured,

@@ -7,7 +7,6 @@ anywhere. A pointer and what it points to are one thing, as are the elements of 
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
-from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
@@ -16,8 +15,6 @@ from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.cores import handed_over
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
 from robosmi.transformations.queries.pointers import gives_access, moved_pointer
-
-_SAME = {"Cast": "operand", "Index": "array"}
 
 
 class GivenValues:
@@ -30,7 +27,7 @@ class GivenValues:
     def __init__(self, views: Sequence[CodeView]) -> None:
         self._views = views
         self._given: dict[Hashable, list[ccode.Located]] = {}
-        self._registers = {name for v in views for name in v.api.settings.get("ports", {}).get("registers", ())}
+        self._registers = {name for v in views for name in v.api.settings.get("ports", {}).get("registers", {})}
         self._functions = {
             str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition
         }
@@ -44,15 +41,16 @@ class GivenValues:
             for element in view.elements:
                 self._read(element, view)
 
-    def of(self, key: Hashable) -> list[Any]:
+    def of(self, key: Hashable) -> list[ccode.Located]:
         """The expressions that give a thing its values; an assignment that calculates stands for itself."""
         return self._given.get(key, [])
 
-    def key(self, expression: Any) -> Hashable | None:
+    def key(self, expression: Element | None) -> Hashable | None:
         """The thing that an expression is the value of, None of an expression that calculates or stands for itself."""
-        kind = type(expression).__name__
-        if kind in _SAME:
-            return self.key(getattr(expression, _SAME[kind]))
+        if isinstance(expression, ccode.Cast):
+            return self.key(expression.operand)
+        if isinstance(expression, ccode.Index):
+            return self.key(expression.array)
         if isinstance(expression, ccode.Unary) and str(expression.operator) in ("*", "&"):
             return self.key(expression.operand)
         if isinstance(expression, ccode.Unary) and str(expression.operator) in ("++", "--"):
@@ -64,14 +62,14 @@ class GivenValues:
         if isinstance(expression, ccode.Call):
             own = self._own(expression)
             return ("result", str(own.name)) if own is not None else None
-        target = expression.target if isinstance(expression, ccode.NameReference) else None
-        if target is None and isinstance(expression, ccode.NameReference):
-            target = self._shared.get(str(expression.name))
-        if not isinstance(target, (ccode.Variable, ccode.Parameter)) and getattr(expression, "name", None) in self._registers:
-            return ("register", str(expression.name))
-        return self._declared(target) if isinstance(target, (ccode.Variable, ccode.Parameter)) else None
+        if not isinstance(expression, ccode.NameReference):
+            return None
+        target = expression.target if expression.target is not None else self._shared.get(str(expression.name))
+        if isinstance(target, (ccode.Variable, ccode.Parameter)):
+            return self._declared(target)
+        return ("register", str(expression.name)) if expression.name in self._registers else None
 
-    def _declared(self, thing: Any) -> Hashable:
+    def _declared(self, thing: ccode.Variable | ccode.Parameter) -> Hashable:
         """The key of a declaration: of what all files share, its name."""
         if isinstance(thing, ccode.Parameter):
             function = thing.eContainer()
@@ -84,7 +82,7 @@ class GivenValues:
     def _own(self, call: ccode.Call) -> ccode.Function | None:
         return self._functions.get(str(call.calleeName or "")) if call.callee is not None else None
 
-    def _give(self, key: Hashable | None, expression: Any) -> None:
+    def _give(self, key: Hashable | None, expression: ccode.Located | None) -> None:
         if key is not None and expression is not None:
             self._given.setdefault(key, []).append(expression)
 

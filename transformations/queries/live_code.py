@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
@@ -24,7 +23,7 @@ def live_in(units: Sequence[ccode.SourceUnit]) -> list[Element]:
     """
     defined = what_is_defined(units)
     pending = beginnings(units)
-    seen, found = {id(each) for each in pending}, list[Any]()
+    seen, found = {id(each) for each in pending}, list[Element]()
     inside = set[int]()
     while pending:
         start = pending.pop()

@@ -16,6 +16,7 @@ from robosmi.query import all_contents
 from robosmi.query.deep import in_thread
 from robosmi.transformations.queries.main_program import main_structure
 from robosmi.transformations.queries.values import Values, calculate
+from robosmi.typed import distinct
 
 TICKS_A_SECOND = "clock ticks a second"
 """What a name of the source means that stands for the rate of its clock."""
@@ -236,7 +237,7 @@ def _waits(function: platform.ApiFunction) -> bool:
 
 
 def _once(first: Iterable[Wait], second: Iterable[Wait]) -> tuple[Wait, ...]:
-    return tuple(dict.fromkeys((*first, *second)))
+    return tuple(distinct((*first, *second)))
 
 
 def _call_name(call: ccode.Call) -> str:

@@ -69,7 +69,7 @@ class MacroCalls:
         references = [argument, *all_of_kind(argument, ccode.NameReference)]
         names = self._expanded(str(r.name) for r in references if isinstance(r, ccode.NameReference))
         here = {id(macro) for name in names for macro in self._macros.get(name, ())}
-        named = [b for b in self._bindings if id(b.element) in here or not names.isdisjoint(map(str, [b.name, *b.names]))]
+        named = [b for b in self._bindings if id(b.element) in here or not names.isdisjoint([b.name, *b.names])]
         return named or self._bindings
 
     def _values_at(self, element: ccode.Expression) -> Values:

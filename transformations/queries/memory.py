@@ -162,7 +162,7 @@ def _adapters(plan: migration.MigrationPlan, live: Sequence[Element], pieces: Se
     names = {word for each in words for word in each}
     for piece in emitted(plan):
         if piece.libraries:  # a library is linked whole, and its objects begin before main
-            names |= {*map(str, piece.libraries), *_words(str(piece.text))}
+            names |= {*piece.libraries, *_words(str(piece.text))}
     names |= {word for text in setup_statements(plan) for _, _, _, word in tokens(text.encode())}
     names |= {str(each.calleeName) for each in live if isinstance(each, ccode.Call)}
     names.add(str(platform_of(plan).mainHeader).removesuffix(".h"))

@@ -26,7 +26,7 @@ def holder_of(literal: ccode.IntegerLiteral) -> tuple[str, str, ccode.Located]:
     index = None
     while isinstance(outer, (ccode.Cast, ccode.InitializerList)):
         if isinstance(outer, ccode.InitializerList):
-            if index is not None or any(map(says_where, outer.elements)):
+            if index is not None or any(says_where(each) for each in outer.elements):
                 return "", "", literal
             index = list(outer.elements).index(inner)
         inner, outer = outer, outer.eContainer()  # type: ignore[assignment]

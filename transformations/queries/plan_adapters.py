@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from robosmi.metamodels import migration, platform
+from robosmi.typed import distinct
 
 
 def closure(adapters: Iterable[platform.Adapter]) -> list[platform.Adapter]:
@@ -32,7 +33,7 @@ def emitted(plan: migration.MigrationPlan) -> list[platform.Adapter]:
 
 def setup_statements(plan: migration.MigrationPlan) -> list[str]:
     """The statements that the pieces need at the start of the program, each once."""
-    return list(dict.fromkeys(str(statement) for piece in emitted(plan) for statement in piece.setup))
+    return distinct(str(statement) for piece in emitted(plan) for statement in piece.setup)
 
 
 def rest_levels(plan: migration.MigrationPlan) -> list[migration.Connection]:
@@ -43,4 +44,4 @@ def rest_levels(plan: migration.MigrationPlan) -> list[migration.Connection]:
 def limits(use: migration.AdapterUse) -> list[str]:
     """What the adapter of a use, with all that it needs, does not do."""
     pieces = closure([use.adapter]) if use.adapter is not None else []
-    return list(dict.fromkeys(str(limit) for piece in reversed(pieces) for limit in piece.limits))
+    return distinct(str(limit) for piece in reversed(pieces) for limit in piece.limits)

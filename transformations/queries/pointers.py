@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
-from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.code import CodeView, named_type
 
 
 def pointed_functions(
@@ -32,7 +32,7 @@ def gives_access(expression: Element | None) -> bool:
     """Whether who is given an expression may change what it stands for: an address, an array, a pointer."""
     if isinstance(expression, ccode.Unary):
         return str(expression.operator) == "&"
-    use = getattr(getattr(expression, "target", None), "valueType", None)
+    use = named_type(expression)
     return use is not None and bool(use.arrayDims or use.pointerDepth)
 
 

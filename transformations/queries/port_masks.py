@@ -7,7 +7,7 @@ told by `register_bits`.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from typing import Any
 
 from robosmi.metamodels import ccode
@@ -46,7 +46,7 @@ class PortMasks:
         """The values of an expression as `Values` reads them in its unit."""
         return self._values[id(ancestor_of_kind(expression, ccode.SourceUnit))].of(expression)
 
-    def numbers(self, expression: Any) -> set[int] | None:
+    def numbers(self, expression: Element | None) -> set[int] | None:
         """The numbers that an expression may be, None where the text does not say them."""
         reached = self._reached[id(ancestor_of_kind(expression, ccode.SourceUnit))]
         for known in (self.values(expression), reached.of(expression)):
@@ -74,23 +74,23 @@ class PortMasks:
         finally:
             self._active.discard(key)
 
-    def bits(self, expression: Any) -> int | None:
+    def bits(self, expression: Element | None) -> int | None:
         """The bits that an expression may have, None where the text does not say them."""
         numbers = [value.number for value in self.values(expression)]
         if None not in numbers:
             return union(numbers)
         rule = _RULES.get(type(expression).__name__)
         if rule is not None:
-            made: int | None = rule(self, expression)
-            return made
+            return rule(self, expression)
         key = self._thing(expression)
         return None if key is None else self._kept(key)
 
-    def _thing(self, expression: Any) -> Hashable | None:
+    def _thing(self, expression: Element | None) -> Hashable | None:
         """What an expression is the value of; a member that nothing is given to is a part of what has it."""
         key = self.given.key(expression)
-        whole = isinstance(expression, ccode.Member) and not self.given.of(key)
-        return self.given.key(expression.object) if whole else key
+        if isinstance(expression, ccode.Member) and not self.given.of(key):
+            return self.given.key(expression.object)
+        return key
 
     def _kept(self, key: Hashable) -> int | None:
         """The bits of what is given to a thing: the least that holds, where it is put together from itself."""
@@ -113,17 +113,16 @@ class PortMasks:
         finally:
             self._assumed.pop(key, None)
 
-    def cleared(self, expression: Any, whole: int) -> int | None:
+    def cleared(self, expression: Element | None, whole: int) -> int | None:
         """The bits that an expression may not have, of those of `whole`; None where the text does not say them."""
         numbers = [value.number for value in self.values(expression)]
         if None not in numbers:
             return union(~number & whole for number in numbers if number is not None)
         if isinstance(expression, ccode.Cast):
             return self.cleared(expression.operand, whole)
-        operator = str(getattr(expression, "operator", ""))
-        if isinstance(expression, ccode.Unary) and operator == "~":
+        if isinstance(expression, ccode.Unary) and expression.operator == "~":
             return self.bits(expression.operand)
-        if operator in ("&", "&="):
+        if isinstance(expression, (ccode.Binary, ccode.Assignment)) and expression.operator in ("&", "&="):
             return union(self.cleared(side, whole) for side in (expression.left, expression.right))
         key = self.given.key(expression)
         if key is None or not self.given.of(key):
@@ -143,7 +142,7 @@ class PortMasks:
         operator = str(assignment.operator)
         return self.bits(assignment.right) if operator == "=" else self._combined(assignment, operator.removesuffix("="))
 
-    def _combined(self, sides: Any, operator: str) -> int | None:
+    def _combined(self, sides: ccode.Binary | ccode.Assignment, operator: str) -> int | None:
         """The bits of an operator's result, in an expression or in an assignment."""
         if operator in _TRUTHS:
             return 1
@@ -160,7 +159,7 @@ class PortMasks:
             return left | right
         return left if operator == "-" and not right & ~left else None
 
-    def _shifted(self, left: ccode.Expression, places: set[int] | None, operator: str) -> int | None:
+    def _shifted(self, left: ccode.Expression | None, places: set[int] | None, operator: str) -> int | None:
         again = self.given.key(left)
         bits = self.bits(left)
         if bits is None or places is None:
@@ -172,7 +171,7 @@ class PortMasks:
             return self._bounded(left, found)
         return found & _ALL
 
-    def _bounded(self, stepped: Any, found: int) -> int | None:
+    def _bounded(self, stepped: ccode.Expression | None, found: int) -> int | None:
         """The bits of a mask that is shifted again and again, up to what it is compared with."""
         target = stepped.target if isinstance(stepped, ccode.NameReference) else None
         unit = ancestor_of_kind(stepped, ccode.SourceUnit)
@@ -192,11 +191,11 @@ class PortMasks:
     def _cast(self, cast: ccode.Cast) -> int | None:
         return self.bits(cast.operand)
 
-    def _conditional(self, choice: Any) -> int | None:
-        return union(map(self.bits, (choice.whenTrue, choice.whenFalse)))
+    def _conditional(self, choice: ccode.ConditionalExpression) -> int | None:
+        return union(self.bits(way) for way in (choice.whenTrue, choice.whenFalse))
 
 
-_RULES: dict[str, Any] = {
+_RULES: dict[str, Callable[[PortMasks, Any], int | None]] = {
     "Binary": PortMasks._binary,
     "Assignment": PortMasks._assignment,
     "Unary": PortMasks._unary,

@@ -22,6 +22,7 @@ from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.register_bits import register_bits
 from robosmi.transformations.queries.value_flows import Flow, PortPlace
 from robosmi.transformations.queries.values import Value, Values
+from robosmi.typed import fresh
 
 
 @dataclass
@@ -43,9 +44,9 @@ class Port:
     origin: str
     element: ccode.Located
     pin: int | None
-    names: list[str] = field(default_factory=list)
+    names: list[str] = fresh(list)
     what: str = ""
-    uses: list[PinUse] = field(default_factory=list)
+    uses: list[PinUse] = fresh(list)
     conventional: platform.ConventionalPort | None = None
 
     @property
@@ -93,7 +94,7 @@ class ProgramPorts:
     ports: list[Port]
     flows: list[FlowPorts]
     anything: bool
-    unasked: list[Port] = field(default_factory=list)
+    unasked: list[Port] = fresh(list)
 
 
 def program_ports(views: Sequence[CodeView], flows: Sequence[Flow]) -> ProgramPorts:

@@ -7,7 +7,7 @@ stays unknown.
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterator, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
@@ -26,7 +26,7 @@ class ReachedValues(Values):
         found = super()._counter(reference, variable)
         return found if found is not None and RUNTIME not in found else None
 
-    def _variable(self, variable: Any) -> list[Value]:
+    def _variable(self, variable: ccode.Variable) -> list[Value]:
         if variable.valueType is not None and variable.valueType.arrayDims:
             return [RUNTIME]
         return self._all_given(variable, [variable.initializer] if variable.initializer is not None else [])
@@ -37,7 +37,7 @@ class ReachedValues(Values):
             return [RUNTIME]  # who has the function as a value may pass anything
         return self._all_given(parameter, passed_arguments(parameter))
 
-    def _all_given(self, target: Any, given: list[Any]) -> list[Value]:
+    def _all_given(self, target: ccode.Declaration, given: Sequence[Element | None]) -> list[Value]:
         """The values that a variable or parameter may have.
 
         Args:
@@ -46,7 +46,7 @@ class ReachedValues(Values):
         """
         steps: list[int | None] = []
         for reference in target.references:
-            container: Any = reference.eContainer()
+            container = reference.eContainer()
             if isinstance(container, ccode.Assignment) and container.left is reference:
                 operator = str(container.operator)
                 if operator == "=":
@@ -72,7 +72,7 @@ class ReachedValues(Values):
         number = values[0].number if len(values) == 1 else None
         return None if number is None or operator not in ("+=", "-=") else number if operator == "+=" else -number
 
-    def _stepped(self, target: Any, first: list[int], steps: list[int | None]) -> list[Value]:
+    def _stepped(self, target: ccode.Declaration, first: list[int], steps: list[int | None]) -> list[Value]:
         """All numbers between the first ones and those that a stepped name is compared with."""
         if None in steps:
             return [RUNTIME]
@@ -90,11 +90,11 @@ class ReachedValues(Values):
             low = min(low, *bottoms)
         return [Value(number, "constant") for number in range(low, high + 1)] if high - low < LIMIT else [RUNTIME]
 
-    def bounds(self, target: Any) -> Any:
+    def bounds(self, target: ccode.Declaration) -> Iterator[tuple[str, int, int]]:
         """The comparisons of a name with known numbers: operator, number, and 1 where it is stepped behind the comparison."""
         for reference in target.references:
-            side: Any = reference
-            parent: Any = side.eContainer()
+            side: ccode.Expression = reference
+            parent = side.eContainer()
             behind = 0
             if isinstance(parent, ccode.Unary) and str(parent.operator) in ("++", "--"):
                 side, parent = parent, parent.eContainer()
@@ -111,7 +111,7 @@ class ReachedValues(Values):
 _TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "!=": "!=", "==": "=="}
 
 
-def _own_step(expression: Element | None, target: Any) -> tuple[str, Any] | None:
+def _own_step(expression: Element | None, target: ccode.Declaration) -> tuple[str, ccode.Expression | None] | None:
     """Operator and step of an expression such as `pin + 1` that is given to the name in it."""
     if not isinstance(expression, ccode.Binary) or str(expression.operator) not in ("+", "-"):
         return None

@@ -5,8 +5,6 @@ Which registers have a bit for each port is data of the platform.
 
 from __future__ import annotations
 
-from typing import Any
-
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
@@ -43,7 +41,7 @@ def register_bits(view: CodeView, masks: PortMasks) -> list[PinUse]:
     for call in view.of_kind(ccode.Call):
         name, arguments = str(call.calleeName or ""), list(call.arguments)
         own = call.callee is not None and call.callee.definition
-        meanings = [] if own else list(view.api.meaning(name).get("parameters", ()))
+        meanings = [] if own else list(view.api.meaning(name).get("parameters", []))
         for argument in (a for a, meaning in zip(arguments, meanings, strict=False) if meaning == "mask"):
             _add(found, masks.bits(argument), call, name, "in")
     return sorted(found.values(), key=lambda u: (u.line, int(u.call.startOffset)))
@@ -68,7 +66,7 @@ def _bits(reference: ccode.NameReference, masks: PortMasks, whole: int) -> int |
     return mask if mask is None or mask >= 0 else mask & whole
 
 
-def _looked_at(value: Any, masks: PortMasks, shifted: int, seen: set[int]) -> int | None:
+def _looked_at(value: Element | None, masks: PortMasks, shifted: int, seen: set[int]) -> int | None:
     """The bits of a register that are looked at where its value goes: at once, or by the names that keep it.
 
     Args:
@@ -77,25 +75,25 @@ def _looked_at(value: Any, masks: PortMasks, shifted: int, seen: set[int]) -> in
         shifted: by how much the value was shifted to the right.
         seen: what was followed before.
     """
-    parent: Any = value.eContainer()
+    parent = value.eContainer() if value is not None else None
     operator = str(parent.operator) if isinstance(parent, (ccode.Binary, ccode.Unary)) else ""
     if isinstance(parent, ccode.Cast) or operator in ("~", "^", "|"):
         return _looked_at(parent, masks, shifted, seen)
     if isinstance(parent, ccode.Binary) and operator == "&":
         mask = masks.bits(parent.right if parent.left is value else parent.left)
         return None if mask is None else (mask if mask >= 0 else mask & _ALL) << shifted
-    if operator == "%" and parent.left is value and masks.numbers(parent.right) == {2}:
+    if isinstance(parent, ccode.Binary) and operator == "%" and parent.left is value and masks.numbers(parent.right) == {2}:
         return 1 << shifted
-    if operator == ">>" and parent.left is value:
+    if isinstance(parent, ccode.Binary) and operator == ">>" and parent.left is value:
         places = masks.numbers(parent.right)
         return None if places is None else union(_looked_at(parent, masks, shifted + n % WORD, seen) for n in places)
-    takers: list[Any] = _takers(value, parent, masks)
+    takers = _takers(value, parent, masks)
     if not takers or id(parent) in seen:
         return 0 if takers else None
     return union(_looked_at(one, masks, shifted, seen | {id(parent)}) for one in takers)
 
 
-def _takers(value: Element, parent: Element, masks: PortMasks) -> list[Element]:
+def _takers(value: Element | None, parent: Element | None, masks: PortMasks) -> list[Element]:
     """The expressions that have a value later on: uses of the variable or parameter that keeps it, calls that return it."""
     if isinstance(parent, ccode.Variable) and not (parent.valueType is not None and parent.valueType.arrayDims):
         return [reference for reference in parent.references if not _is_written(reference)]
@@ -117,21 +115,23 @@ def _is_written(reference: ccode.NameReference) -> bool:
     return isinstance(container, ccode.Assignment) and container.left is reference
 
 
-def _put_back(reference: Any) -> bool:
+def _put_back(reference: ccode.NameReference) -> bool:
     """Whether a use of a register only gives back to the same register the bits that an assignment leaves alone."""
-    inner, outer = reference, reference.eContainer()
+    inner: Element = reference
+    outer = reference.eContainer()
     while isinstance(outer, (ccode.Binary, ccode.Cast, ccode.Unary, ccode.ConditionalExpression)):
         inner, outer = outer, outer.eContainer()
     left = outer.left if isinstance(outer, ccode.Assignment) and outer.right is inner and str(outer.operator) == "=" else None
     return isinstance(left, ccode.NameReference) and left.name == reference.name
 
 
-def _changed(masks: PortMasks, expression: Any, register: Any, cleared: int = 0) -> int | None:
+def _changed(
+    masks: PortMasks, expression: ccode.Expression | None, register: ccode.NameReference, cleared: int = 0
+) -> int | None:
     """The bits that an assignment changes: of what is put back with `|`, `&` or `^`, those of the other side."""
     if isinstance(expression, ccode.ConditionalExpression):
         return union(_changed(masks, way, register, cleared) for way in (expression.whenTrue, expression.whenFalse))
-    operator = str(expression.operator) if isinstance(expression, ccode.Binary) else ""
-    if operator in ("|", "^", "&") and not cleared:
+    if isinstance(expression, ccode.Binary) and (operator := str(expression.operator)) in ("|", "^", "&") and not cleared:
         sides = [expression.left, expression.right]
         own = [side for side in sides if isinstance(side, ccode.NameReference) and side.name == register.name]
         if own:

@@ -8,14 +8,15 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Hashable, Mapping
-from typing import Any, NamedTuple
+from collections.abc import Callable, Hashable, Mapping
+from typing import Any, NamedTuple, TypeVar
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.bounded_walk import BoundedWalk
 
+D = TypeVar("D", bound=Element)
 LIMIT = 64
 _NUMBER = re.compile(r"\b(0[xX][0-9a-fA-F]+|0[bB][01]+|0[0-7]*|[1-9][0-9]*)[uUlL]*\b")
 _CAST = re.compile(r"\(\s*(?:(?:unsigned|signed|const|char|short|int|long|u?int(?:8|16|32)_t)\s*)+\)")
@@ -43,19 +44,19 @@ class Values:
 
     def __init__(self, program: ccode.Program, unit: ccode.SourceUnit) -> None:
         self.macros = {str(m.name): m for u in program.units for m in u.macros} | {str(m.name): m for m in unit.macros}
-        self.names: dict[str, Any] = {}
+        self.names: dict[str, ccode.Declaration] = {}
         for declaration in (d for u in program.units for d in u.declarations):
             self.names.setdefault(str(declaration.name), declaration)
             if isinstance(declaration, ccode.Enumeration):
                 self.names.update({str(literal.name): literal for literal in declaration.literals})
         self._walk = BoundedWalk([RUNTIME])
 
-    def of(self, expression: Any) -> list[Value]:
+    def of(self, expression: Element | None) -> list[Value]:
         """The values of an expression, in text order, each once."""
         method = _METHODS.get(type(expression).__name__)
         return _distinct(self._walk.ask(lambda: method(self, expression))) if method else [RUNTIME]
 
-    def _guarded(self, element: Any, what: str, body: Any, *given: Hashable) -> list[Value]:
+    def _guarded(self, element: D, what: str, body: Callable[[D], list[Value]], *given: Hashable) -> list[Value]:
         """Stop at a name that is defined by itself; what is given for its parameters makes another answer."""
         guard = (what, id(element))
         return self._walk.name(guard, (guard, given), lambda: body(element))
@@ -66,7 +67,7 @@ class Values:
     def _cast(self, cast: ccode.Cast) -> list[Value]:
         return self.of(cast.operand)
 
-    def _unary(self, unary: Any) -> list[Value]:
+    def _unary(self, unary: ccode.Unary) -> list[Value]:
         change = _CHANGES.get(str(unary.operator))
         if change is None:
             return [RUNTIME]
@@ -102,13 +103,13 @@ class Values:
             return self._macro(str(reference.name))
         return [RUNTIME]
 
-    def _variable(self, variable: Any) -> list[Value]:
+    def _variable(self, variable: ccode.Variable) -> list[Value]:
         """A variable that gets one value in the whole text."""
         if variable.valueType is not None and variable.valueType.arrayDims:
             return [RUNTIME]
-        assigned: list[Any] = [variable.initializer] if variable.initializer is not None else []
+        assigned: list[ccode.Expression | None] = [variable.initializer] if variable.initializer is not None else []
         for reference in variable.references:
-            container: Any = reference.eContainer()
+            container = reference.eContainer()
             if isinstance(container, ccode.Assignment) and container.left is reference:
                 if str(container.operator) != "=":
                     return [RUNTIME]
@@ -125,9 +126,12 @@ class Values:
         while loop is not None:
             start = _start(loop, variable)
             if start is not None and _in(loop, reference):
-                return self._guarded(loop, "loop", lambda found, start=start: self._count(found, variable, start), id(variable))
+                return self._counted(loop, variable, start)
             loop = ancestor_of_kind(loop, ccode.For)
         return None
+
+    def _counted(self, loop: ccode.For, variable: ccode.Variable, start: ccode.Expression) -> list[Value]:
+        return self._guarded(loop, "loop", lambda found: self._count(found, variable, start), id(variable))
 
     def _count(self, loop: ccode.For, variable: ccode.Variable, start: ccode.Expression | None) -> list[Value]:
         step = self._step(loop.step, variable)
@@ -147,14 +151,15 @@ class Values:
             number += step
         return found if found and len(found) <= LIMIT else [RUNTIME]
 
-    def _step(self, step: Any, variable: ccode.Declaration) -> int | None:
+    def _step(self, step: ccode.Expression | None, variable: ccode.Declaration) -> int | None:
         if isinstance(step, ccode.Unary) and _refers(step.operand, variable):
             return {"++": 1, "--": -1}.get(str(step.operator))
         if isinstance(step, ccode.Assignment) and _refers(step.left, variable):
-            right: Any = step.right
+            right = step.right
             operator = str(step.operator)
             if operator == "=" and isinstance(right, ccode.Binary) and _refers(right.left, variable):
-                right, operator = right.right, f"{right.operator}="
+                operator = f"{right.operator}="
+                right = right.right
             values = self.of(right)
             if len(values) == 1 and values[0].number and operator in ("+=", "-="):
                 return values[0].number if operator == "+=" else -values[0].number
@@ -234,7 +239,7 @@ class Values:
             return [elements[positions[0].number]] if 0 <= positions[0].number < len(elements) else [RUNTIME]
         return elements
 
-    def elements(self, array: Any) -> list[Value] | None:
+    def elements(self, array: Element | None) -> list[Value] | None:
         """The elements of an array that is initialised with constants and never written, None for any other.
 
         A parameter stands for the arrays that callers pass.
@@ -272,7 +277,7 @@ class Values:
         return number if number is not None and 0 <= number < LIMIT else None
 
 
-_METHODS: dict[str, Any] = {
+_METHODS: dict[str, Callable[[Values, Any], list[Value]]] = {
     "IntegerLiteral": Values._integer,
     "CharacterLiteral": Values._integer,
     "Cast": Values._cast,
@@ -282,19 +287,11 @@ _METHODS: dict[str, Any] = {
     "Index": Values._index,
     "Macro": Values._macro_itself,
 }
-_CHANGES: dict[str, Any] = {"-": lambda v: -v, "+": lambda v: v, "~": lambda v: ~v, "!": lambda v: int(not v)}
+_CHANGES: dict[str, Callable[[int], int]] = {"-": lambda v: -v, "+": lambda v: v, "~": lambda v: ~v, "!": lambda v: int(not v)}
 _PYTHON: dict[type, str] = {
-    ast.Add: "+",
-    ast.Sub: "-",
-    ast.Mult: "*",
-    ast.Div: "/",
-    ast.Mod: "%",
-    ast.LShift: "<<",
-    ast.RShift: ">>",
-    ast.BitAnd: "&",
-    ast.BitOr: "|",
-    ast.BitXor: "^",
-}
+    ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Mod: "%",
+    ast.LShift: "<<", ast.RShift: ">>", ast.BitAnd: "&", ast.BitOr: "|", ast.BitXor: "^",
+}  # fmt: skip
 
 
 def calculate(operator: str, a: int, b: int) -> int | None:
@@ -312,7 +309,7 @@ def calculate(operator: str, a: int, b: int) -> int | None:
     return None if operation is None else int(operation(a, b))
 
 
-_OPERATIONS: dict[str, Any] = {
+_OPERATIONS: dict[str, Callable[[int, int], int]] = {
     "+": lambda a, b: a + b,
     "-": lambda a, b: a - b,
     "*": lambda a, b: a * b,
@@ -347,7 +344,7 @@ def _refers(expression: ccode.Expression | None, variable: ccode.Declaration) ->
     return isinstance(expression, ccode.NameReference) and expression.target is variable
 
 
-def _in(element: Any, reference: ccode.NameReference) -> bool:
+def _in(element: ccode.Located | None, reference: ccode.NameReference) -> bool:
     return element is not None and bool(element.startOffset <= reference.startOffset < element.endOffset)
 
 

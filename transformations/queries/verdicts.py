@@ -16,6 +16,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.text_changes import CARRIED_OVER
 from robosmi.transformations.queries.waiting_calls import open_conventions
+from robosmi.typed import distinct
 
 RETAINED, ADAPTED, CARE, NEEDS_YOU, UNSUPPORTED = "retained", "adapted", "adapted_with_care", "needs_you", "not_supported"
 VERDICTS = (RETAINED, ADAPTED, CARE, NEEDS_YOU, UNSUPPORTED)
@@ -173,7 +174,7 @@ class _Judge:
         worst = max([first, *marks], key=lambda judged: VERDICTS.index(judged.verdict))
         said = [mark.reason for mark in marks if mark.verdict == worst.verdict]
         reasons = said if said and disposition.action in _AS_IT_IS else [first.reason, *said]
-        return Judged(worst.verdict, "; ".join(dict.fromkeys(filter(None, reasons))), worst.effort)
+        return Judged(worst.verdict, "; ".join(distinct(filter(None, reasons))), worst.effort)
 
     def _own(self, disposition: migration.Disposition) -> Judged:
         reasons = [str(reason) for reason in disposition.reasons if reason]

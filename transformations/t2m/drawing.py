@@ -25,6 +25,7 @@ from robosmi.transformations.knowledge.rails import Terminal, rail
 from robosmi.transformations.t2m.connectivity import bus_leaders, natural
 from robosmi.transformations.t2m.given_roles import given_roles
 from robosmi.transformations.t2m.placed import End, KnownPart, Placed
+from robosmi.typed import distinct
 
 __all__ = ["CircuitBuilder", "End", "KnownPart", "Placed", "free_identity"]
 
@@ -191,7 +192,7 @@ class CircuitBuilder:
         """
         if not ends:
             raise self.fault("makes a net without a connector")
-        found = [self._placed_end(End(*end)) for end in dict.fromkeys(ends)]
+        found = [self._placed_end(End(*end)) for end in distinct(ends)]
         for model, terminal in found:
             if model.net is not None:
                 where = f"{terminal.component or '?'}.{terminal.connector}"
@@ -222,7 +223,7 @@ class CircuitBuilder:
         Raises:
             ModelError: an end is not there: a fault of the reader.
         """
-        found = [self._placed_end(End(*end))[0] for end in dict.fromkeys(ends)]
+        found = [self._placed_end(End(*end))[0] for end in distinct(ends)]
         self.wires.append(hardware.Wire(elementId=identity, color=color, ends=found, net=net))
 
     def circuit(

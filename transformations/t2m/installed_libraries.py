@@ -12,7 +12,7 @@ import os
 import re
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +22,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.recommend.words import chunks, words
 from robosmi.transformations.t2m.library_declarations import declarations
+from robosmi.typed import fresh
 
 HEADERS = (".h", ".hpp", ".hh")
 _MOST_HEADERS, _MOST_WORDS, _LARGEST, _LONGEST_NAME = 40, 700, 4_000_000, 200
@@ -49,8 +50,8 @@ class Found:
         skipped: path -> why it was left out.
     """
 
-    rows: list[dict[str, Any]] = field(default_factory=list)
-    skipped: dict[str, str] = field(default_factory=dict)
+    rows: list[dict[str, Any]] = fresh(list)
+    skipped: dict[str, str] = fresh(dict)
 
 
 def read_libraries(folder: Path) -> Found:

@@ -17,6 +17,7 @@ from robosmi.errors import SourceError
 from robosmi.model.packed_lines import packed_lines
 from robosmi.recommend.library_api import ApiClass, ApiFunction, HeaderApi
 from robosmi.transformations.knowledge.api_spelling import spelled
+from robosmi.typed import distinct
 
 _KIND = re.compile(r"^(enum|struct|class|union):(?!:)")
 _FIX = "take a file that has one header a line, as the README beside the index says"
@@ -68,7 +69,7 @@ def _class(declared: ApiClass) -> ApiClass:
     return replace(
         declared,
         bases=tuple(spelled(base) for base in _whole(declared.bases)),
-        constructors=tuple(dict.fromkeys(spelled(parameters) for parameters in declared.constructors)),
+        constructors=tuple(distinct(spelled(parameters) for parameters in declared.constructors)),
         methods=_functions(declared.methods, conversions=True),
     )
 
@@ -77,7 +78,7 @@ def _functions(functions: Iterable[ApiFunction], *, conversions: bool) -> tuple[
     """The functions, each once; of those without a type only operators, where they may be."""
     known = (f for f in functions if f.returns or (conversions and f.name.startswith("operator")))
     spelt = (ApiFunction(spelled(f.name), spelled(f.parameters), _type(f.returns), f.static) for f in known)
-    return tuple(dict.fromkeys(spelt))
+    return tuple(distinct(spelt))
 
 
 def _type(text: str) -> str:

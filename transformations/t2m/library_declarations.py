@@ -8,7 +8,7 @@ declaration. Nothing here nests: open brackets and scopes are kept in lists.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from robosmi.transformations.knowledge.api_spelling import joined
@@ -22,6 +22,7 @@ from robosmi.transformations.knowledge.api_tokens import (
     closing_of,
     compiled,
 )
+from robosmi.typed import fresh
 
 _MOST_SCOPES = 64
 _CLASSES = ("class", "struct", "union")
@@ -48,11 +49,11 @@ class _Scope:
 class _Scan:
     """What was found so far."""
 
-    classes: list[dict[str, Any]] = field(default_factory=list)
-    functions: list[list[str]] = field(default_factory=list)
-    constants: dict[str, str] = field(default_factory=dict)
-    enums: dict[str, list[str]] = field(default_factory=dict)
-    scopes: list[_Scope] = field(default_factory=list)
+    classes: list[dict[str, Any]] = fresh(list)
+    functions: list[list[str]] = fresh(list)
+    constants: dict[str, str] = fresh(dict)
+    enums: dict[str, list[str]] = fresh(dict)
+    scopes: list[_Scope] = fresh(list)
 
     def visible(self) -> bool:
         """Whether what stands here can be used from outside."""

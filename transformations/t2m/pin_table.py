@@ -31,6 +31,7 @@ from robosmi.transformations.knowledge.part_names import PartNames, connector_ki
 from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.t2m.given_roles import given_roles
+from robosmi.typed import distinct
 
 COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "board")
 """The columns; the first two must be there."""
@@ -314,7 +315,7 @@ def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
                 fix="put a cell with a comma in it in quotes",
             )
         rows.append(_Row(number, dict(zip(header, (csv_text(cell.strip()) for cell in cells), strict=False))))
-    boards = list(dict.fromkeys(row["board"] for row in rows if row["board"]))
+    boards = distinct(row["board"] for row in rows if row["board"])
     if len(boards) > 1:
         raise SourceError(f"the rows name {len(boards)} boards", location=Location(str(path)), fix="keep one table a board")
     return boards[0] if boards else "", rows

@@ -9,19 +9,20 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
-from typing import Any
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.api_data import HeaderContent
 from robosmi.transformations.knowledge.api_spelling import tidy
 from robosmi.transformations.knowledge.lexer import TYPE_WORDS, definition_parts, directive_parts, tokens
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import read_unit
+from robosmi.typed import distinct, fresh
 
 ENDINGS = (".h", ".hh", ".hpp")
 LARGEST = 4_000_000
@@ -43,10 +44,50 @@ class ApiFound:
         missing: headers that are included and are neither in the folder nor standard ones.
     """
 
-    headers: dict[str, dict[str, Any]] = field(default_factory=dict)
-    paths: dict[str, str] = field(default_factory=dict)
-    skipped: dict[str, str] = field(default_factory=dict)
-    missing: list[str] = field(default_factory=list)
+    headers: dict[str, HeaderContent] = fresh(dict)
+    paths: dict[str, str] = fresh(dict)
+    skipped: dict[str, str] = fresh(dict)
+    missing: list[str] = fresh(list)
+
+
+@dataclass
+class _Declared:
+    """What one header declares.
+
+    Attributes:
+        aliases: macro -> the one name that it stands for.
+        volatile: variables that are declared so.
+    """
+
+    kind: str = ""
+    includes: list[str] = fresh(list)
+    functions: dict[str, list[str]] = fresh(dict)
+    macros: dict[str, int] = fresh(dict)
+    vars: dict[str, str] = fresh(dict)
+    consts: set[str] = fresh(set)
+    types: dict[str, str] = fresh(dict)
+    registers: list[str] = fresh(list)
+    aliases: dict[str, str] = fresh(dict)
+    volatile: list[str] = fresh(list)
+
+    def content(self, registers: Collection[str]) -> HeaderContent:
+        """The header's entry, with those registers that it declares; what is empty is left out."""
+        content: HeaderContent = {"kind": self.kind, "source": "import"}
+        if self.includes:
+            content["includes"] = self.includes
+        if self.functions:
+            content["functions"] = dict(sorted(self.functions.items()))
+        if self.macros:
+            content["macros"] = dict(sorted(self.macros.items()))
+        if self.vars:
+            content["vars"] = dict(sorted(self.vars.items()))
+        if self.consts:
+            content["consts"] = sorted(self.consts)
+        if self.types:
+            content["types"] = dict(sorted(self.types.items()))
+        if own := sorted(name for name in {*self.macros, *self.vars} if name in registers):
+            content["registers"] = own
+        return content
 
 
 def read_headers(folder: Path, api: ApiIndex, include_dirs: Sequence[Path] = (), defines: Sequence[str] = ()) -> ApiFound:
@@ -67,9 +108,10 @@ def read_headers(folder: Path, api: ApiIndex, include_dirs: Sequence[Path] = (),
     found = ApiFound()
     files = _files(folder, found)
     names = _names(folder, files, found)
-    roots = dict.fromkeys(_root(path, name) for name, paths in names.items() for path in paths[:1])
+    roots = distinct(_root(path, name) for name, paths in names.items() for path in paths[:1])
     folders = [*roots, *(str(d) for d in include_dirs)]
     missing: set[str] = set()
+    read: dict[str, _Declared] = {}
     by_path = {os.path.realpath(path): name for name, paths in names.items() for path in paths}
     for name, paths in sorted(names.items()):
         for path in paths:
@@ -84,19 +126,18 @@ def read_headers(folder: Path, api: ApiIndex, include_dirs: Sequence[Path] = (),
             entry = _entry(unit, by_path)
             if lost := _damaged(unit, entry):
                 found.skipped[str(path)] = f"the rest was read, but not {', '.join(lost)}: syntax errors"
-            missing.update(
-                n for n in entry["includes"] if n not in names and api.header_kind(n) is None and not _resolved(unit, n)
-            )
-            kind = api.raw_kind(name) or "platform"
-            found.headers[name] = {"kind": kind, "source": "import"} | {key: value for key, value in entry.items() if value}
+            missing.update(n for n in entry.includes if n not in names and api.header_kind(n) is None and not _resolved(unit, n))
+            entry.kind = api.raw_kind(name) or "platform"
+            read[name] = entry
             found.paths[name] = str(path)
-    if not found.headers:
+    if not read:
         causes = "; ".join(sorted(set(found.skipped.values()))[:3])
         raise SourceError(
             f"no header in this folder could be read{f': {causes}' if causes else ''}",
             location=Location(str(folder)), fix=f"give a folder with headers ({', '.join(ENDINGS)})",
         )  # fmt: skip
-    _mark_registers(found)
+    registers = _registers(read, found.paths)
+    found.headers = {name: entry.content(registers) for name, entry in read.items()}
     found.missing = sorted(missing)
     return found
 
@@ -134,7 +175,7 @@ def _names(folder: Path, files: Iterable[Path], found: ApiFound) -> dict[str, li
             data = inputs.read_bytes(path, inputs.SOURCE)
         except (OSError, ValueError) as error:
             if path.suffix.lower() in ENDINGS:
-                found.skipped[str(path)] = getattr(error, "strerror", None) or str(error)
+                found.skipped[str(path)] = (error.strerror if isinstance(error, OSError) else None) or str(error)
             continue
         written.update(os.path.normpath(n.decode("latin-1")).replace("\\", "/") for n in _INCLUDE.findall(data))
         if path.suffix.lower() in ENDINGS:
@@ -167,47 +208,42 @@ def _resolved(unit: ccode.SourceUnit, name: str) -> bool:
     return any(i.resolvedPath for i in unit.includes if str(i.header) == name)
 
 
-def _entry(unit: ccode.SourceUnit, by_path: dict[str, str]) -> dict[str, Any]:
+def _entry(unit: ccode.SourceUnit, by_path: dict[str, str]) -> _Declared:
     """What one header declares."""
-    entry: dict[str, Any] = {
-        "includes": [], "functions": {}, "macros": {}, "vars": {}, "consts": [], "types": {}, "registers": []
-    }  # fmt: skip
+    entry = _Declared()
     for include in unit.includes:
         name = by_path.get(os.path.realpath(str(include.resolvedPath)), "") if include.resolvedPath else ""
-        entry["includes"].append(name or str(include.header))
+        entry.includes.append(name or str(include.header))
     for name, like in _defaults(str(unit.path)):
-        entry["macros"][name] = int(like)
+        entry.macros[name] = int(like)
     for macro in unit.macros:
-        entry["macros"][str(macro.name)] = int(bool(macro.functionLike))
+        entry.macros[str(macro.name)] = int(bool(macro.functionLike))
         if not macro.functionLike and _ADDRESS.search(str(macro.body or "")):
-            entry["registers"].append(str(macro.name))
+            entry.registers.append(str(macro.name))
         elif not macro.functionLike and re.fullmatch(r"[A-Za-z_]\w*", str(macro.body or "")):
-            entry.setdefault("aliases", {})[str(macro.name)] = str(macro.body)
-    pending: list[tuple[Any, str]] = [(d, "") for d in reversed(unit.declarations)]
+            entry.aliases[str(macro.name)] = str(macro.body)
+    pending: list[tuple[ccode.Declaration, str]] = [(d, "") for d in reversed(unit.declarations)]
     while pending:
         declaration, scope = pending.pop()
         name = str(declaration.name or "")
         if isinstance(declaration, ccode.Namespace):
             pending += [(d, f"{scope}{name}::") for d in reversed(declaration.declarations)]
         elif isinstance(declaration, ccode.Function):
-            entry["functions"][scope + name] = _function(declaration)
+            entry.functions[scope + name] = _function(declaration)
         elif isinstance(declaration, ccode.Variable):
-            entry["vars"][scope + name] = _variable(declaration)
+            entry.vars[scope + name] = _variable(declaration)
             if declaration.valueType is not None and "volatile" in str(declaration.valueType.spelling).split():
-                entry.setdefault("volatile", []).append(scope + name)
+                entry.volatile.append(scope + name)
         elif isinstance(declaration, ccode.Enumeration):
-            entry["consts"] += [scope + str(literal.name) for literal in declaration.literals]
+            entry.consts |= {scope + str(literal.name) for literal in declaration.literals}
             if name:
-                entry["types"].setdefault(scope + name, "enum")
+                entry.types.setdefault(scope + name, "enum")
         elif isinstance(declaration, ccode.Record):
             if name:
-                entry["types"].setdefault(scope + name, _RECORDS[declaration.recordKind.name])
+                entry.types.setdefault(scope + name, _RECORDS[declaration.recordKind.name])
                 pending += [(m, f"{scope}{name}::") for m in reversed(declaration.methods)]
         elif isinstance(declaration, ccode.Typedef) and name:
-            entry["types"].setdefault(scope + name, _aliased(declaration))
-    for kind in ("functions", "macros", "vars", "types"):
-        entry[kind] = dict(sorted(entry[kind].items()))
-    entry["consts"] = sorted(set(entry["consts"]))
+            entry.types.setdefault(scope + name, _aliased(declaration))
     return entry
 
 
@@ -218,15 +254,16 @@ def _aliased(declaration: ccode.Typedef) -> str:
     return f"typedef {said}" if named and said not in {*TYPE_WORDS, "enum", "struct", "union"} else "typedef"
 
 
-def _damaged(unit: ccode.SourceUnit, entry: dict[str, Any]) -> list[str]:
+def _damaged(unit: ccode.SourceUnit, entry: _Declared) -> list[str]:
     """Take out what has a syntax error in it; the names."""
     places = [int(p.startOffset) for p in unit.problems if p.fatal]
     lost = []
     for declaration in unit.declarations if places else ():
         name = str(declaration.name or "")
         if any(int(declaration.startOffset) <= place <= int(declaration.endOffset) for place in places):
-            for kind in ("functions", "vars", "types"):
-                if entry[kind].pop(name, None) is not None:
+            for kind in (entry.functions, entry.vars, entry.types):
+                if name in kind:
+                    del kind[name]
                     lost.append(name)
     return sorted(lost)
 
@@ -268,27 +305,22 @@ def _variable(variable: ccode.Variable) -> str:
     return _form(f"{use.spelling}{'[]' if use.arrayDims else ''}") if use is not None else "int"
 
 
-def _mark_registers(found: ApiFound) -> None:
+def _registers(read: Mapping[str, _Declared], paths: Mapping[str, str]) -> set[str]:
     """Which names are registers: memory at a fixed address, variables with a name of the assembler's, and other names of these.
 
     A volatile variable alone is none: programs share such variables between cores and with interrupts.
     """
     registers: set[str] = set()
     aliases: dict[str, str] = {}
-    for name, entry in found.headers.items():
-        registers.update(entry.get("registers", ()))
-        aliases.update(entry.pop("aliases", {}))
-        candidates = entry.pop("volatile", ())
-        if candidates:
-            text = inputs.read_text(found.paths[name], inputs.SOURCE, errors="replace")
-            registers.update(n for n in candidates if re.search(rf"\b{re.escape(n)}\s+(?:__asm__|asm|__asm)\s*\(", text))
+    for name, entry in read.items():
+        registers.update(entry.registers)
+        aliases.update(entry.aliases)
+        if entry.volatile:
+            text = inputs.read_text(paths[name], inputs.SOURCE, errors="replace")
+            registers.update(n for n in entry.volatile if re.search(rf"\b{re.escape(n)}\s+(?:__asm__|asm|__asm)\s*\(", text))
     for _ in range(len(aliases)):
         more = {name for name, target in aliases.items() if target in registers} - registers
         if not more:
             break
         registers |= more
-    for entry in found.headers.values():
-        own = sorted(registers & {*entry.get("macros", ()), *entry.get("vars", ())})
-        entry.pop("registers", None)
-        if own:
-            entry["registers"] = own
+    return registers

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
 from pathlib import Path
 
@@ -24,6 +24,7 @@ from robosmi.transformations.knowledge.part_names import connector_kind
 from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.t2m.connectivity import Joined
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
+from robosmi.typed import distinct, fresh
 
 _CLOCK_PARTS = ("crystal", "resonator", "oscillator", "quartz", "xtal")
 _NET_NAMES = 3
@@ -61,9 +62,9 @@ class SchematicPart:
     value: str = ""
     description: str = ""
     tags: tuple[str, ...] = ()
-    pins: Mapping[str, str] = field(default_factory=dict)
+    pins: Mapping[str, str] = fresh(dict)
     count: int = 0
-    properties: Mapping[str, str] = field(default_factory=dict)
+    properties: Mapping[str, str] = fresh(dict)
     line: int | None = None
     power: bool = False
     defined: bool = True
@@ -74,7 +75,7 @@ class SchematicNet:
     """A net: its name in the drawing, and its pins. Nets that have a pin in common are one."""
 
     name: str
-    ends: list[End] = field(default_factory=list)
+    ends: list[End] = fresh(list)
 
 
 @dataclass(slots=True)
@@ -85,8 +86,8 @@ class Schematic:
     digest: str
     tool: str
     version: str = ""
-    parts: list[SchematicPart] = field(default_factory=list)
-    nets: list[SchematicNet] = field(default_factory=list)
+    parts: list[SchematicPart] = fresh(list)
+    nets: list[SchematicNet] = fresh(list)
     companions: Sequence[str] = ()
 
 
@@ -232,9 +233,7 @@ class _Making:
                     False,
                 )
         nets = [name for names in self.used.get(part.identity, {}).values() for name in names]
-        told = [
-            n for n in dict.fromkeys(nets) if not n.startswith(_NUMBERED) and connector_kind(n, self.builder.names) == "signal"
-        ]
+        told = [n for n in distinct(nets) if not n.startswith(_NUMBERED) and connector_kind(n, self.builder.names) == "signal"]
         title = part.value or ", ".join(told[:_NET_NAMES]) or part.symbol
         return (
             replace(found, title=title, family="", description="", evidence="a header, and what hangs on it is not drawn"),

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -27,6 +27,7 @@ from robosmi.transformations.queries.port_flows import port_flows
 from robosmi.transformations.queries.ports import program_ports
 from robosmi.transformations.queries.split_wires import answering_pin, asking_pin
 from robosmi.transformations.verification.wired_devices import WiredDevice, wired_devices
+from robosmi.typed import distinct, fresh
 from robosmi.verify.tables import DataTable
 
 _FACTS = "simulation/devices.toml"
@@ -67,7 +68,7 @@ class BoundPort:
     pin: str = ""
     line: bool = False
     group: str = ""
-    settings: Mapping[str, Any] = field(default_factory=dict)
+    settings: Mapping[str, Any] = fresh(dict)
     shown: bool = False
     averaged: bool = False
     kinds: frozenset[str] = frozenset()
@@ -173,7 +174,7 @@ def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice]) -> Non
         group = next(iter(at.values()))
         closed = any(not set(device.closed_by).isdisjoint(ports[source].functions) for source in at.values())
         shown = () if closed else device_facts().get(device.kind, {}).get("shown", ())
-        for source in dict.fromkeys(at.values()):
+        for source in distinct(at.values()):
             called = [name for name, place in at.items() if place == source]
             ports[source] = replace(
                 ports[source], device=device.kind, pin=" ".join(called), line=False, group=group, settings=device.settings,

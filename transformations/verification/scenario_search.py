@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from time import monotonic
 from typing import Any
@@ -19,6 +19,7 @@ from robosmi.transformations.verification.original_side import Place, SourceRuns
 from robosmi.transformations.verification.played_devices import CONSOLE, TYPING
 from robosmi.transformations.verification.port_devices import BoundPort, device_facts
 from robosmi.transformations.verification.scenario_goals import BESIDE, ENDS, GOALS, behaviour, beside, shown
+from robosmi.typed import distinct, fresh
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.scenario import POINTS, Points, Scenario
 
@@ -47,9 +48,9 @@ class FoundScenarios:
         tried: how many were run.
     """
 
-    scenarios: list[tuple[Scenario, SourceRuns]] = field(default_factory=list)
+    scenarios: list[tuple[Scenario, SourceRuns]] = fresh(list)
     racy: int = 0
-    racy_counts: list[bytes] = field(default_factory=list)
+    racy_counts: list[bytes] = fresh(list)
     least_racy: Scenario | None = None
     tried: int = 0
 
@@ -102,11 +103,11 @@ class _Search:
     until: float
     horizon: float = 0.0
     fruitless: int = 0
-    found: FoundScenarios = field(default_factory=FoundScenarios)
-    reached_by: list[frozenset[Place]] = field(default_factory=list)
-    only_racy: set[Place] = field(default_factory=set)
+    found: FoundScenarios = fresh(FoundScenarios)
+    reached_by: list[frozenset[Place]] = fresh(list)
+    only_racy: set[Place] = fresh(set)
     retried: int = 0
-    at_rest: dict[str, list[str]] = field(default_factory=dict)
+    at_rest: dict[str, list[str]] = fresh(dict)
 
     def try_signals(self, signals: Mapping[str, Mapping[str, Points]], also: frozenset[Place] = frozenset()) -> frozenset[Place]:
         """Run a scenario, keep it if it reaches what no other does and is not racy; what it reaches, and `also`."""
@@ -148,7 +149,7 @@ class _Search:
 
     def try_ends(self, inputs: Sequence[_Input]) -> None:
         """Let each device show the least that it can, and the most, of all that it measures."""
-        for name in dict.fromkeys(each.name for each in inputs if each.ends):
+        for name in distinct(each.name for each in inputs if each.ends):
             its = [each for each in inputs if each.name == name and each.ends]
             for end in (0, -1):
                 signals = {setting: points for each in its for setting, points in _constant(each, each.ends[end])[name].items()}

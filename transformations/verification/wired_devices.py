@@ -7,13 +7,14 @@ single port, which the functions that use it tell, are found by `port_devices`.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.pin_uses import pin_number, pin_values
 from robosmi.transformations.queries.values import Values
+from robosmi.typed import distinct, fresh
 from robosmi.verify.tables import DataTable
 
 
@@ -31,7 +32,7 @@ class WiredDevice:
 
     kind: str
     pins: Mapping[str, int]
-    settings: Mapping[str, Any] = field(default_factory=dict)
+    settings: Mapping[str, Any] = fresh(dict)
     closed_by: tuple[str, ...] = ()
 
 
@@ -47,14 +48,14 @@ def wired_devices(views: Sequence[CodeView], rules: Sequence[DataTable], roles: 
     taken: set[object] = set()
     for rule in rules:
         parts = rule.table("parts") if "parts" in rule.values else None
-        apart, addresses = set(rule.values.get("apart", ())), rule.values.get("addresses")
+        apart, addresses = set(rule.numbers("apart", ())), rule.numbers("addresses", ())
         if len({tuple(_told(views, place)) for place in rule.texts("same", ())}) > 1:
             continue
         for device in _of_parts(views, rule.text("kind"), parts, roles) if parts is not None else _of_calls(views, rule):
             places: set[object] = set(device.pins.values())
             if rule.flag("bus", False):
                 address = device.settings.get("address")
-                places = {("bus", address)} if address is not None and address in (addresses or [address]) else set()
+                places = {("bus", address)} if address is not None and address in (addresses or (address,)) else set()
             if places and not places & (taken | apart):
                 found.append(replace(device, closed_by=rule.texts("closed_by", ())))
                 taken |= places
@@ -63,20 +64,17 @@ def wired_devices(views: Sequence[CodeView], rules: Sequence[DataTable], roles: 
 
 def _of_calls(views: Sequence[CodeView], rule: DataTable) -> Iterator[WiredDevice]:
     """A device for each call that connects one."""
-    pins = rule.table("pins").values if "pins" in rule.values else {}
-    said = rule.table("settings").values if "settings" in rule.values else {}
+    pins, said = rule.numbers_by_name("pins"), rule.numbers_by_name("settings")
     for view, call in _calls(views, rule.texts("calls")):
         values = Values(view.program, view.unit)
         connected: dict[str, int] = {}
         for name, position in pins.items():
-            numbers = _ports(view, call, int(position), values)
+            numbers = _ports(view, call, position, values)
             if name.endswith("*"):
                 connected |= {f"{name[:-1]}{n}": number for n, number in enumerate(numbers) if number >= 0}
             elif len(numbers) == 1 and numbers[0] >= 0:
                 connected[name] = numbers[0]
-        settings = {
-            name: number for name, position in said.items() if (number := _number(call, int(position), values)) is not None
-        }
+        settings = {name: number for name, position in said.items() if (number := _number(call, position, values)) is not None}
         yield WiredDevice(rule.text("kind"), connected, settings)
 
 
@@ -99,7 +97,7 @@ def _told(views: Sequence[CodeView], place: str) -> list[int]:
     numbers: list[int] = []
     for view, call in _calls(views, (function,)) if position else ():
         numbers += _ports(view, call, int(position), Values(view.program, view.unit))
-    return list(dict.fromkeys(numbers))
+    return distinct(numbers)
 
 
 def _calls(views: Sequence[CodeView], names: Sequence[str]) -> Iterator[tuple[CodeView, ccode.Call]]:

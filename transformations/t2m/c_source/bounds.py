@@ -56,7 +56,7 @@ def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Edit]:
     harmless = (
         not weights
         and data.count(b"else") < MAX_BRANCHES
-        and sum(map(data.count, (b"(", b"[", b"{"))) < MAX_BRACKETS
+        and sum(data.count(bracket) for bracket in (b"(", b"[", b"{")) < MAX_BRACKETS
         and (len(tokens) < MAX_RUN or max(map(len, _PREFIX.split(data))) < MAX_RUN)
     )
     if harmless and len(tokens) < MOST_DECLARED:
@@ -78,7 +78,7 @@ def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Edit]:
 def shallow(data: bytes) -> bool:
     """Whether the bytes alone show that nothing nests too deep."""
     depth = 0
-    for bracket in _BRACKETS.findall(data) if sum(map(data.count, (b"(", b"[", b"{"))) >= MAX_BRACKETS else ():
+    for bracket in _BRACKETS.findall(data) if sum(data.count(bracket) for bracket in (b"(", b"[", b"{")) >= MAX_BRACKETS else ():
         depth += 1 if bracket in b"([{" else -1
         if depth >= MAX_BRACKETS:
             return False

@@ -60,7 +60,7 @@ class Call:
         own = os.path.dirname(self.path)
         if not include_dirs and not any(os.path.exists(os.path.join(own, name)) for name in included(source.parsed) if name):
             headers = standard_headers(api, source.parsed)
-            self.names = frozenset[str]().union(*map(names_in, headers.values()))
+            self.names = frozenset[str]().union(*(names_in(header) for header in headers.values()))
             self._files = unsaved(headers)
         self._plain = self.names is not None and self._has_no_macro_of_the_parser(self.names)
 

@@ -40,6 +40,9 @@ class Cursor(Structure):
     """CXCursor."""
 
     if TYPE_CHECKING:
+
+        def __init__(self) -> None: ...
+
         kind: int
         xdata: int
         data: Sequence[int | None]
@@ -51,6 +54,9 @@ class SourceLocation(Structure):
     """CXSourceLocation."""
 
     if TYPE_CHECKING:
+
+        def __init__(self) -> None: ...
+
         ptr_data: Sequence[int | None]
         int_data: int
 
@@ -61,6 +67,9 @@ class SourceRange(Structure):
     """CXSourceRange."""
 
     if TYPE_CHECKING:
+
+        def __init__(self) -> None: ...
+
         ptr_data: Sequence[int | None]
         begin: int
         end: int
@@ -71,11 +80,19 @@ class SourceRange(Structure):
 class RangeList(Structure):
     """CXSourceRangeList."""
 
+    if TYPE_CHECKING:
+
+        def __init__(self) -> None: ...
+
     _fields_ = [("count", c_uint), ("ranges", POINTER(SourceRange))]
 
 
 class String(Structure):
     """CXString."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self) -> None: ...
 
     _fields_ = [("data", c_void_p), ("flags", c_uint)]
 
@@ -84,6 +101,9 @@ class Type(Structure):
     """CXType."""
 
     if TYPE_CHECKING:
+
+        def __init__(self) -> None: ...
+
         kind: int
         data: Sequence[int | None]
 

@@ -9,10 +9,11 @@ from __future__ import annotations
 import os
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Concatenate, NamedTuple, ParamSpec, TypeVar
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.transformations.knowledge.lexer import Token
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import clang
@@ -22,6 +23,8 @@ from robosmi.transformations.t2m.c_source.parsing import Parsed
 from robosmi.transformations.t2m.c_source.source import ReadSource
 from robosmi.transformations.t2m.c_source.tree import Expansion, Node
 
+P = ParamSpec("P")
+R = TypeVar("R", bound=Element)
 MAX_DEPTH = 150
 
 
@@ -77,8 +80,8 @@ class UnitContext:
         skipped = sorted(parsed.skipped)  # beside each other: the parser gives none within another
         self._skipped_starts, self._skipped_ends = [start for start, _ in skipped], [end for _, end in skipped]
         self.declared: dict[int, ccode.Declaration] = {}
-        self.references: list[tuple[ccode.NameReference, Any]] = []
-        self.calls: list[tuple[ccode.Call, Any]] = []
+        self.references: list[tuple[ccode.NameReference, Cursor]] = []
+        self.calls: list[tuple[ccode.Call, Cursor | None]] = []
         self.call_nodes: list[tuple[ccode.Call, Node, Node | None]] = []
         self.type_uses: list[tuple[ccode.TypeUse, str]] = []
         self.covered: set[int] = set()
@@ -96,10 +99,12 @@ class UnitContext:
         self.argument_types: dict[tuple[int, int | None, int | None], str] = {}
         self.canonical: dict[int, tuple[str, int, bool, bool]] = {}
         self.attribute_macros: frozenset[str] = frozenset(
-            {*api.settings["parser"].get("attribute_macros", ()), *parsed.prelude.macros}
+            {*api.settings["parser"].get("attribute_macros", []), *parsed.prelude.macros}
         )
 
-    def later(self, kind: type, build: Any, *arguments: Any) -> Any:
+    def later(
+        self, kind: type, build: Callable[Concatenate[UnitContext, P], R], *arguments: P.args, **named: P.kwargs
+    ) -> R | None:
         """A stand-in for an element that is built when it is asked for (`on_demand`); None to build it now, as here."""
         return None
 

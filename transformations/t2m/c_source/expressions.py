@@ -8,10 +8,10 @@ reference to that macro's name, as the text says; what comes out of a function-l
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import cursor_kinds, literals, macros, types
+from robosmi.transformations.t2m.c_source.clang import Cursor
 from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, ExpressionBuilder, UnitContext
 from robosmi.transformations.t2m.c_source.tree import Node
 
@@ -47,7 +47,7 @@ BINARY_OPERATORS = (
 def expression(context: UnitContext, node: Node) -> ccode.Expression:
     """The element for an expression's cursor."""
     if (waiting := context.later(ccode.UnknownExpression, expression, node)) is not None:
-        return waiting  # type: ignore[no-any-return]
+        return waiting
     if context.depth > MAX_DEPTH:
         return too_deep(context, node)
     context.depth += 1
@@ -124,7 +124,7 @@ def call(context: UnitContext, node: Node, children: Sequence[Node]) -> ccode.Ex
     return element
 
 
-def _called(context: UnitContext, callee: Node) -> Any:
+def _called(context: UnitContext, callee: Node) -> Cursor:
     """The declaration that a call means, of a template the template."""
     referenced = context.lib.getCursorReferenced(callee.cursor)
     if context.source.language == "C++":

@@ -8,13 +8,14 @@ function that is not void. A guess is a guess: the linkage says so.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import cursor_kinds, type_kinds
+from robosmi.transformations.t2m.c_source.clang import ClangLibrary, Type
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.tree import Node
+from robosmi.typed import fresh
 
 _POINTER, _RECORD, _FLOATING, _ARRAYS, _FUNCTIONS = (
     type_kinds.POINTER,
@@ -40,7 +41,7 @@ class Inferred:
 
     name: str
     returns: str = "void"
-    types: list[str] = field(default_factory=list)
+    types: list[str] = fresh(list)
     variadic: bool = False
 
     def signature(self) -> str:
@@ -91,10 +92,10 @@ def _type_name(context: UnitContext, node: Node) -> str:
     return known
 
 
-def _argument_type(lib: Any, kind: Any) -> str:
+def _argument_type(lib: ClangLibrary, kind: Type) -> str:
     """The type of a parameter that takes values of a type of the parser."""
     canonical = lib.getCanonicalType(kind)
-    text: str = lib.text(lib.getTypeSpelling(kind))
+    text = lib.text(lib.getTypeSpelling(kind))
     if canonical.kind in _FLOATING:
         return "float" if canonical.kind == type_kinds.FLOAT else "double"
     if canonical.kind in _ARRAYS:

@@ -88,10 +88,10 @@ class Linker:
         return own
 
     @staticmethod
-    def _declared_signature(context: UnitContext, cursor: Cursor, name: str) -> str:
-        if cursor.kind not in FUNCTION_KINDS:
+    def _declared_signature(context: UnitContext, cursor: Cursor | None, name: str) -> str:
+        if cursor is None or cursor.kind not in FUNCTION_KINDS:
             return f"{name}(...)"
-        text: str = context.lib.text(context.lib.getCursorPrettyPrinted(cursor, None))
+        text = context.lib.text(context.lib.getCursorPrettyPrinted(cursor, None))
         text = text.partition("{")[0].strip()
         for word in ("extern ", "static ", "inline ", "__inline__ "):
             text = text.removeprefix(word)

@@ -8,12 +8,12 @@ headers of its own, is built as it expands, and its calls are marked `viaMacro`.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import clang, cursor_kinds
 from robosmi.transformations.t2m.c_source.clang import Cursor
 from robosmi.transformations.t2m.c_source.context import UnitContext
+from robosmi.transformations.t2m.c_source.source import TextRange
 from robosmi.transformations.t2m.c_source.tree import Expansion, Node
 
 Build = Callable[[UnitContext, Node], ccode.Expression]
@@ -59,7 +59,7 @@ def macro_call(context: UnitContext, node: Node, expansion: Expansion, build: Bu
     return element
 
 
-def call_place(context: UnitContext, node: Node) -> tuple[dict[str, Any], str, bool]:
+def call_place(context: UnitContext, node: Node) -> tuple[TextRange, str, bool]:
     """Place of a call, the callee's name where a header's alias hides it, and whether it stands in the body of an own macro."""
     if not node.from_macro:
         return context.source.place(node.start, node.end), "", False

@@ -12,13 +12,12 @@ from __future__ import annotations
 import os
 import weakref
 from collections.abc import Iterator, Sequence
-from functools import cache
 from pathlib import Path
-from typing import Any
 
 from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import ccode
-from robosmi.model.driver import Node
+from robosmi.model.driver import DynamicNode, Kind, ModelElement, Node
+from robosmi.model.ecore import EReference, EStructuralFeature, Scalar
 from robosmi.model.features import all_features
 from robosmi.model.fragments import fragment_of, resolve
 from robosmi.model.lean import collector_at_rest
@@ -31,8 +30,9 @@ from robosmi.project import defaults
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import cursor_kinds
 from robosmi.transformations.t2m.c_source.linking import Linker
-from robosmi.transformations.t2m.c_source.on_demand_unit import Unit, in_building_order
+from robosmi.transformations.t2m.c_source.on_demand_unit import Linked, Unit, in_building_order
 from robosmi.transformations.t2m.c_source.sources import source_files
+from robosmi.typed import distinct
 
 LEAVES = {
     cursor_kinds.DECL_REF_EXPR: ccode.NameReference,
@@ -77,15 +77,15 @@ class OnDemandProgram(TypedModel):
         if not paths:
             raise UsageError("no source file is given", fix="name at least one C file")
         super().__init__(Metamodel([ccode]), name, Path(paths[0]))
-        self._extents: dict[tuple[type, bool], list[Any]] = {}
+        self._extents: dict[tuple[type, bool], list[Element]] = {}
         self._linked = False
         folders = [os.fspath(d) for d in include_dirs]
         api = ApiIndex.load(platform)
         files = source_files(paths, folders, defines)
         self.program = ccode.Program(
             name=os.path.splitext(os.path.basename(files[0].path))[0],
-            includeFolders=list(dict.fromkeys(folder for file in files for folder in file.include_dirs)) or folders,
-            defines=list(dict.fromkeys(define for file in files for define in file.defines)) or list(defines),
+            includeFolders=distinct(folder for file in files for folder in file.include_dirs) or folders,
+            defines=distinct(define for file in files for define in file.defines) or list(defines),
         )
         self._units: list[Unit] = []
         for file in files:
@@ -94,7 +94,7 @@ class OnDemandProgram(TypedModel):
             except SourceError:  # of a folder what is no text is left out
                 if file.given or (file is files[-1] and not self._units):
                     raise
-        self.program.languages.extend(dict.fromkeys(str(u.element.language) for u in self._units))
+        self.program.languages.extend(distinct(str(u.element.language) for u in self._units))
         features = {f.name: f for f in all_features(ccode.Program.eClass)}
         Promise(self.program, features["units"], lambda: [unit.element for unit in self._units])
         Promise(self.program, features["externals"], self._externals)
@@ -104,11 +104,11 @@ class OnDemandProgram(TypedModel):
 
     # Extents
 
-    def all_contents(self) -> Iterator[Any]:
+    def all_contents(self) -> Iterator[Element]:
         """All elements in containment pre-order; each is built when the loop comes to it."""
         return self._walk(object)
 
-    def all_of_kind(self, kind: Any) -> list[Any]:
+    def all_of_kind(self, kind: Kind) -> list[Element]:
         """The elements of a type and its subtypes; only what can hold such elements is built on the way.
 
         Raises:
@@ -116,7 +116,7 @@ class OnDemandProgram(TypedModel):
         """
         return list(self._extent(self._class_of(kind), False))
 
-    def all_of_type(self, kind: Any) -> list[Any]:
+    def all_of_type(self, kind: Kind) -> list[Element]:
         """The elements of exactly a type; only what can hold such elements is built on the way.
 
         Raises:
@@ -124,7 +124,7 @@ class OnDemandProgram(TypedModel):
         """
         return list(self._extent(self._class_of(kind), True))
 
-    def _extent(self, cls: type, exact: bool) -> list[Any]:
+    def _extent(self, cls: type, exact: bool) -> list[Element]:
         found = self._extents.get((cls, exact))
         if found is None:
             with collector_at_rest():
@@ -132,14 +132,14 @@ class OnDemandProgram(TypedModel):
             self._extents[cls, exact] = found
         return found
 
-    def _walk(self, wanted: type, start: Any = None) -> Iterator[Any]:
+    def _walk(self, wanted: type, start: Element | None = None) -> Iterator[Element]:
         """Elements in pre-order; what can hold no element of the wanted class is passed over."""
-        pending: list[Any] = [start if start is not None else self.program]
+        pending: list[Element] = [start if start is not None else self.program]
         while pending:
             element = pending.pop()
             yield element
             slots = element.__dict__
-            parts: list[Any] = []
+            parts: list[Element] = []
             for name, many in _ways(element.__class__, wanted):
                 slot = slots[name]
                 if slot.__class__ is Promise and _holds_only_others(slot, wanted):
@@ -155,7 +155,7 @@ class OnDemandProgram(TypedModel):
 
     # Identity
 
-    def element(self, identity: str) -> Any:
+    def element(self, identity: str) -> DynamicNode | None:
         """The element at a fragment (`//@units.0/@declarations.3`), or None; only the way to it is built.
 
         Raises:
@@ -167,34 +167,37 @@ class OnDemandProgram(TypedModel):
         """The fragment of an element, the same as in the stored model."""
         return fragment_of(element, [self.program])
 
-    def owns(self, element: Any) -> bool:
+    def owns(self, element: Scalar | ModelElement) -> bool:
         """Whether the element is in this program."""
         return isinstance(element, Element) and root_of(element) is self.program
 
     # Links
 
-    def _link(self, unit: Unit, element: Element, feature: Any) -> Any:
+    def _link(self, unit: Unit, element: Element, feature: EStructuralFeature) -> Linked:
         """The value of a cross reference."""
-        found = self._near(unit, element, feature.name) if not feature.many else None
+        found: Linked = self._near(unit, element, feature.name) if not feature.many else None
         if found is None:
             self._link_all()
             slot = element.__dict__[feature.name]  # what was built after all was linked has no link
-            return (() if feature.many else None) if isinstance(slot, Promise) else read(slot)
+            found = (() if feature.many else None) if isinstance(slot, Promise) else read(slot)
         return found
 
-    def _near(self, unit: Unit, element: Any, name: str) -> Any:
+    def _near(self, unit: Unit, element: Element, name: str) -> Element | None:
         """The program's own declaration that a use refers to, if it can be told without the rest of the program."""
         cursor = unit.cursors.get(id(element))
-        if name == "macro":
+        if isinstance(element, ccode.MacroUse) and name == "macro":
             return unit.macro(str(element.name))
-        if cursor is None or name not in ("callee", "target"):
+        if cursor is None:
             return None
-        if name == "callee":
+        if isinstance(element, ccode.Call) and name == "callee":
             return self._function(unit, str(element.calleeName), unit.declared(cursor))
-        top = element
+        if not isinstance(element, ccode.NameReference) or name != "target":
+            return None
+        top: Element | None = element
         while not isinstance(top, ccode.Declaration) or not isinstance(top.eContainer(), ccode.SourceUnit):
-            if (top := top.eContainer()) is None:
+            if top is None:
                 return None
+            top = top.eContainer()
         found = unit.declared(cursor)
         if found is None and isinstance(top, ccode.Function):
             for _ in self._walk(ccode.Declaration, top):  # it may be declared in this function
@@ -202,14 +205,14 @@ class OnDemandProgram(TypedModel):
             found = unit.declared(cursor)
         return self._function(unit, str(element.name), found) if found is None or isinstance(found, ccode.Function) else found
 
-    def _function(self, unit: Unit, name: str, declared: Any) -> Any:
+    def _function(self, unit: Unit, name: str, declared: ccode.Declaration | None) -> ccode.Function | None:
         function = declared if isinstance(declared, ccode.Function) else None
         if function is None or not function.definition:
-            declarations: list[list[Any]] = [list(u.element.declarations) for u in self._units]
+            declarations = [list(u.element.declarations) for u in self._units]
             function = Linker([u.context for u in self._units], declarations)._own(self._units.index(unit), name) or function
         return function
 
-    def _externals(self) -> Any:
+    def _externals(self) -> list[ccode.Declaration]:
         self._link_all()
         return self._made_externals
 
@@ -240,46 +243,44 @@ def _close(units: list[Unit]) -> None:
         unit.close()
 
 
-_HOLDS: dict[tuple[Any, type], bool] = {}
-_CONTAINS: dict[type, list[Any]] = {}
-_CROSS: dict[type, list[Any]] = {}
+_HOLDS: dict[tuple[EReference, type], bool] = {}
+_CONTAINS: dict[type[Element], list[EReference]] = {}
+_WAYS: dict[tuple[type[Element], type], list[tuple[str, bool]]] = {}
+_CROSS: dict[type[Element], list[EReference]] = {}
 
 
-def _containments(cls: type) -> list[Any]:
+def _containments(cls: type[Element]) -> list[EReference]:
     if cls not in _CONTAINS:
-        features = all_features(cls.eClass)  # type: ignore[attr-defined]
-        _CONTAINS[cls] = [f for f in features if f.is_reference and f.containment]
+        _CONTAINS[cls] = [f for f in all_features(cls.eClass) if isinstance(f, EReference) and f.containment]
     return _CONTAINS[cls]
 
 
-@cache
-def _ways(cls: type, wanted: type) -> list[tuple[str, bool]]:
+def _ways(cls: type[Element], wanted: type) -> list[tuple[str, bool]]:
     """Where elements of the wanted class may be below an element of a class: slots, and whether they hold many."""
-    return [(key_of(feature), feature.many) for feature in _containments(cls) if _can_hold(feature, wanted)]
+    if (cls, wanted) not in _WAYS:
+        _WAYS[cls, wanted] = [(key_of(feature), feature.many) for feature in _containments(cls) if _can_hold(feature, wanted)]
+    return _WAYS[cls, wanted]
 
 
-def _links(cls: type) -> list[Any]:
+def _links(cls: type[Element]) -> list[EReference]:
     if cls not in _CROSS:
-        features = all_features(cls.eClass)  # type: ignore[attr-defined]
-        _CROSS[cls] = [
-            f for f in features if f.is_reference and not f.containment and not (f.eOpposite and f.eOpposite.containment)
-        ]
+        references = [f for f in all_features(cls.eClass) if isinstance(f, EReference) and not f.containment]
+        _CROSS[cls] = [f for f in references if not (f.eOpposite and f.eOpposite.containment)]
     return _CROSS[cls]
 
 
-def _can_hold(feature: Any, wanted: type) -> bool:
+def _can_hold(feature: EReference, wanted: type) -> bool:
     """Whether the metamodel lets elements of the class be below a containment feature."""
     known = _HOLDS.get((feature, wanted))
-    if known is None and feature is ccode.Program.externals:
+    if known is None and feature.eContainingClass is ccode.Program.eClass and feature.name == "externals":
         known = _HOLDS[feature, wanted] = any(issubclass(cls, wanted) for cls in IN_EXTERNALS)
     if known is None:
         seen: set[type] = set()
         pending = [feature]
         while pending and not known:
             kind = pending.pop().eType
-            kind = getattr(kind, "python_class", kind)
             for cls in _CLASSES:
-                if issubclass(cls, kind) and cls not in seen:
+                if isinstance(kind, type) and issubclass(cls, kind) and cls not in seen:
                     seen.add(cls)
                     known = known or issubclass(cls, wanted)
                     pending.extend(_containments(cls))

@@ -7,13 +7,14 @@ given a context that puts stand-ins in the place of parts. Links between units a
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
-from typing import Any
+from typing import Concatenate, ParamSpec, TypeAlias, TypeVar
 
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, SourceError
 from robosmi.metamodels import ccode
+from robosmi.model.ecore import EObject, EStructuralFeature
 from robosmi.model.features import all_features
 from robosmi.model.on_demand import Promise, settle, stand_in
 from robosmi.model.ordering import post_order
@@ -28,6 +29,12 @@ from robosmi.transformations.t2m.c_source.parsing import Parsed, parse
 from robosmi.transformations.t2m.c_source.source import read_source
 from robosmi.transformations.t2m.c_source.tree import Node
 
+P = ParamSpec("P")
+R = TypeVar("R", bound=Element)
+T = TypeVar("T", bound=Element)
+Linked: TypeAlias = "Element | Sequence[Element] | None"
+"""The value of a cross reference."""
+
 
 class WaitingContext(UnitContext):
     """A context whose builders leave parts for later; what a macro with arguments gives is built at once, in order."""
@@ -37,7 +44,9 @@ class WaitingContext(UnitContext):
         self._unit = unit
         self._now = False
 
-    def later(self, kind: type, build: Any, *arguments: Any) -> Any:
+    def later(
+        self, kind: type, build: Callable[Concatenate[UnitContext, P], R], *arguments: P.args, **named: P.kwargs
+    ) -> R | None:
         """A stand-in, unless it was the part's turn."""
         if self._now:
             self._now = False
@@ -48,18 +57,21 @@ class WaitingContext(UnitContext):
             if use is None or self.function_like(use):
                 return None
         depth = self.depth
-        return stand_in(kind, lambda: self._build(build, arguments, depth), node if isinstance(node, Node) else None)
+        made: R = stand_in(
+            kind, lambda: self._build(lambda: build(self, *arguments, **named), depth), node if isinstance(node, Node) else None
+        )
+        return made
 
-    def _build(self, build: Any, arguments: tuple[Any, ...], depth: int) -> Any:
+    def _build(self, build: Callable[[], R], depth: int) -> R:
         if not self.parsed.unit:
             raise ModelError("the program was closed before this part of it was read", fix="close it later")
         before, self.depth, self._now = self.depth, depth, True
         try:
-            made = build(self, *arguments)
+            made = build()
         finally:
             self.depth, self._now = before, False
-        while "_make" in made.__dict__:
-            made = made._make()
+        while (make := made.__dict__.get("_make")) is not None:
+            made = make()
         return self._unit.settled(made)
 
 
@@ -84,16 +96,18 @@ class Unit:
         api: ApiIndex,
         folders: Sequence[str],
         defines: Sequence[str],
-        link: Callable[[Unit, Any, Any], Any],
+        link: Callable[[Unit, Element, EStructuralFeature], Linked],
         program: ccode.Program,
     ) -> None:
         self._api, self._folders, self._defines, self._link_of = api, list(folders), list(defines), link
         self._source = source = read_source(path)
         self._parsed: Parsed | None = None
+        self._cursors: dict[int, Cursor | None] = {}
+        self._counted = -1
         self.element = ccode.SourceUnit(
             path=source.path, encoding=source.encoding, digest=source.digest, language=source.language, size=source.size
         )
-        waiting: dict[str, Callable[[], Any]] = {
+        waiting: dict[str, Callable[[], Element | Sequence[Element] | int]] = {
             "program": lambda: program,
             "includes": lambda: self._settled_all(preprocessor.read(self.context)[0]),
             "macros": lambda: self._settled_all(preprocessor.read(self.context)[1]),
@@ -130,39 +144,40 @@ class Unit:
 
     @cached_property
     def _covered(self) -> coverage.Coverage:
-        pending: list[Any] = [*self.element.declarations, *self.element.macroUses]
+        pending: list[EObject] = [*self.element.declarations, *self.element.macroUses]
         while pending:  # all of it must be built for this
             pending += contents(pending.pop())
         return coverage.calls(self.context)
 
-    def settled(self, element: Element) -> Any:
+    def settled(self, element: T) -> T:
         """An element that was just built, read-only and with promises in the place of its links."""
-        return settle(element, self._linked)
+        settle(element, self._linked)
+        return element
 
-    def _linked(self, owner: Element, feature: Any) -> Any:
+    def _linked(self, owner: Element, feature: EStructuralFeature) -> Linked:
         return self._link_of(self, owner, feature)
 
-    def _settled_all(self, elements: Any) -> list[Any]:
+    def _settled_all(self, elements: Iterable[T]) -> list[T]:
         return [self.settled(element) for element in elements]
 
     @property
-    def cursors(self) -> dict[int, Any]:
+    def cursors(self) -> dict[int, Cursor | None]:
         """What the parser says a call or a name refers to, by the element's identity."""
-        known: dict[int, Any] = self.__dict__.setdefault("_cursors", {})
+        known = self._cursors
         context = self.context
         total = len(context.calls) + len(context.references)
-        if self.__dict__.get("_counted") != total:
+        if self._counted != total:
             known.update({id(call): cursor for call, cursor in context.calls})
             known.update({id(name): cursor for name, cursor in context.references})
-            self.__dict__["_counted"] = total
+            self._counted = total
         return known
 
-    def declared(self, cursor: Cursor) -> Any:
+    def declared(self, cursor: Cursor) -> ccode.Declaration | None:
         """The element that was built for a declaration's cursor, or None; those at file scope are built for this."""
         len(self.element.declarations)
         return self.context.declared.get(self.context.pointer(cursor))
 
-    def macro(self, name: str) -> Any:
+    def macro(self, name: str) -> ccode.Macro | None:
         """The file's own macro of that name, the last one, or None."""
         return {str(macro.name): macro for macro in self.element.macros}.get(name)
 
@@ -185,15 +200,16 @@ def in_building_order(unit: Unit) -> None:
     In three kinds of element that is not the metamodel's order: `do` and `for` are built as the text has them, and in a list of
     initial values the value comes before its designator.
     """
-    rank = {id(element): place for place, element in enumerate(post_order([unit.element], _parts))}
+    start: list[EObject] = [unit.element]
+    rank = {id(element): place for place, element in enumerate(post_order(start, _parts))}
     context = unit.context
     context.calls.sort(key=lambda entry: rank.get(id(entry[0]), -1))
     context.references.sort(key=lambda entry: rank.get(id(entry[0]), -1))
 
 
-def _parts(element: Element) -> list[Any]:
+def _parts(element: EObject) -> list[EObject]:
     """What an element contains, in the order in which it is built."""
-    parts: list[Any] = contents(element)
+    parts: Sequence[EObject | None] = contents(element)
     if isinstance(element, ccode.DoWhile):
         parts = [element.body, element.condition]
     elif isinstance(element, ccode.For):

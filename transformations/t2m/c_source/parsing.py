@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import clang, tree
@@ -29,6 +29,7 @@ from robosmi.transformations.t2m.c_source.mending import (
 )
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import ReadSource
+from robosmi.typed import fresh
 
 MAX_PARSES = 3
 _MISSING_DECLARATIONS = (
@@ -44,7 +45,7 @@ class Diagnostic:
     offset: int
     message: str
     severity: int
-    edits: list[Edit] = field(default_factory=list)
+    edits: list[Edit] = fresh(list)
 
     @property
     def syntax(self) -> bool:
@@ -84,7 +85,7 @@ class Parsed:
     prelude: Prelude
     parses: int
     reader: tree.TreeReader
-    cut: list[tuple[int, int]] = field(default_factory=list)
+    cut: list[tuple[int, int]] = fresh(list)
 
     def close(self) -> None:
         """Free the parser's memory; the nodes' cursors are dead afterwards."""
@@ -178,8 +179,8 @@ def _foresee(prelude: Prelude, source: ReadSource, names: frozenset[str], define
     if prelude.cxx:
         return False
     settings = prelude.platform.settings["parser"]
-    given = {re.split(r"\W", define, maxsplit=1)[0] for define in (*settings.get("defines", ()), *defines)}
-    given |= {*settings.get("builtins", {}), *settings.get("attribute_macros", ())}
+    given = {re.split(r"\W", define, maxsplit=1)[0] for define in (*settings.get("defines", []), *defines)}
+    given |= {*settings.get("builtins", {}), *settings.get("attribute_macros", [])}
     found = foresee(source.tokens, lambda name: name in names or name in given)
     if found is None or not found.undeclared:
         return False

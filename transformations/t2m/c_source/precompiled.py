@@ -210,8 +210,8 @@ class _Kept:
             read = [name for name in clang.inclusions(unit) if name not in (BASE, _BEGINNING)]
             real = {path for path in read if not path.startswith(VIRTUAL)}
             places = sorted(real | {os.path.dirname(path) for path in real})
-            macros = clang.macro_names(unit) - set(api.settings["parser"].get("attribute_macros", ()))
-            return Beginning(0, file, tuple(read), frozenset(macros), tuple(map(state_of, places)))
+            macros = clang.macro_names(unit) - set(api.settings["parser"].get("attribute_macros", []))
+            return Beginning(0, file, tuple(read), frozenset(macros), tuple(state_of(place) for place in places))
         finally:
             library.disposeTranslationUnit(unit)
 

@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, TYPE_WORDS, Token
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.standard_names import STANDARD_NAMES
+from robosmi.typed import fresh
 
 _UNKNOWN = [
     re.compile(r"^unknown type name '(?P<name>\w+)'"),
@@ -49,15 +50,15 @@ class Prelude:
 
     platform: ApiIndex
     cxx: bool = False
-    types: dict[str, bool] = field(default_factory=dict)
-    values: dict[str, str] = field(default_factory=dict)
-    macros: set[str] = field(default_factory=set)
-    standard: dict[str, str] = field(default_factory=dict)
-    functions: dict[str, str] = field(default_factory=dict)
-    members: dict[str, str] = field(default_factory=dict)
-    always: list[str] = field(default_factory=list)
-    in_std: dict[str, str] = field(default_factory=dict)
-    _fixed: set[str] = field(default_factory=set)
+    types: dict[str, bool] = fresh(dict)
+    values: dict[str, str] = fresh(dict)
+    macros: set[str] = fresh(set)
+    standard: dict[str, str] = fresh(dict)
+    functions: dict[str, str] = fresh(dict)
+    members: dict[str, str] = fresh(dict)
+    always: list[str] = fresh(list)
+    in_std: dict[str, str] = fresh(dict)
+    _fixed: set[str] = fresh(set)
 
     def collect(self, messages: Iterable[str], tokens: list[Token], own_names: Callable[[], dict[str, str]]) -> bool:
         """Take over what the diagnostics complain about.
@@ -83,7 +84,9 @@ class Prelude:
                 new = True
             for name in _NOT_SCALAR.findall(message):
                 scalar.add(name)
-        library = [m for m in map(_IN_STD.match, messages) if m and m["name"] not in self.in_std] if self.cxx else []
+        library = (
+            [m for message in messages if (m := _IN_STD.match(message)) and m["name"] not in self.in_std] if self.cxx else []
+        )
         if not names and not new and not scalar and not library:
             return False
         uses, own = _Uses(tokens), own_names()
@@ -214,7 +217,7 @@ class Prelude:
         """The prelude as C text."""
         settings = self.platform.settings["parser"]
         lines = [f"{kind} {name}({self._any});" for name, kind in sorted(settings.get("builtins", {}).items())]
-        macros = {*settings.get("attribute_macros", ()), *self.macros}
+        macros = {*settings.get("attribute_macros", []), *self.macros}
         lines += [f"#ifndef {macro}\n#define {macro}\n#endif" for macro in sorted(macros)]
         lines += sorted(self.standard.values())
         lines += self.always

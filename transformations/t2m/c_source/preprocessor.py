@@ -80,5 +80,5 @@ class _Headers:
             return None
         plain = not any(part in ("", ".", "..") for part in name.split("/"))
         places = (os.path.join(folder, name) for folder in self._folders)
-        candidates = places if plain else map(os.path.abspath, places)
+        candidates = places if plain else (os.path.abspath(place) for place in places)
         return next((self._read[c] for c in candidates if c in self._read), None)

@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import os
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
+from robosmi.typed import distinct, fresh
 
 ENDING = ".side"
 _SOURCES = (".c", ".cc", ".cpp", ".cxx")
@@ -32,10 +33,10 @@ class SideProject:
         findings: what was left out, and why.
     """
 
-    sources: list[str] = field(default_factory=list)
-    include_dirs: list[str] = field(default_factory=list)
-    defines: list[str] = field(default_factory=list)
-    findings: list[Finding] = field(default_factory=list)
+    sources: list[str] = fresh(list)
+    include_dirs: list[str] = fresh(list)
+    defines: list[str] = fresh(list)
+    findings: list[Finding] = fresh(list)
 
 
 def project_beside(source: str) -> str:
@@ -84,8 +85,8 @@ def _read(path: str, made: SideProject, *, library: bool, seen: set[str]) -> Non
             if os.path.isfile(other) and os.path.realpath(other) not in seen:
                 made.include_dirs.append(place)
                 _read(other, made, library=True, seen=seen)
-    made.include_dirs[:] = dict.fromkeys(made.include_dirs)
-    made.defines[:] = dict.fromkeys(made.defines)
+    made.include_dirs[:] = distinct(made.include_dirs)
+    made.defines[:] = distinct(made.defines)
 
 
 def _file(said: str, folder: str, place: Location, made: SideProject) -> None:

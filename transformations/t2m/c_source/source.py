@@ -12,13 +12,14 @@ import hashlib
 import os
 import re
 from bisect import bisect_right
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
+from typing import TypedDict
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.transformations.knowledge.lexer import Token, tokens
+from robosmi.typed import fresh
 
 _LINE_END = re.compile(rb"\n")
 MOST_TOKENS = 2_000_000
@@ -26,6 +27,17 @@ _TEXTS = frozenset(["comment", "string", "char"])  # they may hold any byte; els
 _STRAY = re.compile(rb"[\x01-\x08\x0e-\x1f\x7f]")
 CPLUSPLUS = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino", ".C")
 _SPLIT = "give the program's own source files; leave generated data out"
+
+
+class TextRange(TypedDict):
+    """The features of `Located`: a range of offsets with its lines and columns, both counted from 1."""
+
+    startOffset: int
+    endOffset: int
+    line: int
+    column: int
+    endLine: int
+    endColumn: int
 
 
 @dataclass(slots=True)
@@ -48,8 +60,8 @@ class ReadSource:
     encoding: str
     digest: str
     size: int
-    tokens: list[Token] = field(default_factory=list)
-    _lines: list[int] = field(default_factory=list)
+    tokens: list[Token] = fresh(list)
+    _lines: list[int] = fresh(list)
     _codec: str = "utf-8"
 
     @property
@@ -65,7 +77,7 @@ class ReadSource:
         """The line of an offset, from 1."""
         return bisect_right(self._lines, offset)
 
-    def place(self, start: int, end: int) -> dict[str, Any]:
+    def place(self, start: int, end: int) -> TextRange:
         """The features of `Located` for a range of offsets."""
         lines = self._lines
         line = bisect_right(lines, start)

@@ -9,12 +9,13 @@ from __future__ import annotations
 import os
 import shlex
 from collections.abc import Iterable, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from robosmi import inputs
 from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError
+from robosmi.typed import distinct
 
 ENDINGS = (".c", ".cc", ".cpp", ".cxx", ".ino", ".C")
 COMMANDS = "compile_commands.json"
@@ -95,7 +96,7 @@ def _of_commands(path: str, include_dirs: Sequence[str], defines: Sequence[str])
     """
     fix = "let the build tool write it again"
     try:
-        entries: Any = json_of(inputs.read_bytes(path, inputs.TABLE))
+        entries = json_of(inputs.read_bytes(path, inputs.TABLE))
     except (OSError, ValueError) as error:
         raise SourceError(f"the compile commands cannot be read: {error}", location=Location(path), fix=fix) from error
     files = []
@@ -129,4 +130,4 @@ def _options(words: Sequence[str], folder: str) -> tuple[list[str], list[str]]:
                 if value:
                     values.append(value if values is defines else os.path.normpath(os.path.join(folder, value)))
                 break
-    return list(dict.fromkeys(folders)), list(dict.fromkeys(defines))
+    return distinct(folders), distinct(defines)

@@ -7,13 +7,14 @@ semicolon. Forms that are not taken apart (assembler, statements out of a header
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.lexer import Token
 from robosmi.transformations.t2m.c_source import cursor_kinds, declarations, macros
 from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, StatementBuilder, UnitContext
 from robosmi.transformations.t2m.c_source.expressions import expression
+from robosmi.transformations.t2m.c_source.source import TextRange
 from robosmi.transformations.t2m.c_source.tree import Node
 
 COMPOUND, FOR = cursor_kinds.COMPOUND_STMT, cursor_kinds.FOR_STMT
@@ -35,7 +36,7 @@ _CONSTANT_KINDS = frozenset(
 def statement(context: UnitContext, node: Node) -> ccode.Statement:
     """The element for a statement's cursor."""
     if (waiting := context.later(ccode.UnknownStatement, statement, node)) is not None:
-        return waiting  # type: ignore[no-any-return]
+        return waiting
     while node.kind == cursor_kinds.UNEXPOSED_STMT and len(node.children) == 1:
         node = node.children[0]
     if context.depth > MAX_DEPTH:
@@ -58,13 +59,13 @@ def statement(context: UnitContext, node: Node) -> ccode.Statement:
 def block(context: UnitContext, node: Node) -> ccode.Block:
     """A compound statement; the body of a function may be a `try` with its handlers, too, which is read as one."""
     if (waiting := context.later(ccode.Block, block, node)) is not None:
-        return waiting  # type: ignore[no-any-return]
+        return waiting
     if node.kind != COMPOUND:
         return context.builders.statements[node.kind](context, node)  # type: ignore[return-value]
     return ccode.Block(statements=[statement(context, c) for c in node.children], **context.source.place(node.start, node.end))
 
 
-def _place(context: UnitContext, node: Node) -> dict[str, Any]:
+def _place(context: UnitContext, node: Node) -> TextRange:
     """The place of a statement with its semicolon."""
     end = node.end
     i = context.token_at(end)
@@ -147,7 +148,7 @@ def _head_as_text(context: UnitContext, start: int, end: int) -> ccode.Statement
     return ccode.UnknownStatement(text=text, **place)
 
 
-def _semicolons(context: UnitContext, opened: int) -> list[Any]:
+def _semicolons(context: UnitContext, opened: int) -> list[Token]:
     """The semicolons between a parenthesis and the one that closes it, outside of further brackets, as tokens."""
     depth, found = 0, []
     for token in context.tokens[opened : context.matching(opened)]:

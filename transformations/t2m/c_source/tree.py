@@ -8,7 +8,6 @@ mean is in the builders.
 from __future__ import annotations
 
 import os
-from typing import Any
 
 from robosmi.transformations.t2m.c_source import clang, cursor_kinds
 from robosmi.transformations.t2m.c_source.clang import INCLUSION, MACRO_DEFINITION, MACRO_EXPANSION, Cursor
@@ -31,7 +30,7 @@ _TAGGED = frozenset((STRUCT, UNION, CLASS, ENUM))
 _OWN = {FUNCTION: "function", VARIABLE: "variable", TYPEDEF: "type"}
 
 
-LEAF: list[Any] = []
+LEAF: list[Node] = []
 """The children of all nodes that have none; never changed."""
 
 

@@ -7,13 +7,12 @@ declarations are made of types is in `declarations`.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import enum_literal
 from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, STORAGE_WORDS_OF_CXX, TYPE_WORDS
 from robosmi.transformations.t2m.c_source import type_kinds
-from robosmi.transformations.t2m.c_source.clang import Cursor
+from robosmi.transformations.t2m.c_source.clang import ClangLibrary, Cursor, Type
 from robosmi.transformations.t2m.c_source.context import UnitContext
 
 _SIGNED = frozenset(
@@ -203,7 +202,13 @@ def declarator(context: UnitContext, spec: Specifiers, name_offset: int) -> tupl
 
 
 def type_use(
-    context: UnitContext, cursor: Cursor, spec: Specifiers, pointer: str = "", dims: str = "", depth: int = 0, of: Any = None
+    context: UnitContext,
+    cursor: Cursor,
+    spec: Specifiers,
+    pointer: str = "",
+    dims: str = "",
+    depth: int = 0,
+    of: Type | None = None,
 ) -> ccode.TypeUse:
     """The type of a declaration.
 
@@ -216,12 +221,12 @@ def type_use(
         of: the parser's type where it is not the cursor's own (the value of a function).
     """
     if (waiting := context.later(ccode.TypeUse, type_use, cursor, spec, pointer, dims, depth, of)) is not None:
-        return waiting  # type: ignore[no-any-return]
+        return waiting
     spelling = f"{spec.text} {pointer}".strip() if pointer else spec.text
     return _type_use(context, of or context.lib.getCursorType(cursor), spelling, spec.base, dims, depth, spec.constant)
 
 
-def written_type(context: UnitContext, start: int, end: int, kind: Any) -> ccode.TypeUse:
+def written_type(context: UnitContext, start: int, end: int, kind: Type) -> ccode.TypeUse:
     """A type in parentheses (a cast, sizeof), given by the range inside them and the parser's type."""
     text = " ".join(context.source.text(start, end).split())
     spec = specifiers(context, start, end)
@@ -229,13 +234,13 @@ def written_type(context: UnitContext, start: int, end: int, kind: Any) -> ccode
     return _type_use(context, kind, text, spec.base, dims, text.count("*"), spec.constant)
 
 
-def read_type(context: UnitContext, kind: Any) -> ccode.TypeUse:
+def read_type(context: UnitContext, kind: Type) -> ccode.TypeUse:
     """A type that is not written where it is used, given by the parser's type."""
-    text: str = context.lib.text(context.lib.getTypeSpelling(kind))
+    text = context.lib.text(context.lib.getTypeSpelling(kind))
     return _type_use(context, kind, text, "", "", text.count("*"), text.startswith("const "))
 
 
-def _type_use(context: UnitContext, kind: Any, spelling: str, base: str, dims: str, depth: int, constant: bool) -> ccode.TypeUse:
+def _type_use(context: UnitContext, kind: Type, spelling: str, base: str, dims: str, depth: int, constant: bool) -> ccode.TypeUse:
     canonical, bits, signed, pointer = resolve(context, kind)
     if base in context.parsed.prelude.types:
         canonical = spelling + dims
@@ -256,7 +261,7 @@ def _type_use(context: UnitContext, kind: Any, spelling: str, base: str, dims: s
     return use
 
 
-def resolve(context: UnitContext, kind: Any) -> tuple[str, int, bool, bool]:
+def resolve(context: UnitContext, kind: Type) -> tuple[str, int, bool, bool]:
     """Canonical spelling, width in bits (of an array's element), signedness, and whether it is a pointer."""
     key = (kind.data[0] or 0) ^ (kind.kind << 56)
     known = context.canonical.get(key)
@@ -264,7 +269,7 @@ def resolve(context: UnitContext, kind: Any) -> tuple[str, int, bool, bool]:
         return known
     lib = context.lib
     canonical = lib.getCanonicalType(kind)
-    text: str = lib.text(lib.getTypeSpelling(canonical))
+    text = lib.text(lib.getTypeSpelling(canonical))
     element = canonical
     for _ in range(8):
         if element.kind not in (
@@ -284,10 +289,10 @@ def resolve(context: UnitContext, kind: Any) -> tuple[str, int, bool, bool]:
     return result
 
 
-def _element(lib: Any, kind: Any) -> Any:
+def _element(lib: ClangLibrary, kind: Type) -> Type:
     return lib.getCanonicalType(lib.getArrayElementType(kind))
 
 
-def is_floating(kind: Any) -> bool:
+def is_floating(kind: Type) -> bool:
     """Whether a canonical type of the parser is a real number."""
     return kind.kind in _FLOATING

@@ -7,10 +7,12 @@ gates, the gate is part of the connector's identity. What the parts are for is n
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from html import unescape
 
 from lxml import etree
+
+from robosmi.typed import fresh
 
 _TAG = re.compile(r"<[^<>]*>")
 _COUNTER = re.compile(r"@[^@]*$")
@@ -43,9 +45,9 @@ class EagleDevice:
 
     title: str
     description: str
-    pins: dict[tuple[str, str], EaglePin] = field(default_factory=dict)
+    pins: dict[tuple[str, str], EaglePin] = fresh(dict)
     pads: int = 0
-    addlevels: dict[str, str] = field(default_factory=dict)
+    addlevels: dict[str, str] = fresh(dict)
 
 
 class EagleLibraries:

@@ -67,7 +67,7 @@ class Avr8js:
         """Run a program, with node as a child of this process."""
         if advice := self.missing():
             raise MissingToolError("avr8js is not installed", fix=advice)
-        path = os.pathsep.join(map(str, _packages()))
+        path = os.pathsep.join(str(folder) for folder in _packages())
         with subprocess.Popen(
             ["node", str(_PROGRAM)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
             text=True, encoding="latin-1", env=os.environ | {"NODE_PATH": path},

@@ -1,0 +1,121 @@
+"""The shapes of a platform's own files, as their readers give them: `platform.toml`, `api.json`, `pins.json`, `meanings.toml`.
+
+What the keys mean stands in the files of the built-in platforms. Nothing is read here.
+"""
+
+from __future__ import annotations
+
+from typing import Required, TypedDict
+
+
+class ParserSettings(TypedDict, total=False):
+    """`[parser]`: how programs are parsed."""
+
+    target: str
+    standard: str
+    defines: list[str]
+    attribute_macros: list[str]
+    builtins: dict[str, str]
+
+
+class BoardPort(TypedDict):
+    """An entry of `[ports.board]`: where a port leads that is wired on the source board itself."""
+
+    pin: str
+    what: str
+    functions: list[str]
+
+
+class PortSettings(TypedDict, total=False):
+    """`[ports]`: how many ports there are, and what is known of them."""
+
+    count: int
+    look_up: dict[str, str]
+    names: dict[str, str]
+    channels: dict[str, int]
+    registers: dict[str, str]
+    board: dict[str, BoardPort]
+    roles: dict[str, str]
+    usual: dict[str, list[str]]
+
+
+class RegisterSettings(TypedDict, total=False):
+    """`[registers]`."""
+
+    names: list[str]
+
+
+class PlatformSettings(TypedDict, total=False):
+    """`platform.toml` of a source platform."""
+
+    name: Required[str]
+    title: str
+    language: str
+    architecture: str
+    like: str
+    standard: str
+    int_bits: Required[int]
+    long_bits: Required[int]
+    pointer_bits: Required[int]
+    double_bits: Required[int]
+    char_signed: Required[bool]
+    has_cogs: Required[bool]
+    parser: Required[ParserSettings]
+    cogs: dict[str, int]
+    registers: RegisterSettings
+    ports: PortSettings
+    type_names: dict[str, str]
+
+
+class HeaderContent(TypedDict, total=False):
+    """A header of `api.json`: of a function its return type and its parameters, of a macro whether it takes arguments."""
+
+    kind: Required[str]
+    source: str
+    includes: list[str]
+    functions: dict[str, list[str]]
+    macros: dict[str, int]
+    vars: dict[str, str]
+    consts: list[str]
+    types: dict[str, str]
+    registers: list[str]
+
+
+class FunctionMeaning(TypedDict, total=False):
+    """A function of `meanings.toml`."""
+
+    parameters: list[str]
+    blocking: bool
+    longest_us: int
+    startsCog: bool
+
+
+class PinOfParameter(TypedDict, total=False):
+    """A parameter of `pins.json` that is a pin (see `api_facts.PinParameter`)."""
+
+    index: Required[int]
+    name: Required[str]
+    direction: Required[str]
+    range_with: int
+    span: int
+    count: int
+    none: list[str]
+
+
+class PinOfConvention(TypedDict, total=False):
+    """A pin of `pins.json` that a function uses without an argument (see `api_facts.Convention`)."""
+
+    pin: Required[int]
+    direction: Required[str]
+    what: Required[str]
+    set_by: str
+    when: dict[str, int]
+
+
+class FunctionPins(TypedDict, total=False):
+    """A function of `pins.json`."""
+
+    function: Required[str]
+    headers: Required[list[str]]
+    parameters: list[PinOfParameter]
+    conventions: list[PinOfConvention]
