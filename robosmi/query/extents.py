@@ -8,25 +8,34 @@ date, and nothing recurses.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any, TypeVar, overload
+from typing import TYPE_CHECKING, Any, TypeVar, overload
 
-from robosmi.model.driver import DynamicNode, Model, Node, contents_of, walk
+from robosmi.model.driver import DynamicNode, Kind, Model, Node, contents_of, walk
 from robosmi.query.collections import Q
 from robosmi.query.types import matching, resolve
+
+if TYPE_CHECKING:
+    from robosmi.model.driver import TypeHandle
+    from robosmi.model.ecore import EClassifier
+    from robosmi.model.strict import Element
 
 T = TypeVar("T")
 
 
-def all_contents(root: Any) -> Iterator[Any]:
+@overload
+def all_contents(root: Element) -> Iterator[Element]: ...
+@overload
+def all_contents(root: DynamicNode | Model) -> Iterator[DynamicNode]: ...
+def all_contents(root: Node | Model) -> Iterator[Node]:
     """The root and everything it contains, in containment pre-order; of a model all its elements."""
     return root.all_contents() if isinstance(root, Model) else walk(root)
 
 
 @overload
-def all_of_kind(root: Any, kind: type[T]) -> Q[T]: ...
+def all_of_kind(root: Node | Model, kind: type[T]) -> Q[T]: ...
 @overload
-def all_of_kind(root: Any, kind: Any) -> Q[Any]: ...
-def all_of_kind(root: Any, kind: Any) -> Q[Any]:
+def all_of_kind(root: Node | Model, kind: str | EClassifier | TypeHandle) -> Q[DynamicNode]: ...
+def all_of_kind(root: Node | Model, kind: Kind) -> Q[Any]:
     """The elements in the extent that are instances of the class or a subclass (EOL `T.all`, `T.allOfKind`).
 
     Args:
@@ -37,10 +46,10 @@ def all_of_kind(root: Any, kind: Any) -> Q[Any]:
 
 
 @overload
-def all_of_type(root: Any, kind: type[T]) -> Q[T]: ...
+def all_of_type(root: Node | Model, kind: type[T]) -> Q[T]: ...
 @overload
-def all_of_type(root: Any, kind: Any) -> Q[Any]: ...
-def all_of_type(root: Any, kind: Any) -> Q[Any]:
+def all_of_type(root: Node | Model, kind: str | EClassifier | TypeHandle) -> Q[DynamicNode]: ...
+def all_of_type(root: Node | Model, kind: Kind) -> Q[Any]:
     """The elements in the extent that are instances of exactly that class (EOL `T.allOfType`).
 
     Args:
@@ -50,13 +59,13 @@ def all_of_type(root: Any, kind: Any) -> Q[Any]:
     return _extent(root, kind, True)
 
 
-def _extent(root: Any, kind: Any, exact: bool) -> Q[Any]:
+def _extent(root: Node | Model, kind: Kind, exact: bool) -> Q[Any]:
     if isinstance(root, Model) and isinstance(wanted := kind if isinstance(kind, str) else resolve(kind), (str, type)):
         return Q._of(list(root.all_of_type(wanted) if exact else root.all_of_kind(wanted)))
-    return Q._of(matching(all_contents(root), kind, exact=exact))
+    return Q._of(matching(root.all_contents() if isinstance(root, Model) else walk(root), kind, exact=exact))
 
 
-def ancestor_of_kind(element: Any, kind: type[T]) -> T | None:
+def ancestor_of_kind(element: Node, kind: type[T]) -> T | None:
     """The nearest container of the element that is of that kind, or None; the element itself does not count."""
     container = element.eContainer()
     while container is not None and not isinstance(container, kind):

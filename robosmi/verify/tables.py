@@ -99,6 +99,13 @@ class DataTable:
             raise self.error(key, f"must be a list of texts, it is {items!r}")
         return tuple(items)
 
+    def lists_of_texts(self, key: str) -> tuple[tuple[str, ...], ...]:
+        """A list of lists of texts."""
+        items = self._get(key, list, "a list of lists of texts")
+        if not all(isinstance(item, list) and all(isinstance(text, str) for text in item) for item in items):
+            raise self.error(key, f"must be a list of lists of texts, it is {items!r}")
+        return tuple(tuple(item) for item in items)
+
     def numbers(self, key: str, default: tuple[int, ...] | None = None) -> tuple[int, ...]:
         """A list of whole numbers; missing is an error unless there is a default."""
         if default is not None and key not in self.values:

@@ -19,6 +19,7 @@ from robosmi.recommend.library_api import LibraryApi
 from robosmi.transformations.knowledge.library_ranking import LibraryFacts, installed_index, library_api, library_by_name
 from robosmi.transformations.t2m.installed_libraries import read_libraries
 from robosmi.transformations.t2m.library_index import build
+from robosmi.transformations.t2m.library_rows import LibraryRow
 
 
 @dataclass(frozen=True)
@@ -104,10 +105,11 @@ def import_libraries(folder: Path, platform: str) -> Imported:
     return Imported(index, added, found.skipped, len(rows))
 
 
-def _rows(facts: Path) -> list[dict[str, Any]]:
+def _rows(facts: Path) -> list[LibraryRow]:
     """Facts of earlier imports; a file that is damaged is started anew, since importing again makes it."""
     try:
         with packed_lines(facts) as lines:
-            return [row for line in lines if isinstance(row := json_of(line), dict) and row.get("name")]
+            rows: list[LibraryRow] = [json_of(line) for line in lines]
+            return [row for row in rows if isinstance(row, dict) and row.get("name")]
     except (OSError, EOFError, ValueError):
         return []

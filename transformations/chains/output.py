@@ -170,7 +170,7 @@ def produce(
     """
     plan = models.plan
     if strict and (open_ := open_choices(plan)):
-        names = ", ".join(sorted({getattr(d, "name", "") or _component(d) for d in open_}))
+        names = ", ".join(sorted({_called(d) for d in open_}))
         raise StoppedError(
             f"{len(open_)} choice(s) are open: {names}",
             fix="decide with --bind and --library or in robosmi.toml, or leave out --strict",
@@ -346,8 +346,11 @@ def _key(choice: migration.LibraryChoice) -> str:
     return f"{component.elementId if component is not None else ''} {choice.choice}"
 
 
-def _component(decision: Any) -> str:
-    return f"library for {decision.component.title}" if decision.component is not None else "library"
+def _called(decision: migration.Decision) -> str:
+    if isinstance(decision, (migration.PortBinding, migration.PortFlow)) and decision.name:
+        return decision.name
+    component = decision.component if isinstance(decision, migration.LibraryChoice) else None
+    return f"library for {component.title}" if component is not None else "library"
 
 
 def remember(made: Generated, place: str | None = None) -> None:

@@ -5,8 +5,6 @@ A program that compiles satisfies them; one that is only read, or put together f
 
 from __future__ import annotations
 
-from typing import Any
-
 from robosmi.diagnostics import Location, Severity
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind, root_of
@@ -37,7 +35,7 @@ def is_seen_outside(function: ccode.Function) -> bool:
 
 
 @located.constraint(id="RS711", location=place, advice="read the source again")
-def EndsBehindItsStart(x: ccode.Located) -> Any:
+def EndsBehindItsStart(x: ccode.Located) -> bool | Fail:
     """An element ends where it begins, or behind."""
     return x.endOffset >= x.startOffset or Fail(
         f"{type(x).__name__} ends at byte {x.endOffset}, before its start {x.startOffset}"
@@ -48,7 +46,7 @@ def EndsBehindItsStart(x: ccode.Located) -> Any:
     id="RS712", severity=Severity.warning, location=place, advice="give the call the arguments that the function takes",
     guard=lambda c: c.callee is not None and c.callee.definition and not c.callee.variadic and not c.viaMacro,
 )  # fmt: skip
-def PassesWhatIsTaken(c: ccode.Call) -> Any:
+def PassesWhatIsTaken(c: ccode.Call) -> bool | Fail:
     """A call of a function of the program passes as many arguments as it has parameters."""
     assert c.callee is not None
     given, taken = len(c.arguments), len(c.callee.parameters)
@@ -59,7 +57,7 @@ functions = code.context(ccode.Function, guard=is_seen_outside)
 
 
 @functions.constraint(id="RS713", location=place, advice="rename one of them, or make it static")
-def IsDefinedOnce(f: ccode.Function) -> Any:
+def IsDefinedOnce(f: ccode.Function) -> bool | Fail:
     """A name that other files see is defined in one place."""
     program = root_of(f)
     known = ext(program).functions_by_name

@@ -5,8 +5,6 @@ Texts are not concerned: what is compared with a character of ASCII or handed on
 
 from __future__ import annotations
 
-from typing import Any
-
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.constraints.code_move import Move, move, moved, place, the_move, together
@@ -29,7 +27,7 @@ comparisons = moved.context(ccode.Binary, guard=lambda b: b.operator in COMPARIS
     id="RS317", severity=Severity.warning, location=place,
     advice="declare it as what it is meant to be: uint8_t or int8_t, or int where it can be -1",
 )  # fmt: skip
-def ComparesAsBefore(b: ccode.Binary) -> Any:
+def ComparesAsBefore(b: ccode.Binary) -> bool | Fail:
     """A plain char is not compared with a number that only one of both platforms lets it be."""
     m = the_move()
     for one, other in ((b.left, b.right), (b.right, b.left)):
@@ -46,11 +44,11 @@ def ComparesAsBefore(b: ccode.Binary) -> Any:
 
 
 @units.critique(id="RS318", info=True, location=place, advice="declare bytes as uint8_t")
-def CountsAsBefore(unit: ccode.SourceUnit) -> Any:
+def CountsAsBefore(unit: ccode.SourceUnit) -> bool | Fail:
     """No plain char is shifted, or given a value that only one of both platforms lets it have."""
     m = the_move()
     view = m.view(unit)
-    some: list[Any] = [b.left for b in view.of_kind(ccode.Binary) if b.operator in ("<<", ">>") and _may_be_high(m, b.left)]
+    some = [b.left for b in view.of_kind(ccode.Binary) if b.operator in ("<<", ">>") and _may_be_high(m, b.left)]
     some += [
         v.initializer
         for v in view.of_kind(ccode.Variable)
@@ -58,9 +56,9 @@ def CountsAsBefore(unit: ccode.SourceUnit) -> Any:
         and _is_out(m, v.initializer)
     ]  # fmt: skip
     some += [a.right for a in view.of_kind(ccode.Assignment) if a.operator == "=" and _is_out(m, a.right) and _is_char(m, a.left)]
-    some.sort(key=lambda e: int(e.startOffset))
-    return not some or together(
-        f"{len(some)} plain char{'s' * (len(some) > 1)} used as a number above 127 or below 0, perhaps", some
+    found = sorted((e for e in some if e is not None), key=lambda e: e.startOffset)
+    return not found or together(
+        f"{len(found)} plain char{'s' * (len(found) > 1)} used as a number above 127 or below 0, perhaps", found
     )
 
 

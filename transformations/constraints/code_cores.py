@@ -6,7 +6,6 @@ What libraries of the platform run on other cores is said where the program is r
 from __future__ import annotations
 
 from collections import Counter
-from typing import Any
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
@@ -26,15 +25,17 @@ def has_fewer_cores() -> bool:
     return m is not None and m.source.hasCogs and not m.target.hasCogs
 
 
-def is_register(use: Any) -> bool:
+def is_register(use: ccode.NameReference | ccode.MacroUse) -> bool:
     """Whether a name that the program does not declare is a register of the source platform."""
     m = move()
     if m is None or m.register(use.name) is None or own_macro(ancestor_of_kind(use, ccode.SourceUnit), use.name) is not None:
         return False
-    return use.macro is None if isinstance(use, ccode.MacroUse) else isinstance(use.target, (ccode.ExternalSymbol, type(None)))
+    if isinstance(use, ccode.MacroUse):
+        return use.macro is None
+    return use.target is None or isinstance(use.target, ccode.ExternalSymbol)
 
 
-def is_lost_register(use: Any) -> bool:
+def is_lost_register(use: ccode.NameReference | ccode.MacroUse) -> bool:
     """Whether a name is a register of the source platform that no adapter stands for."""
     return is_register(use) and use.name not in the_move().served
 
@@ -60,7 +61,7 @@ loops = moved.context(ccode.Loop, guard=may_wait)
 units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None)
 
 
-def _register(use: Any) -> Any:
+def _register(use: ccode.NameReference | ccode.MacroUse) -> Fail:
     m = the_move()
     meaning = m.register(use.name)
     said = f" ({meaning})" if meaning else ""
@@ -78,7 +79,7 @@ def _own_functions() -> str:
     advice=_own_functions,
     guard=lambda r: int(r.startOffset) not in the_move().expansions,
 )  # fmt: skip
-def IsNoRegister(reference: ccode.NameReference) -> Any:
+def IsNoRegister(reference: ccode.NameReference) -> bool | Fail:
     """No register of the source platform is used."""
     return _register(reference)
 
@@ -87,7 +88,7 @@ def IsNoRegister(reference: ccode.NameReference) -> Any:
     id="RS320", severity=Severity.warning, location=place,
     advice=_own_functions,
 )  # fmt: skip
-def StandsForNoRegister(use: ccode.MacroUse) -> Any:
+def StandsForNoRegister(use: ccode.MacroUse) -> bool | Fail:
     """No macro that stands for a register of the source platform is used."""
     return _register(use)
 
@@ -96,7 +97,7 @@ def StandsForNoRegister(use: ccode.MacroUse) -> Any:
     id="RS321", severity=Severity.warning, location=place,
     advice=lambda: f"call it from {the_move().loop}, in steps that do not wait",
 )  # fmt: skip
-def RunsOnItsOwn(call: ccode.Call) -> Any:
+def RunsOnItsOwn(call: ccode.Call) -> bool | Fail:
     """The program starts nothing on a core of its own."""
     start = the_move().cores.starts[id(call)]
     what = f"'{start.function}'" if start.function else "code"
@@ -107,7 +108,7 @@ def RunsOnItsOwn(call: ccode.Call) -> Any:
     id="RS325", info=True, location=place,
     advice="measure the stacks on the board where they are tight; COG_STACK in adapters.h is what each has",
 )  # fmt: skip
-def TakesNoTurns(unit: ccode.SourceUnit) -> Any:
+def TakesNoTurns(unit: ccode.SourceUnit) -> bool | Fail:
     """The program starts no code that takes turns with main."""
     shared = the_move().plan.concurrency if move() is not None else None
     starts = [call for call in shared.starts if ancestor_of_kind(call, ccode.SourceUnit) is unit] if shared is not None else []
@@ -129,7 +130,7 @@ def TakesNoTurns(unit: ccode.SourceUnit) -> Any:
 
 
 @units.critique(id="RS322", info=True, location=place, advice="do it in steps that do not wait")
-def DoesNotWait(unit: ccode.SourceUnit) -> Any:
+def DoesNotWait(unit: ccode.SourceUnit) -> bool | Fail:
     """What is repeated for ever does not wait where other work has to go on meanwhile."""
     cores = the_move().cores
     main = main_function(unit)
@@ -163,9 +164,10 @@ def _is_busy(element: Element) -> bool:
     id="RS323", severity=Severity.warning, location=place,
     advice=lambda: f"let {the_move().loop} do the other work meanwhile, and test the condition each time",
 )  # fmt: skip
-def EndsByItself(loop: ccode.Loop) -> Any:
+def EndsByItself(loop: ccode.Loop) -> bool | Fail:
     """No loop waits for what only code on another core can change."""
     elsewhere = the_move().cores.elsewhere
+    assert loop.condition is not None  # says the guard
     condition = [loop.condition, *all_contents(loop.condition)]
     if any(isinstance(e, (ccode.Call, ccode.Assignment)) for e in condition):
         return True
@@ -183,7 +185,7 @@ def EndsByItself(loop: ccode.Loop) -> Any:
 
 
 @units.critique(id="RS324", info=True, location=place, advice="nothing; or include it in the source, too")
-def IncludesWhatItUses(unit: ccode.SourceUnit) -> Any:
+def IncludesWhatItUses(unit: ccode.SourceUnit) -> bool | Fail:
     """What is used of the standard library is included, not only brought by a header of the platform."""
     m = the_move()
     view = m.view(unit)

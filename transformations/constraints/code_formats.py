@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
@@ -29,7 +28,7 @@ calls = moved.context(
     id="RS316", severity=Severity.warning, location=place,
     advice="cast the argument to what the text names: (int) for %d, (long) for %ld",
 )  # fmt: skip
-def NamesWhatIsPassed(call: ccode.Call) -> Any:
+def NamesWhatIsPassed(call: ccode.Call) -> bool | Fail:
     """Every number that is passed is as wide as its place in the format says."""
     m = the_move()
     given = _format(m, call)
@@ -44,7 +43,7 @@ def NamesWhatIsPassed(call: ccode.Call) -> Any:
     return not wrong or Fail(f"{call.calleeName}: on the target {'; '.join(wrong)}")
 
 
-def _format(m: Move, call: ccode.Call) -> tuple[str, list[Any]] | None:
+def _format(m: Move, call: ccode.Call) -> tuple[str, list[ccode.Expression]] | None:
     """The format of a call and what is passed for it; None for a function without one."""
     function = call.callee
     position = -1
@@ -56,10 +55,11 @@ def _format(m: Move, call: ccode.Call) -> tuple[str, list[Any]] | None:
         taken = m.signatures[call.calleeName]
         if len(taken) > 1 and taken[-1] == "..." and _TEXT.match(taken[-2]):
             position = len(taken) - 2
-    arguments: list[Any] = list(call.arguments)
-    if not 0 <= position < len(arguments) or not isinstance(arguments[position], ccode.StringLiteral):
+    arguments: list[ccode.Expression] = list(call.arguments)
+    text = arguments[position] if 0 <= position < len(arguments) else None
+    if not isinstance(text, ccode.StringLiteral):
         return None
-    return str(arguments[position].text), arguments[position + 1 :]
+    return str(text.text), arguments[position + 1 :]
 
 
 def _conversions(m: Move, text: str) -> Iterator[tuple[str, int]]:
@@ -74,7 +74,7 @@ def _conversions(m: Move, text: str) -> Iterator[tuple[str, int]]:
         yield found[0], bits.get(length or "", m.there.int_bits) if letter in _INTEGERS else 0
 
 
-def _bits(m: Move, value: Any) -> int:
+def _bits(m: Move, value: ccode.Expression) -> int:
     """The bits of an integer as it is passed, or of the one that a pointer leads to; 0 for anything else."""
     number = m.numbers.of(value)
     if number is not None:

@@ -6,10 +6,10 @@ How much memory a program takes is no constraint: it is told with what the board
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.constraints.code_move import move, moved, place, the_move, together
 from robosmi.transformations.queries.code import named_type
@@ -43,7 +43,7 @@ units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None and t
     id="RS332", severity=Severity.warning, location=place,
     advice="take the memory once, before the loop, or declare an array; give it back with free() each time round otherwise",
 )  # fmt: skip
-def IsTakenOnce(call: ccode.Call) -> Any:
+def IsTakenOnce(call: ccode.Call) -> bool | Fail:
     """Memory that is taken from the heap each time round a loop is given back there."""
     loop = _grows(call, ())
     if loop is None:
@@ -54,7 +54,7 @@ def IsTakenOnce(call: ccode.Call) -> Any:
     )
 
 
-def _grows(element: Any, above: tuple[int, ...]) -> ccode.Loop | None:
+def _grows(element: Element, above: tuple[int, ...]) -> ccode.Loop | None:
     """The loop each round of which carries the element out, and in which nothing is given back."""
     function = ancestor_of_kind(element, ccode.Function)
     loop = ancestor_of_kind(element, ccode.Loop)
@@ -73,7 +73,7 @@ def _gives_back(bodies: Iterable[ccode.Statement | None]) -> bool:
     id="RS333", severity=Severity.warning, location=place,
     advice="write and read the members one by one, or give the structure the members that fill the gaps",
 )  # fmt: skip
-def KeepsItsLayout(unit: ccode.SourceUnit) -> Any:
+def KeepsItsLayout(unit: ccode.SourceUnit) -> bool | Fail:
     """No structure that the target lays out otherwise is taken as bytes: by its size, or through a pointer."""
     m = the_move()
     found = {

@@ -6,7 +6,6 @@ Which target pins the ports are on is asked of the plan's bindings (`plan_ports`
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode, migration
@@ -28,7 +27,7 @@ units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None)
 @units.constraint(
     id="RS326", severity=Severity.warning, location=place, advice="correct the number; until then the call does nothing here"
 )
-def PortIsOfTheSource(u: ccode.SourceUnit) -> Any:
+def PortIsOfTheSource(u: ccode.SourceUnit) -> bool | Fail:
     """A number that is given for a port is one of the source board's."""
     m = the_move()
     view = m.view(u)
@@ -46,7 +45,7 @@ def PortIsOfTheSource(u: ccode.SourceUnit) -> Any:
     id="RS327", severity=Severity.warning, location=place,
     advice='bind those that it can be, --bind P4=PIN or [bind] P4 = "PIN"; the others do nothing',
 )  # fmt: skip
-def PortsAreKnown(u: ccode.SourceUnit) -> Any:
+def PortsAreKnown(u: ccode.SourceUnit) -> bool | Fail:
     """The text says which ports a function or register is given, or a person has bound those that only a run shows."""
     if any(b.origin == "runtime" and b.chosenBy is migration.ChosenBy.person for b in the_move().plan.portBindings):
         return True
@@ -77,7 +76,7 @@ def _unknown(u: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Located]]:
     id="RS328", severity=Severity.warning, location=place,
     advice="call the function of the platform from a function of the program, and let the pointer point there",
 )  # fmt: skip
-def PointersTellNumbersApart(u: ccode.SourceUnit) -> Any:
+def PointersTellNumbersApart(u: ccode.SourceUnit) -> bool | Fail:
     """A pointer to functions of the platform, which take pins of the target, is none to functions that take the source's."""
     m = the_move()
     platform, own = pointed_functions(m.views)

@@ -6,7 +6,6 @@ Which values it can serve is data of the adapter (its `ranges`); which values an
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode, migration, platform
@@ -21,7 +20,7 @@ calls = moved.context(ccode.Call, guard=lambda c: move() is not None and bool(_r
     id="RS334", severity=Severity.warning, location=place,
     advice="give it another value, or write an adapter of your own that can do it",
 )  # fmt: skip
-def AdapterServesTheValue(c: ccode.Call) -> Any:
+def AdapterServesTheValue(c: ccode.Call) -> bool | Fail:
     """What a program gives for a parameter is a value that the adapter can serve."""
     m, arguments = the_move(), list(c.arguments)
     for one in _ranges(c):

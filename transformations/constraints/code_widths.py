@@ -7,7 +7,7 @@ What is computed in 32 bits on the target anyway (long, results of adapters) is 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TypeGuard
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
@@ -35,7 +35,7 @@ operations = moved.context(ccode.Binary, guard=lambda b: (b.operator in ARITHMET
 
 
 @units.critique(id="RS310", info=True, location=place, advice="use int32_t where values may pass 16 bits")
-def IsDeclaredInt(unit: ccode.SourceUnit) -> Any:
+def IsDeclaredInt(unit: ccode.SourceUnit) -> bool | Fail:
     """No variable, parameter or result of type int is carried over to a narrower one."""
     m = the_move()
     narrow = [
@@ -73,7 +73,7 @@ def _is_far(reference: ccode.NameReference) -> bool:
 @macros.constraint(
     id="RS313", severity=Severity.warning, location=place, advice="compute in 32 bits: add L to a number of the macro's text"
 )
-def ExpandsWithinInt(reference: ccode.NameReference) -> Any:
+def ExpandsWithinInt(reference: ccode.NameReference) -> bool | Fail:
     """What a macro computes does not pass the target's int in which it is computed."""
     m = the_move()
     value, number = m.ranges.of(reference), m.numbers.of(reference)
@@ -86,7 +86,7 @@ def ExpandsWithinInt(reference: ccode.NameReference) -> Any:
 @macros.constraint(
     id="RS311", severity=Severity.warning, location=place, advice="declare what it is stored in or compared with as int32_t"
 )
-def StandsForWhatFits(reference: ccode.NameReference) -> Any:
+def StandsForWhatFits(reference: ccode.NameReference) -> bool | Fail:
     """A macro's number is stored in, or compared with, what can hold it on the target."""
     return _fits(reference)
 
@@ -94,7 +94,7 @@ def StandsForWhatFits(reference: ccode.NameReference) -> Any:
 @enumerators.constraint(
     id="RS311", severity=Severity.warning, location=place, advice="declare what it is stored in or compared with as int32_t"
 )
-def CountsWhatFits(reference: ccode.NameReference) -> Any:
+def CountsWhatFits(reference: ccode.NameReference) -> bool | Fail:
     """An enumerator's number is stored in, or compared with, what can hold it on the target."""
     return _fits(reference)
 
@@ -102,15 +102,15 @@ def CountsWhatFits(reference: ccode.NameReference) -> Any:
 @literals.constraint(
     id="RS311", severity=Severity.warning, location=place, advice="declare what it is stored in or compared with as int32_t"
 )
-def FitsWhereItGoes(literal: ccode.IntegerLiteral) -> Any:
+def FitsWhereItGoes(literal: ccode.IntegerLiteral) -> bool | Fail:
     """A number is stored in, or compared with, what can hold it on the target."""
     return _fits(literal)
 
 
-def _fits(one: Any) -> Any:
+def _fits(one: ccode.NameReference | ccode.IntegerLiteral) -> bool | Fail:
     m = the_move()
-    top: Any = one
-    parent: Any = top.eContainer()
+    top: ccode.Expression = one
+    parent = top.eContainer()
     while _hands_on(parent, top):
         top, parent = parent, parent.eContainer()
     goes = _goes(m, top, parent)
@@ -123,7 +123,7 @@ def _fits(one: Any) -> Any:
     return Fail(f"{_shown(value, one, top)} does not fit into {goes[1]} of {goes[0].bits} bits on the target")
 
 
-def _hands_on(parent: Element, one: ccode.Located) -> bool:
+def _hands_on(parent: Element | None, one: ccode.Expression) -> TypeGuard[ccode.Expression]:
     if isinstance(parent, ccode.Unary):
         return parent.operator in ("+", "-")
     if isinstance(parent, ccode.Binary):
@@ -131,7 +131,7 @@ def _hands_on(parent: Element, one: ccode.Located) -> bool:
     return isinstance(parent, ccode.ConditionalExpression) and parent.condition is not one
 
 
-def _goes(m: Move, top: Any, parent: Any) -> tuple[Number, str] | None:
+def _goes(m: Move, top: ccode.Expression, parent: Element | None) -> tuple[Number, str] | None:
     """The int of the target that a value is stored in or compared with, and how to call it; None for anything else."""
     number, called = None, ""
     if isinstance(parent, ccode.InitializerList):
@@ -160,7 +160,7 @@ def _goes(m: Move, top: Any, parent: Any) -> tuple[Number, str] | None:
     return (number, called) if narrow and number is not None else None
 
 
-def _shown(value: Range, one: Any, top: Any) -> str:
+def _shown(value: Range, one: ccode.NameReference | ccode.IntegerLiteral, top: ccode.Expression) -> str:
     if top is one:
         return str(one.text) if isinstance(one, ccode.IntegerLiteral) else f"'{one.name}', {value.low},"
     return f"the value {value.low}" if value.single else f"a value of up to {max(abs(value.low), abs(value.high))}"
@@ -172,7 +172,7 @@ def _shown(value: Range, one: Any, top: Any) -> str:
     location=place,
     advice="compute in 32 bits: make one operand int32_t, or add L to a number",
 )
-def StaysWithinInt(b: ccode.Binary) -> Any:
+def StaysWithinInt(b: ccode.Binary) -> bool | Fail:
     """What the text shows to pass the target's int is not computed in it."""
     m = the_move()
     found = _passes(m, b)
@@ -188,7 +188,7 @@ def StaysWithinInt(b: ccode.Binary) -> Any:
 @units.critique(
     id="RS314", info=True, location=place, advice="use int32_t, or a cast of one operand, where values may pass 16 bits"
 )
-def MayPassInt(unit: ccode.SourceUnit) -> Any:
+def MayPassInt(unit: ccode.SourceUnit) -> bool | Fail:
     """No product or shift of values from outside may pass the target's int."""
     m = the_move()
     view = m.view(unit)
@@ -317,7 +317,7 @@ def _upwards(expression: Element) -> Iterator[tuple[Element, Element]]:
 @sizes.critique(
     id="RS315", info=True, location=place, advice="check what the number of bytes is for: a file, a message, a memory"
 )
-def KeepsItsSize(unit: ccode.SourceUnit) -> Any:
+def KeepsItsSize(unit: ccode.SourceUnit) -> bool | Fail:
     """No size of a type that is narrower on the target is computed with."""
     m = the_move()
     some = [s for s in m.view(unit).of_kind(ccode.SizeOf) if _shrinks(m, s) and not _is_measure(s)]

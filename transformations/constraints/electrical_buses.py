@@ -6,13 +6,12 @@ A device is on a bus where its connectors are named so (SDA, SCL; MOSI, MISO, SC
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
 
 from robosmi.metamodels import hardware
 from robosmi.transformations.constraints.electrical_supply import wiring_of
 from robosmi.transformations.constraints.places import drawing, fault
 from robosmi.transformations.queries.electrical import Kind, Role, Wiring, listed, who
-from robosmi.validate import EVL
+from robosmi.validate import EVL, Fail
 
 buses = EVL()
 """The constraints on buses; run them over a hardware model."""
@@ -59,14 +58,14 @@ def _has(w: Wiring, board: hardware.Component, alias: str) -> bool:
 
 
 @devices.critique(id="RS246", location=drawing, advice="use the pins SDA and SCL of the board")
-def IsOnTheI2CPins(c: hardware.Component) -> Any:
+def IsOnTheI2CPins(c: hardware.Component) -> bool | Fail:
     """A device on the I2C bus is on the pins SDA and SCL."""
     wrong = _astray(c, _I2C)
     return not wrong or fault(c, f"'{who(c)}' has {listed(wrong)}, where the board has no I2C")
 
 
 @devices.critique(id="RS247", location=drawing, advice="put a resistor of 4.7 kilo-ohms from SDA and from SCL to the supply")
-def BusIsPulledUp(c: hardware.Component) -> Any:
+def BusIsPulledUp(c: hardware.Component) -> bool | Fail:
     """An I2C bus has pull-up resistors, its own or those of a module on it."""
     w = wiring_of(c)
     if w.facts(c).pull_ups is not False:
@@ -91,7 +90,7 @@ def _pulled_up(w: Wiring, net: hardware.Net) -> bool:
 
 
 @devices.critique(id="RS248", location=drawing, advice="change the address of one, by its address pins where it has some")
-def AddressIsItsOwn(c: hardware.Component) -> Any:
+def AddressIsItsOwn(c: hardware.Component) -> bool | Fail:
     """Devices on one I2C bus have different addresses."""
     w = wiring_of(c)
     own = _address(w, c)
@@ -130,7 +129,7 @@ def _chooses(w: Wiring, connector: hardware.Connector) -> bool:
 
 
 @devices.critique(id="RS249", location=drawing, advice="use the pins MOSI, MISO and SCK of the board, or a software SPI")
-def IsOnTheSpiPins(c: hardware.Component) -> Any:
+def IsOnTheSpiPins(c: hardware.Component) -> bool | Fail:
     """A device on the SPI bus is on the pins MOSI, MISO and SCK."""
     wrong = _astray(c, _SPI)
     return not wrong or fault(c, f"'{who(c)}' has {listed(wrong)}, where the board has no SPI")

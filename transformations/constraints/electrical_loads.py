@@ -6,14 +6,13 @@ Which devices these are is data (`parts/electrical.toml`).
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
 
 from robosmi.metamodels import hardware
 from robosmi.transformations.constraints.electrical_supply import wiring_of
 from robosmi.transformations.constraints.places import drawing, fault
 from robosmi.transformations.queries.electrical import Role, Wiring, listed, who
 from robosmi.typed import distinct
-from robosmi.validate import EVL
+from robosmi.validate import EVL, Fail
 
 loads = EVL()
 """The constraints on loads; run them over a hardware model."""
@@ -26,7 +25,7 @@ _DIODES = ("diode", "zener", "schottky", "rectifier")
     id="RS234", location=drawing, advice="put a resistor of 220 to 470 ohms in series",
     guard=lambda c: wiring_of(c).facts(c).series_resistor,
 )  # fmt: skip
-def CurrentIsLimited(c: hardware.Component) -> Any:
+def CurrentIsLimited(c: hardware.Component) -> bool | Fail:
     """An LED has a resistor in series."""
     w = wiring_of(c)
     ends = [(connector, net, _gives_current(w, c, net)) for connector, net in w.nets(c)]
@@ -54,7 +53,7 @@ def _gives_current(w: Wiring, component: hardware.Component, net: hardware.Net) 
     id="RS251", location=drawing, advice="put a driver or a transistor between them",
     guard=lambda c: wiring_of(c).facts(c).needs_driver,
 )  # fmt: skip
-def HasADriver(c: hardware.Component) -> Any:
+def HasADriver(c: hardware.Component) -> bool | Fail:
     """A motor, relay or the like is not driven by a pin of a board."""
     w = wiring_of(c)
     pins = [
@@ -79,7 +78,7 @@ def _has_driver(w: Wiring, net: hardware.Net) -> bool:
     id="RS252", location=drawing, advice="put a diode across it, cathode at the supply",
     guard=lambda c: wiring_of(c).facts(c).inductive,
 )  # fmt: skip
-def HasADiode(c: hardware.Component) -> Any:
+def HasADiode(c: hardware.Component) -> bool | Fail:
     """A coil that a transistor switches has a diode across it."""
     w = wiring_of(c)
     ends = [net for _, net in w.terminals(c)]

@@ -6,9 +6,8 @@ They are asked of a plan that has a drawing (rules RS260 to RS268). What one dra
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
-from robosmi.diagnostics import Finding
+from robosmi.diagnostics import Finding, Location
 from robosmi.metamodels import migration, platform
 from robosmi.model import EmfModel
 from robosmi.model.strict import Element
@@ -75,7 +74,7 @@ def wired(plan: migration.MigrationPlan) -> Wiring:
     return known
 
 
-def place(element: Element) -> Any:
+def place(element: Element) -> Location | None:
     """The drawing of a plan's element."""
     plan = of_plan(element)
     return drawing(plan.circuit.components[0]) if plan is not None and plan.circuit is not None else None
@@ -120,7 +119,7 @@ def _is_scanned(connection: migration.Connection) -> bool:
     advice="bind the port to another pin, or correct the drawing",
     guard=lambda b: is_sensed(b.connection),
 )
-def DoesNotDriveASensor(b: migration.PortBinding) -> Any:
+def DoesNotDriveASensor(b: migration.PortBinding) -> bool | Fail:
     """The program does not drive a pin on which a sensor gives its signal."""
     connection = b.connection
     assert connection is not None
@@ -136,7 +135,7 @@ def DoesNotDriveASensor(b: migration.PortBinding) -> Any:
 @bindings.critique(
     id="RS261", info=True, location=place, advice="nothing, if the sensor is read so", guard=lambda b: is_sensed(b.connection)
 )
-def OnlyListensToASensor(b: migration.PortBinding) -> Any:
+def OnlyListensToASensor(b: migration.PortBinding) -> bool | Fail:
     """A pin of a sensor is only read."""
     connection = b.connection
     assert connection is not None
@@ -151,7 +150,7 @@ def OnlyListensToASensor(b: migration.PortBinding) -> Any:
     id="RS262", location=place, advice="draw what is there, or bind the port to the pin that is meant",
     guard=lambda b: b.connection is None and b.pin is not None,
 )  # fmt: skip
-def SomethingIsThere(b: migration.PortBinding) -> Any:
+def SomethingIsThere(b: migration.PortBinding) -> bool | Fail:
     """A port of the program is bound to a pin that the drawing has something on."""
     plan, pin = of_plan(b), b.pin
     assert plan is not None
@@ -162,7 +161,7 @@ def SomethingIsThere(b: migration.PortBinding) -> Any:
 
 
 @plans.constraint(id="RS267", location=place, advice="take a board with more pins, or let devices share a bus")
-def PinsAreEnough(p: migration.MigrationPlan) -> Any:
+def PinsAreEnough(p: migration.MigrationPlan) -> bool | Fail:
     """The board has as many pins as the program uses."""
     used = {b.sourcePin for b in p.portBindings if b.sourcePin >= 0}
     has = len(p.board.pins) if p.board is not None else len(used)
@@ -173,7 +172,7 @@ def PinsAreEnough(p: migration.MigrationPlan) -> Any:
 
 
 @plans.constraint(id="RS268", location=place, advice="part the pins in the drawing, or bind one of the ports to another pin")
-def WrittenPinsAreApart(p: migration.MigrationPlan) -> Any:
+def WrittenPinsAreApart(p: migration.MigrationPlan) -> bool | Fail:
     """Pins that the program writes are not joined."""
     w, board = wired(p), p.boardComponent
     written = {pin.label: b for b in p.portBindings if _is_written(b) and (pin := _pin(b)) is not None}
@@ -189,7 +188,7 @@ def _pin(binding: migration.PortBinding) -> platform.Pin | None:
 
 
 @plans.critique(id="RS263", location=place, advice="choose another library for one of them")
-def TimersAreNotShared(p: migration.MigrationPlan) -> Any:
+def TimersAreNotShared(p: migration.MigrationPlan) -> bool | Fail:
     """No two libraries that the sketch includes, or that a person chose, take the same timer."""
     clashes = []
     users = timer_users(p)
@@ -224,7 +223,7 @@ def timer_users(plan: migration.MigrationPlan) -> dict[str, tuple[tuple[str, ...
 
 
 @plans.critique(id="RS264", location=place, advice="use a pin whose PWM comes from another timer")
-def PwmIsNotTaken(p: migration.MigrationPlan) -> Any:
+def PwmIsNotTaken(p: migration.MigrationPlan) -> bool | Fail:
     """What is to be dimmed or slowed down is not on a pin whose timer a library takes."""
     users = timer_users(p)
     lost = [
@@ -251,7 +250,7 @@ def _counts(choice: migration.LibraryChoice) -> bool:
 
 
 @choices.critique(id="RS265", location=place, guard=_counts, advice="move the device to another pin, or choose another library")
-def PinsAreNotTaken(c: migration.LibraryChoice) -> Any:
+def PinsAreNotTaken(c: migration.LibraryChoice) -> bool | Fail:
     """A library that the sketch includes, or that a person chose, does not take a pin that another device is on."""
     plan, library = of_plan(c), c.chosen
     assert plan is not None
@@ -270,7 +269,7 @@ def _for(choice: migration.LibraryChoice) -> str:
 
 
 @plans.critique(id="RS266", location=place, advice="move it to another pin")
-def SerialPinsAreFree(p: migration.MigrationPlan) -> Any:
+def SerialPinsAreFree(p: migration.MigrationPlan) -> bool | Fail:
     """The pins of the serial port to the computer are free in a program that talks over it."""
     talking = next(terminal_functions(p), None)
     if talking is None:

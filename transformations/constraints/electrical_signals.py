@@ -7,14 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
 
 from robosmi.metamodels import hardware
 from robosmi.transformations.constraints.electrical_supply import wiring_of
 from robosmi.transformations.constraints.places import drawing, fault
 from robosmi.transformations.queries.connector_names import told_name
 from robosmi.transformations.queries.electrical import BoardPin, Kind, Role, Wiring, listed, who
-from robosmi.validate import EVL
+from robosmi.validate import EVL, Fail
 
 signals = EVL()
 """The constraints on signals; run them over a hardware model."""
@@ -26,7 +25,7 @@ devices = signals.context(
 
 
 @nets.constraint(id="RS232", location=drawing, advice="give each a pin of its own")
-def HasOneSource(n: hardware.Net) -> Any:
+def HasOneSource(n: hardware.Net) -> bool | Fail:
     """A signal is driven by one sensor."""
     w = wiring_of(n)
     driving = [o for o, c in w.on(n) if o.role is Role.Input and w.facts(o).output == "push-pull" and w.means(c, "output")]
@@ -37,7 +36,7 @@ def HasOneSource(n: hardware.Net) -> Any:
 
 
 @nets.critique(id="RS233", location=drawing, advice="part them, unless the data sheet allows it")
-def DriversAreApart(n: hardware.Net) -> Any:
+def DriversAreApart(n: hardware.Net) -> bool | Fail:
     """Outputs of drivers are not joined."""
     w = wiring_of(n)
     driving = [(o, c) for o, c in w.on(n) if o.driver and w.means(c, "driver_output")]
@@ -52,7 +51,7 @@ def DriversAreApart(n: hardware.Net) -> Any:
     advice="put a resistor of 10 kilo-ohms from the pin to the other supply, "
     "or let the sketch set INPUT_PULLUP where it leads to ground",
 )  # fmt: skip
-def IsHeldWhileOpen(c: hardware.Component) -> Any:
+def IsHeldWhileOpen(c: hardware.Component) -> bool | Fail:
     """A pin that a contact ties to a supply has a level while the contact is open."""
     w = wiring_of(c)
     rails = {net for _, net in w.nets(c) if net.rail}
@@ -90,7 +89,7 @@ def lacking(component: hardware.Component, ability: str, needs: Callable[[Wiring
 
 
 @devices.critique(id="RS240", location=drawing, advice="use an analogue input (A0 and on)")
-def IsMeasuredOnAnAnaloguePin(c: hardware.Component) -> Any:
+def IsMeasuredOnAnAnaloguePin(c: hardware.Component) -> bool | Fail:
     """A voltage that is to be measured is on an analogue input."""
     given = wiring_of(c).facts(c).analog
     by_name = any(connector.name.strip().lower() in given for connector in c.connectors)
@@ -106,7 +105,7 @@ def IsMeasuredOnAnAnaloguePin(c: hardware.Component) -> Any:
 
 
 @devices.critique(id="RS241", info=True, location=drawing, advice="use a pin with PWM if it is to be more than on or off")
-def CanBeDimmed(c: hardware.Component) -> Any:
+def CanBeDimmed(c: hardware.Component) -> bool | Fail:
     """What is usually driven with PWM is on a pin that has it."""
     wanted = "pwm" in wiring_of(c).facts(c).wants and c.role is Role.Output
     pins = lacking(c, "pwm", lambda w, p: wanted or (c.driver and w.means(p.connector, "pwm")))
@@ -114,7 +113,7 @@ def CanBeDimmed(c: hardware.Component) -> Any:
 
 
 @devices.critique(id="RS242", info=True, location=drawing, advice="use a pin with an interrupt if edges must not be missed")
-def CanInterrupt(c: hardware.Component) -> Any:
+def CanInterrupt(c: hardware.Component) -> bool | Fail:
     """A device whose edges are counted is on a pin with an interrupt."""
     if "interrupt" not in wiring_of(c).facts(c).wants:
         return True
@@ -126,14 +125,14 @@ def CanInterrupt(c: hardware.Component) -> Any:
 
 
 @devices.critique(id="RS243", info=True, location=drawing, advice="use the pins of a serial port, or a software serial port")
-def IsOnASerialPort(c: hardware.Component) -> Any:
+def IsOnASerialPort(c: hardware.Component) -> bool | Fail:
     """A serial device is on the pins of a serial port."""
     pins = lacking(c, "uart", lambda w, p: w.means(p.connector, "uart"))
     return not pins or fault(c, f"'{who(c)}' talks over {listed(pins)}, where the board has no serial port", pins=", ".join(pins))
 
 
 @devices.constraint(id="RS244", location=drawing, advice="use a digital pin")
-def PinCanWrite(c: hardware.Component) -> Any:
+def PinCanWrite(c: hardware.Component) -> bool | Fail:
     """What is written is on a pin that can write."""
     if c.role is not Role.Output:
         return True
@@ -142,7 +141,7 @@ def PinCanWrite(c: hardware.Component) -> Any:
 
 
 @devices.critique(id="RS245", info=True, location=drawing, advice="use another pin if there is one free")
-def PinIsFree(c: hardware.Component) -> Any:
+def PinIsFree(c: hardware.Component) -> bool | Fail:
     """A pin that the board needs itself has nothing on it."""
     w = wiring_of(c)
     taken = [p for p in w.board_pins(c) if p.pin is not None and p.pin.reserved and not _serial(w, p)]
@@ -158,7 +157,7 @@ def _serial(w: Wiring, p: BoardPin) -> bool:
 
 
 @devices.critique(id="RS255", location=drawing, advice="put a level shifter or a voltage divider between them")
-def BearsTheSignals(c: hardware.Component) -> Any:
+def BearsTheSignals(c: hardware.Component) -> bool | Fail:
     """The pins of a board do not drive a device above what its signals bear."""
     w = wiring_of(c)
     most = w.facts(c).signal_volts

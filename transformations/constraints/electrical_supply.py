@@ -6,7 +6,6 @@ A net is a supply or ground where the reader of the drawing says so (`rail`); wh
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from robosmi.metamodels import hardware
 from robosmi.transformations.constraints.places import drawing, fault
@@ -14,7 +13,7 @@ from robosmi.transformations.queries.circuit_walk import behind
 from robosmi.transformations.queries.connector_names import told_name
 from robosmi.transformations.queries.electrical import Kind, Role, Wiring, listed, stated_volts, who, wiring
 from robosmi.typed import distinct
-from robosmi.validate import EVL
+from robosmi.validate import EVL, Fail
 
 supply = EVL()
 """The constraints on supplies; run them over a hardware model."""
@@ -45,7 +44,7 @@ boards = supply.context(hardware.Component, guard=lambda c: c.circuit is not Non
 
 
 @nets.constraint(id="RS230", location=drawing, advice="take the wire away that joins them")
-def SupplyIsApartFromGround(n: hardware.Net) -> Any:
+def SupplyIsApartFromGround(n: hardware.Net) -> bool | Fail:
     """A supply is not joined to its ground."""
     sources = wiring_of(n).sources(n)
     minus = {owner: connector for owner, connector in reversed(sources) if connector.kind is Kind.ground}
@@ -65,7 +64,7 @@ def _is_fixed(component: hardware.Component) -> bool:
 
 
 @nets.constraint(id="RS231", location=drawing, advice="use one of them, or a regulator between them")
-def SuppliesOfOneVoltage(n: hardware.Net) -> Any:
+def SuppliesOfOneVoltage(n: hardware.Net) -> bool | Fail:
     """Supplies that are joined have one voltage."""
     stated = [(o, v) for o, c in wiring_of(n).sources(n) if c.kind is Kind.supply and (v := _source_volts(o, c)) is not None]
     low, high = (pick(stated, key=lambda s: s[1], default=None) for pick in (min, max))
@@ -86,18 +85,18 @@ def _source_volts(component: hardware.Component, connector: hardware.Connector) 
 
 
 @devices.critique(id="RS235", location=drawing, advice="wire its ground")
-def HasGround(c: hardware.Component) -> Any:
+def HasGround(c: hardware.Component) -> bool | Fail:
     """A component that has ground connectors is wired at one of them."""
     return _is_supplied(c, Kind.ground) or fault(c, f"no ground is wired to '{who(c)}'")
 
 
 @devices.critique(id="RS236", location=drawing, advice="wire its supply")
-def HasSupply(c: hardware.Component) -> Any:
+def HasSupply(c: hardware.Component) -> bool | Fail:
     """A component that has supply connectors is wired at one of them."""
     return _is_supplied(c, Kind.supply) or fault(c, f"no supply is wired to '{who(c)}'")
 
 
-def _is_supplied(component: hardware.Component, kind: Any) -> bool:
+def _is_supplied(component: hardware.Component, kind: hardware.ConnectorKind) -> bool:
     w = wiring_of(component)
     return all(c.kind is not kind for c in component.connectors) or any(
         c.kind is kind and w.is_wired(component, net) for c, net in w.nets(component)
@@ -105,7 +104,7 @@ def _is_supplied(component: hardware.Component, kind: Any) -> bool:
 
 
 @placed.critique(id="RS237", location=drawing, advice="wire it, or take it out of the drawing")
-def IsConnected(c: hardware.Component) -> Any:
+def IsConnected(c: hardware.Component) -> bool | Fail:
     """A component is connected to something, in a circuit where anything is."""
     w = wiring_of(c)
     if not c.connectors or any(w.is_wired(c, net) for _, net in w.nets(c)):
@@ -114,7 +113,7 @@ def IsConnected(c: hardware.Component) -> Any:
 
 
 @devices.critique(id="RS238", location=drawing, advice="join the grounds", guard=lambda c: not wiring_of(c).facts(c).isolated)
-def GroundsAreJoined(c: hardware.Component) -> Any:
+def GroundsAreJoined(c: hardware.Component) -> bool | Fail:
     """The ground of a component is that of the board whose pins it is on."""
     w = wiring_of(c)
     own = [net for connector, net in w.nets(c) if connector.kind is Kind.ground and w.is_wired(c, net)]
@@ -137,7 +136,7 @@ def _leads_to(w: Wiring, net: hardware.Net, wanted: set[hardware.Net]) -> bool:
 
 
 @devices.constraint(id="RS239", location=drawing, advice="exchange the two wires, or look at the names of the connectors")
-def IsTheRightWayRound(c: hardware.Component) -> Any:
+def IsTheRightWayRound(c: hardware.Component) -> bool | Fail:
     """Ground and supply of a component are not exchanged."""
     w = wiring_of(c)
     supplies = [net for connector, net in w.nets(c) if connector.kind is Kind.supply]
@@ -149,7 +148,7 @@ def IsTheRightWayRound(c: hardware.Component) -> Any:
 
 
 @boards.critique(id="RS250", location=drawing, advice="give them a supply of their own, and join its ground to the board's")
-def BoardCanSupplyThem(b: hardware.Component) -> Any:
+def BoardCanSupplyThem(b: hardware.Component) -> bool | Fail:
     """What takes its supply from a board takes no more than the board gives."""
     w = wiring_of(b)
     for net in distinct(n for connector, n in w.nets(b) if connector.kind is Kind.supply):
@@ -184,7 +183,7 @@ def _is_fed_there(w: Wiring, component: hardware.Component, connector: hardware.
 
 
 @placed.constraint(id="RS253", location=drawing, advice="use the supply that it is made for, or a regulator")
-def BearsItsSupply(c: hardware.Component) -> Any:
+def BearsItsSupply(c: hardware.Component) -> bool | Fail:
     """The supply of a component is not above what it bears."""
     for connector, volts, _, most in _supplied_with(c):
         if most is not None and volts > most:
@@ -195,7 +194,7 @@ def BearsItsSupply(c: hardware.Component) -> Any:
 
 
 @placed.critique(id="RS254", location=drawing, advice="use the supply that it is made for")
-def SupplyIsEnough(c: hardware.Component) -> Any:
+def SupplyIsEnough(c: hardware.Component) -> bool | Fail:
     """The supply of a component is as high as it needs."""
     for connector, volts, least, _ in _supplied_with(c):
         if least is not None and 0 < volts < least:

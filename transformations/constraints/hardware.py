@@ -5,8 +5,6 @@ The set of all constraints on hardware models, the electrical ones included, whi
 
 from __future__ import annotations
 
-from typing import Any
-
 from robosmi.metamodels import hardware
 from robosmi.query import ext
 from robosmi.transformations.constraints.electrical import electrical
@@ -27,7 +25,7 @@ wires = circuit.context(hardware.Wire, guard=lambda w: w.net is not None)
     id="RS721", info=True, location=drawing, guard=lambda c: c.title != "" and c.role is not hardware.Role.Decoration,
     advice="name it by its model index (#1014) in options, or give it a title of its own",
 )  # fmt: skip
-def TitleIsItsOwn(c: hardware.Component) -> Any:
+def TitleIsItsOwn(c: hardware.Component) -> bool | Fail:
     """A title means one component, so that it can be named in options."""
     assert c.circuit is not None
     first = _firsts(c.circuit)[c.title]
@@ -43,7 +41,7 @@ def _firsts(circuit: hardware.Circuit) -> dict[str, hardware.Component]:
 
 
 @connectors.constraint(id="RS722", advice="read the drawing again")
-def NetIsOfItsCircuit(c: hardware.Connector) -> Any:
+def NetIsOfItsCircuit(c: hardware.Connector) -> bool | Fail:
     """A connector is on a net of its own circuit."""
     assert c.net is not None
     own = c.component.circuit if c.component is not None else None
@@ -51,7 +49,7 @@ def NetIsOfItsCircuit(c: hardware.Connector) -> Any:
 
 
 @wires.constraint(id="RS723", advice="read the drawing again")
-def WireEndsOnItsNet(w: hardware.Wire) -> Any:
+def WireEndsOnItsNet(w: hardware.Wire) -> bool | Fail:
     """The connectors at the ends of a wire are on the wire's net."""
     off = next((end for end in w.ends if end.net is not w.net), None)
     return off is None or Fail(f"the wire {w.elementId} ends at '{off.name or off.connectorId}', which is on another net")

@@ -5,8 +5,6 @@ What a plan leaves open is a critique, no fault. Whether its files match their d
 
 from __future__ import annotations
 
-from typing import Any
-
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import migration
 from robosmi.transformations.constraints.code_rules import moved
@@ -31,7 +29,7 @@ plans = plan.context(migration.MigrationPlan)
 
 
 @bindings.constraint(id="RS704", guard=lambda b: b.connection is not None)
-def PinIsOfItsConnection(b: migration.PortBinding) -> Any:
+def PinIsOfItsConnection(b: migration.PortBinding) -> bool | Fail:
     """A port that is bound to a connection has that connection's pin."""
     connection = b.connection
     assert connection is not None
@@ -44,7 +42,7 @@ def PinIsOfItsConnection(b: migration.PortBinding) -> Any:
 
 
 @decisions.constraint(id="RS705", severity=Severity.warning)
-def ConfidenceIsAShare(d: migration.Decision) -> Any:
+def ConfidenceIsAShare(d: migration.Decision) -> bool | Fail:
     """A confidence lies between 0 and 1."""
 
     def limit() -> None:
@@ -55,13 +53,13 @@ def ConfidenceIsAShare(d: migration.Decision) -> Any:
 
 
 @decisions.critique(id="RS706", info=True, advice="choose with --bind or --library, in robosmi.toml, or in the plan")
-def IsDecided(d: migration.Decision) -> Any:
+def IsDecided(d: migration.Decision) -> bool | Fail:
     """A choice is made."""
     return not d.open or Fail(f"nothing is chosen yet for the {named(d)}", options=", ".join(o.label for o in d.options))
 
 
 @plans.constraint(id="RS708", advice="correct the offsets, or make the plan again with migrate")
-def ChangesDoNotCross(p: migration.MigrationPlan) -> Any:
+def ChangesDoNotCross(p: migration.MigrationPlan) -> bool | Fail:
     """A change of text crosses no other; one that a person added has an effect."""
     wrong: list[str] = []
     widest: migration.TextChange | None = None

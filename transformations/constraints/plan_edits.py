@@ -5,8 +5,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from robosmi.diagnostics import Severity
 from robosmi.errors import ModelError
 from robosmi.metamodels import migration
@@ -40,7 +38,7 @@ def refuse_nonsense(edited: migration.MigrationPlan) -> None:
 
 
 @dispositions.constraint(id="RS701", advice="make the plan again with migrate")
-def DecidesOnTheProgram(d: migration.Disposition) -> Any:
+def DecidesOnTheProgram(d: migration.Disposition) -> bool | Fail:
     """A decision about code is about an element of the plan's program."""
     inside = d.element is not None and root_of(d.element) is plan_of(d).program
     return inside or Fail(f"a decision ({d.action.name}, {', '.join(d.rules)}) is about nothing in the plan's program")
@@ -49,7 +47,7 @@ def DecidesOnTheProgram(d: migration.Disposition) -> Any:
 @bindings.constraint(
     id="RS703", guard=lambda b: bound_pin(b) is not None and plan_of(b).board is not None, advice="bind it to a pin of the board"
 )
-def PinIsOfTheBoard(b: migration.PortBinding) -> Any:
+def PinIsOfTheBoard(b: migration.PortBinding) -> bool | Fail:
     """A port is bound to a pin of the plan's board."""
     pin, board = bound_pin(b), plan_of(b).board
     assert pin is not None
@@ -58,14 +56,14 @@ def PinIsOfTheBoard(b: migration.PortBinding) -> Any:
 
 
 @bindings.constraint(id="RS716", advice="give it the connection or the pin that is meant, too (plan.xmi), or use --bind")
-def ChoiceIsWhatItRefersTo(b: migration.PortBinding) -> Any:
+def ChoiceIsWhatItRefersTo(b: migration.PortBinding) -> bool | Fail:
     """The recorded choice of a port is what its binding refers to, unless a person has edited what it refers to."""
     now = referred(b) or "nothing"
     return not only_the_choice_was_edited(b) or Fail(f"the choice of the {named(b)} says {b.choice}, and it is bound to {now}")
 
 
 @uses.constraint(id="RS717", guard=lambda u: u.adapter is not None, advice="give it the adapter of its function, or none")
-def AdapterIsOfItsFunction(u: migration.AdapterUse) -> Any:
+def AdapterIsOfItsFunction(u: migration.AdapterUse) -> bool | Fail:
     """A function is filled by an adapter for it."""
     adapter = u.adapter
     assert adapter is not None
@@ -74,14 +72,14 @@ def AdapterIsOfItsFunction(u: migration.AdapterUse) -> Any:
 
 
 @uses.constraint(id="RS718", advice="leave one of them")
-def FunctionIsAdaptedOnce(u: migration.AdapterUse) -> Any:
+def FunctionIsAdaptedOnce(u: migration.AdapterUse) -> bool | Fail:
     """A function of the source platform is adapted in one way."""
     first = next(other for other in plan_of(u).adapterUses if other.name == u.name)
     return first is u or Fail(f"the plan has two adapter uses of '{u.name}'")
 
 
 @bindings.constraint(id="RS719", guard=lambda b: b.sourcePin >= 0, advice="correct its number, or make the plan again")
-def NumberIsAPort(b: migration.PortBinding) -> Any:
+def NumberIsAPort(b: migration.PortBinding) -> bool | Fail:
     """The number of a port is one that the source platform has."""
     source = plan_of(b).source
     count = source.portCount if source is not None else 0
@@ -89,7 +87,7 @@ def NumberIsAPort(b: migration.PortBinding) -> Any:
 
 
 @plans.constraint(id="RS709", advice="correct the offsets, or make the plan again with migrate")
-def ChangesAreInTheirUnits(p: migration.MigrationPlan) -> Any:
+def ChangesAreInTheirUnits(p: migration.MigrationPlan) -> bool | Fail:
     """Each change of text replaces bytes of its unit."""
     wrong = [
         f"a change of {unit.path} replaces bytes {c.startOffset} to {c.endOffset} of {unit.size}"
@@ -103,7 +101,7 @@ def ChangesAreInTheirUnits(p: migration.MigrationPlan) -> Any:
     id="RS728", guard=lambda u: u.adapter is not None and bool(u.adapter.pins),
     advice="put the flow back (portFlows), or make the plan again with migrate",
 )  # fmt: skip
-def CallsAreInAFlow(u: migration.AdapterUse) -> Any:
+def CallsAreInAFlow(u: migration.AdapterUse) -> bool | Fail:
     """Each call of an adapter that takes pins belongs to a flow, which says whether its numbers are ports or pins."""
     inside = {id(call) for flow in plan_of(u).portFlows for call in flow.calls}
     lines = sorted({int(call.line) for call in u.calls if id(call) not in inside})
@@ -116,7 +114,7 @@ def CallsAreInAFlow(u: migration.AdapterUse) -> Any:
     guard=lambda c: bool(c.choice and c.chosen),
     advice="correct the one that is not meant (plan.xmi), or use --library",
 )
-def LibraryIsTheOneThatIsRecorded(c: migration.LibraryChoice) -> Any:
+def LibraryIsTheOneThatIsRecorded(c: migration.LibraryChoice) -> bool | Fail:
     """The recorded choice of a library is the library that it refers to; a choice without one is open again."""
     assert c.chosen is not None
     now = str(c.chosen.name)
@@ -126,7 +124,7 @@ def LibraryIsTheOneThatIsRecorded(c: migration.LibraryChoice) -> Any:
 
 
 @libraries.constraint(id="RS707", guard=lambda c: c.chosen is not None, advice="choose a library of the target platform")
-def LibraryIsOfTheTarget(c: migration.LibraryChoice) -> Any:
+def LibraryIsOfTheTarget(c: migration.LibraryChoice) -> bool | Fail:
     """A chosen library is one of the plan's target platform."""
     target, chosen = plan_of(c).target, c.chosen
     assert chosen is not None

@@ -6,14 +6,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model import EmfModel
+from robosmi.model.strict import Element
 from robosmi.query import root_of
 from robosmi.transformations.constraints.electrical_plan import terminal_functions
 from robosmi.transformations.knowledge.adapter_ranges import parameter_names
+from robosmi.transformations.queries.code import name_of
 from robosmi.transformations.queries.component_kinds import kinds_of
 from robosmi.transformations.queries.connector_names import told_names
 from robosmi.transformations.queries.macro_calls import MacroCalls
@@ -50,7 +51,7 @@ def port_faults(plan: migration.MigrationPlan, words: bool = True) -> list[Findi
     return judged.run(EmfModel(plan, name="plan")).findings()
 
 
-def plan_of(decision: Any) -> migration.MigrationPlan:
+def plan_of(decision: Element) -> migration.MigrationPlan:
     """The plan that an element belongs to."""
     found = root_of(decision)
     assert isinstance(found, migration.MigrationPlan)
@@ -68,16 +69,16 @@ def named(decision: migration.Decision) -> str:
         return f"port '{decision.name}'" if decision.name else f"port P{decision.sourcePin}"
     if isinstance(decision, migration.LibraryChoice):
         return f"library of '{decision.component.title}'" if decision.component is not None else "library of no component"
-    element = getattr(decision, "element", None)
-    return (
-        f"{getattr(element, 'name', '') or type(element).__name__} in line {element.line}" if element is not None else "decision"
-    )
+    element = decision.element if isinstance(decision, (migration.Disposition, migration.Widening)) else None
+    if element is None:
+        return "decision"
+    return f"{name_of(element) or element.eClass.name} in line {element.line}"
 
 
 @bindings.constraint(
     id="RS702", severity=Severity.warning, guard=lambda b: bound_pin(b) is not None, advice="bind one of them to another pin"
 )
-def PinIsBoundOnce(b: migration.PortBinding) -> Any:
+def PinIsBoundOnce(b: migration.PortBinding) -> bool | Fail:
     """No two ports of the source are bound to one pin."""
     pin = bound_pin(b)
     for other in plan_of(b).portBindings:
@@ -90,7 +91,7 @@ def PinIsBoundOnce(b: migration.PortBinding) -> Any:
 
 
 @bindings.constraint(id="RS714", guard=lambda b: bool(plan_of(b).portFlows), advice="leave one of them, or migrate again")
-def PortIsDecidedOnce(b: migration.PortBinding) -> Any:
+def PortIsDecidedOnce(b: migration.PortBinding) -> bool | Fail:
     """A port of the source has one binding: a number that is no convention, or a name."""
     for other in plan_of(b).portBindings:
         if other is b:
@@ -105,7 +106,7 @@ def PortIsDecidedOnce(b: migration.PortBinding) -> Any:
     id="RS720", severity=Severity.warning, advice="bind it to another pin",
     guard=lambda b: b.chosenBy is migration.ChosenBy.person and bound_pin(b) is not None,
 )  # fmt: skip
-def SerialLineIsFree(b: migration.PortBinding) -> Any:
+def SerialLineIsFree(b: migration.PortBinding) -> bool | Fail:
     """A port is not on a pin of the serial line to the computer in a program that talks over it."""
     pin, talking = bound_pin(b), next(terminal_functions(plan_of(b)), None)
     assert pin is not None
@@ -118,7 +119,7 @@ def SerialLineIsFree(b: migration.PortBinding) -> Any:
     id="RS725", severity=Severity.warning, guard=lambda b: bound_pin(b) is not None,
     advice="take a sensor with one signal wire, join both wires as its maker allows, or write the body for two pins",
 )  # fmt: skip
-def WireIsTheOneOfTheComponent(b: migration.PortBinding) -> Any:
+def WireIsTheOneOfTheComponent(b: migration.PortBinding) -> bool | Fail:
     """A function that sends and listens on one wire has a component that answers on that wire."""
     plan, pin = plan_of(b), bound_pin(b)
     both = {str(use.name) for use in plan.adapterUses if use.adapter is not None and _on_one_wire(use.adapter)}
@@ -141,7 +142,7 @@ def WireIsTheOneOfTheComponent(b: migration.PortBinding) -> Any:
     id="RS726", severity=Severity.warning, guard=lambda b: bound_pin(b) is not None,
     advice="bind the port to another pin, and move the wire",
 )  # fmt: skip
-def PinDoesWhatIsAsked(b: migration.PortBinding) -> Any:
+def PinDoesWhatIsAsked(b: migration.PortBinding) -> bool | Fail:
     """A pin can do what the functions that are given its port need of it, and no other adapter takes its timer."""
     pin = bound_pin(b)
     assert pin is not None
@@ -211,7 +212,7 @@ def WhatIsAskedIsWired(u: migration.AdapterUse) -> Any:
     id="RS727", severity=Severity.warning, advice="see whether another connection is meant",
     guard=lambda b: b.chosenBy is migration.ChosenBy.person and b.connection is not None and b.connection.component is not None,
 )  # fmt: skip
-def ComponentIsWhatTheProgramExpects(b: migration.PortBinding) -> Any:
+def ComponentIsWhatTheProgramExpects(b: migration.PortBinding) -> bool | Fail:
     """A port that a person binds is on a component of the kind that its functions expect; what is only driven is not read."""
     connection = b.connection
     assert connection is not None
@@ -235,7 +236,7 @@ def _wire(connection: migration.Connection) -> str:
 @connections.critique(
     id="RS724", info=True, advice="see whether the drawing says what is meant; bind ports by the mapping's name"
 )
-def PinReachesOneComponent(c: migration.Connection) -> Any:
+def PinReachesOneComponent(c: migration.Connection) -> bool | Fail:
     """A pin that is no bus reaches one component: a port that is bound by such a pin is called after the first of several."""
     titles = _on_pin(c)
     if len(titles) != MANY - 1:
@@ -245,7 +246,7 @@ def PinReachesOneComponent(c: migration.Connection) -> Any:
 
 
 @connections.constraint(id="RS715", severity=Severity.warning, advice="see whether the drawing says what is meant")
-def PinReachesFewComponents(c: migration.Connection) -> Any:
+def PinReachesFewComponents(c: migration.Connection) -> bool | Fail:
     """A pin that is no bus reaches one component, or two."""
     titles = _on_pin(c)
     if len(titles) < MANY:

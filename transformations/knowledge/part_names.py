@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from functools import cache
 from pathlib import Path
@@ -20,6 +20,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
 from robosmi.typed import fresh
+from robosmi.verify.tables import DataTable
 
 _LISTS = ("supply", "ground", "idle", "polarity", "control", "bus", "write", "read", "read_chip", "write_chip")
 _WORD = re.compile(r"[^\W_]+")
@@ -72,6 +73,16 @@ class JoinedPins(NamedTuple):
     pins: int
 
 
+class GeneratedShape(NamedTuple):
+    """Parts that a drawing tool makes up: title and family, what their ids begin with or contain, and the tool if it is one."""
+
+    title: str
+    family: str
+    prefixes: tuple[str, ...]
+    contains: tuple[str, ...]
+    tool: str
+
+
 @dataclass(frozen=True, slots=True)
 class PartNames:
     """The content of `names.toml`: sets of connector names in lower case, phrases for families, shapes of made-up ids."""
@@ -88,7 +99,7 @@ class PartNames:
     solder_jumpers: tuple[str, ...] = ()
     symbols: Mapping[str, tuple[str, ...]] = fresh(dict)
     joined: tuple[JoinedPins, ...] = ()
-    generated: tuple[Mapping[str, Any], ...] = field(default=())
+    generated: tuple[GeneratedShape, ...] = ()
 
 
 def names(project: Path | None = None) -> PartNames:
@@ -194,26 +205,35 @@ def parse_toml(text: str, path: str, first_line: int) -> dict[str, Any]:
 
 @cache
 def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
-    table = read_toml(path)
-    lists = {key: frozenset(table.get("names", {}).get(key, ())) for key in _LISTS}
-    either, boards = table.get("either", {}), table.get("boards", {})
+    table = DataTable(Path(path), read_toml(path))
+    either, boards, drawn = (table.table(key, needed=False) for key in ("either", "boards", "drawn"))
+    symbols, lists = drawn.table("symbols", needed=False), table.table("names", needed=False)
     return PartNames(
-        lists,
-        bus_only=_phrases(table.get("walk", {}).get("bus_only", ())),
-        either=_phrases(either.get("words", ())),
-        read_on_analog=_phrases(either.get("read_on_analog", ())),
-        not_read_on_analog=_phrases(either.get("not_read_on_analog", ())),
-        numbered_labels=_phrases(boards.get("arduino_labels", ())),
-        not_numbered_labels=_phrases(boards.get("not_arduino_labels", ())),
-        device_properties=frozenset(table.get("drawn", {}).get("device", ())),
-        headers=tuple(table.get("drawn", {}).get("headers", ())),
-        solder_jumpers=tuple(table.get("drawn", {}).get("solder_jumpers", ())),
-        symbols={means: tuple(called) for means, called in table.get("drawn", {}).get("symbols", {}).items()},
+        {key: frozenset(lists.texts(key, ())) for key in _LISTS},
+        bus_only=_phrases(table.table("walk", needed=False).texts("bus_only", ())),
+        either=_phrases(either.texts("words", ())),
+        read_on_analog=_phrases(either.texts("read_on_analog", ())),
+        not_read_on_analog=_phrases(either.texts("not_read_on_analog", ())),
+        numbered_labels=_phrases(boards.texts("arduino_labels", ())),
+        not_numbered_labels=_phrases(boards.texts("not_arduino_labels", ())),
+        device_properties=frozenset(drawn.texts("device", ())),
+        headers=drawn.texts("headers", ()),
+        solder_jumpers=drawn.texts("solder_jumpers", ()),
+        symbols={means: symbols.texts(means) for means in symbols.values},
         joined=tuple(
-            JoinedPins(tuple(entry["called"]), tuple(map(tuple, entry["joined"])), entry.get("pins", 0))
-            for entry in table.get("drawn", {}).get("joined", ())
+            JoinedPins(entry.texts("called"), entry.lists_of_texts("joined"), entry.optional_number("pins") or 0)
+            for entry in drawn.tables("joined", needed=False)
         ),
-        generated=tuple(table.get("generated", ())),
+        generated=tuple(
+            GeneratedShape(
+                shape.text("title"),
+                shape.text("family"),
+                shape.texts("prefixes", ()),
+                shape.texts("contains", ()),
+                shape.text("tool", ""),
+            )
+            for shape in table.tables("generated", needed=False)
+        ),
     )
 
 

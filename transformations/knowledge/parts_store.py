@@ -61,7 +61,7 @@ class PartsFile:
             inputs.check_ordinary(path)  # SQLite would take a named pipe or a device
             self._db = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True, check_same_thread=False)
         except (OSError, sqlite3.Error) as error:
-            raise self._damaged(getattr(error, "strerror", None) or str(error)) from error
+            raise self._damaged((error.strerror if isinstance(error, OSError) else None) or str(error)) from error
         if self._all("PRAGMA application_id") != [(APPLICATION,)] or self._all("PRAGMA user_version") != [(FORMAT,)]:
             self.close()
             raise self._damaged(f"it is no file of parts of format {FORMAT}")

@@ -361,7 +361,7 @@ def _computed(name: str, views: Iterable[CodeView]) -> bool:
             use = variable.valueType
             if use is None or use.declaration is None or use.declaration.name != name or use.pointerDepth or use.arrayDims:
                 continue
-            if isinstance(getattr(variable, "initializer", None), (ccode.IntegerLiteral, ccode.Binary)):
+            if isinstance(variable, ccode.Variable) and isinstance(variable.initializer, (ccode.IntegerLiteral, ccode.Binary)):
                 return True
             if any(_calculates(r) for r in variable.references):
                 return True

@@ -20,6 +20,7 @@ from robosmi.transformations.m2m.source_assembler import LEFT_OUT
 from robosmi.transformations.m2m.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.binding_edits import binding_links, referred, trace_binding
+from robosmi.transformations.queries.code import name_of
 from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.plan import beside_its_declaration, called, needs_own_types
 from robosmi.transformations.queries.port_pins import NOT_WIRED
@@ -269,7 +270,8 @@ def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
         if LEFT_OUT in disposition.rules:
             continue
         if disposition.action is migration.Action.unsupported and disposition.element is not None:
-            name = getattr(disposition.element, "header", "") or getattr(disposition.element, "name", "")
+            element = disposition.element
+            name = element.header if isinstance(element, ccode.Include) else name_of(element)
             yield Task(
                 rule="RS503", severity=Level.warning, effort="small" if "unknown-include" in disposition.rules else "medium",
                 message=f"'{name}' was left out: {'; '.join(disposition.reasons)}",

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from typing import Any
 
-from robosmi.metamodels import migration, platform
+from robosmi.metamodels import ccode, migration, platform
 
 _UNUSED = re.compile(r"\(void\)\s*\w+\s*;")
 _BEGINNING = (
@@ -63,7 +62,7 @@ def _given_without_pin(piece: platform.Adapter) -> int | None:
     return _given_without_pin(needed) if needed is not None else None
 
 
-def ignored_arguments(use: migration.AdapterUse, answers: Mapping[int, int]) -> Iterator[Any]:
+def ignored_arguments(use: migration.AdapterUse, answers: Mapping[int, int]) -> Iterator[ccode.Expression]:
     """The arguments of which an adapter makes nothing: all of a call that does nothing, else those whose
     parameters it never names.
 

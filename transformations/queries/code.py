@@ -23,6 +23,12 @@ from robosmi.transformations.queries.values import Values
 from robosmi.typed import fresh
 
 T = TypeVar("T")
+_NAMED = (
+    ccode.Declaration, ccode.Macro, ccode.MacroUse, ccode.UnresolvedCall, ccode.Label, ccode.NameReference, ccode.Member,
+)  # fmt: skip
+_WRITTEN = (
+    ccode.IntegerLiteral, ccode.FloatingLiteral, ccode.CharacterLiteral, ccode.StringLiteral, ccode.UnknownExpression,
+)  # fmt: skip
 _CALLED = re.compile(r"(?<![\w.#>])([A-Za-z_]\w*)\s*\(")
 _NAMES = re.compile(r"[A-Za-z_]\w*")
 _LITERALS = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|/\*.*?\*/|//[^\n]*', re.DOTALL)
@@ -371,7 +377,12 @@ def _code_name(argument: ccode.Expression) -> str:
             argument = argument.arguments[0]
         else:
             break
-    return str(getattr(argument, "name", None) or getattr(argument, "text", None) or "")
+    return str(argument.text or "") if isinstance(argument, _WRITTEN) else name_of(argument)
+
+
+def name_of(element: Element | None) -> str:
+    """The name that an element of a program declares or uses; empty where it has none."""
+    return str(element.name or "") if isinstance(element, _NAMED) else ""
 
 
 def named_type(expression: Element | None) -> ccode.TypeUse | None:

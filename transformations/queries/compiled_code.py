@@ -174,7 +174,9 @@ def _given(declaration: ccode.Variable | ccode.Parameter, inside: set[int]) -> I
 
 def declared_in(element: Element | None) -> Iterable[ccode.Variable]:
     """The variables that an element declares, itself or within it."""
-    return [element] if isinstance(element, ccode.Variable) else all_of_kind(element, ccode.Variable)
+    if isinstance(element, ccode.Variable):
+        return [element]
+    return all_of_kind(element, ccode.Variable) if element is not None else []
 
 
 def is_volatile(declaration: ccode.Variable | ccode.Parameter) -> bool:

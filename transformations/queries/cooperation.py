@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from typing import Any
 
 from robosmi.metamodels import ccode, migration
 from robosmi.model.strict import Element
@@ -132,7 +131,7 @@ def starts_at_once(calls: Sequence[ccode.Call], ends: Collection[str]) -> tuple[
     return max(1, min(total, MOST)), why
 
 
-def _times(element: Any, ends: Collection[str], above: tuple[int, ...]) -> int:
+def _times(element: Element, ends: Collection[str], above: tuple[int, ...]) -> int:
     """How often an element may be carried out without an end of what it starts; a loop that also ends some counts once."""
     function = ancestor_of_kind(element, ccode.Function)
     count = 1
@@ -140,7 +139,8 @@ def _times(element: Any, ends: Collection[str], above: tuple[int, ...]) -> int:
     while loop is not None:
         ended = any(isinstance(e, ccode.Call) and e.calleeName in ends for e in reached([loop.body]))
         count *= 1 if ended else _trips(loop) or MOST
-        loop = ancestor_of_kind(loop.eContainer(), ccode.Loop)
+        around = loop.eContainer()
+        loop = ancestor_of_kind(around, ccode.Loop) if around is not None else None
     if function is None or id(function) in above or function.name == "main":
         return min(count, MOST)
     callers = sum(_times(call, ends, (*above, id(function))) for call in function.calls)
@@ -176,8 +176,8 @@ def _counted(loop: ccode.For) -> int:
     return max(0, int(condition.right.value) - int(literals[0]) + (condition.operator == "<="))
 
 
-def _within(element: ccode.Located, container: Any) -> bool:
-    return bool(container.startOffset <= element.startOffset < container.endOffset)
+def _within(element: ccode.Located, container: ccode.Located | None) -> bool:
+    return container is not None and bool(container.startOffset <= element.startOffset < container.endOffset)
 
 
 def stack_bytes(function: ccode.Function, adapters: Mapping[str, int]) -> int:
@@ -197,7 +197,7 @@ def stack_bytes(function: ccode.Function, adapters: Mapping[str, int]) -> int:
     while waiting:  # no recursion: functions may call the next for as long as they like
         at = waiting[-1]
         if id(at) not in parts:
-            inside = list(all_contents(at.body))
+            inside = list(all_contents(at.body)) if at.body is not None else []
             calls = [call for call in inside if isinstance(call, ccode.Call)]
             own = [call.callee for call in calls if call.callee is not None and call.callee.body is not None]
             others = [adapters.get(str(c.calleeName), _FRAME) for c in calls if c.callee is None or c.callee.body is None]

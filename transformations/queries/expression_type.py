@@ -117,8 +117,8 @@ def of_use(use: ccode.TypeUse | None) -> ValueType | None:
 def _unnamed(typedef: ccode.Typedef) -> ccode.Declaration | None:
     """The record or enumeration without a name that stands in a typedef."""
     unit = typedef.eContainer()
-    kinds = (ccode.Record, ccode.Enumeration)
-    inside = (d for d in getattr(unit, "declarations", ()) if isinstance(d, kinds) and not d.name)
+    beside = unit.declarations if isinstance(unit, (ccode.SourceUnit, ccode.Namespace, ccode.DeclarationStatement)) else ()
+    inside = (d for d in beside if isinstance(d, (ccode.Record, ccode.Enumeration)) and not d.name)
     return next((d for d in inside if typedef.startOffset <= d.startOffset < typedef.endOffset), None)
 
 

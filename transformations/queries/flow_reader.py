@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Hashable, Iterator, Mapping, Sequence
-from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
@@ -85,14 +84,17 @@ class FlowReader:
                 return ("Parameter", self.key(function), list(function.parameters).index(thing))
         return ("element", id(thing))
 
-    def value(self, expression: Element | None) -> Hashable:
+    def value(self, expression: ccode.Located | None) -> Hashable:
         """The key of what an expression gives its value to whom it is passed."""
         if expression is None:  # in text that the parser could not read
             self._unread += 1
             return self._once(("unread", self._unread), "it stands in text that could not be read")
-        kind = type(expression).__name__
-        if kind in _THROUGH:
-            return self.value(getattr(expression, _THROUGH[kind]))
+        if isinstance(expression, ccode.Cast):
+            return self.value(expression.operand)
+        if isinstance(expression, ccode.Index):
+            return self.value(expression.array)
+        if isinstance(expression, ccode.Assignment):
+            return self.value(expression.left)
         if isinstance(expression, ccode.Unary) and str(expression.operator) in ("*", "&"):
             return self.value(expression.operand)
         if isinstance(expression, ccode.Unary) and str(expression.operator) in ("++", "--"):
@@ -118,7 +120,7 @@ class FlowReader:
             self.calculated(key, expression)
         return key
 
-    def calculated(self, key: Hashable, expression: Any) -> None:
+    def calculated(self, key: Hashable, expression: ccode.Located) -> None:
         """The values of an expression that computes something come into a flow."""
         self.flows.keep(key, f"line {expression.line} calculates it")
         unit = ancestor_of_kind(expression, ccode.SourceUnit)
@@ -207,11 +209,11 @@ class FlowReader:
                 for declaration in element.declaration.declarations if element.declaration is not None else ():
                     self.flows.keep(self.key(declaration), f"line {element.line} goes through a range with it", computed=True)
 
-    def _give(self, taker: Hashable, expression: Any) -> None:
+    def _give(self, taker: Hashable, expression: ccode.Expression | None) -> None:
         """A thing is given the value of an expression."""
         self.flows.join(taker, self.value(expression))
-        unit = ancestor_of_kind(expression, ccode.SourceUnit)
-        if unit is not None:
+        unit = ancestor_of_kind(expression, ccode.SourceUnit) if expression is not None else None
+        if unit is not None and expression is not None:
             self.flows.of(taker).given.append((unit, expression))
 
     def _taken(self, reference: ccode.NameReference) -> None:
@@ -311,12 +313,12 @@ class FlowReader:
         if not text.tokens or view_text(self.sources[view.unit.path], start, end) not in pin.none:
             self.reach(self.value(argument), PinArgument(view.unit, start, end, function, pin, call, argument))
 
-    def _exchanged(self, arguments: Sequence[Element]) -> None:
+    def _exchanged(self, arguments: Sequence[ccode.Expression]) -> None:
         """What a function that is not followed may bring from one of its arguments to another, or to a function it is given."""
         open_ = [a for a in arguments if gives_access(a)]
         for one in open_[1:]:
             self.flows.join(self.value(open_[0]), self.value(one))
-        if open_ and any(isinstance(getattr(a, "target", None), ccode.Function) for a in arguments):
+        if open_ and any(isinstance(a, ccode.NameReference) and isinstance(a.target, ccode.Function) for a in arguments):
             self.flows.join(("through a pointer", 0), self.value(open_[0]))
 
     def reach(self, key: Hashable, pin: PinArgument) -> None:
@@ -364,9 +366,6 @@ class FlowReader:
             self._enumerator(e) if isinstance(e, ccode.EnumerationLiteral) else self.key(e) for e in self.elements_named(name)
         ]
         return distinct(found)
-
-
-_THROUGH = {"Cast": "operand", "Index": "array", "Assignment": "left"}
 
 
 def view_text(data: bytes, start: int, end: int) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any
 
 from robosmi.metamodels import ccode
 
@@ -40,12 +39,12 @@ def says_where(element: ccode.Located) -> bool:
     return isinstance(left, ccode.Member) or (isinstance(left, ccode.Index) and left.array is None)
 
 
-def value_in(element: Any) -> Any:
+def value_in(element: ccode.Expression | None) -> ccode.Expression | None:
     """The value of an element of an initialiser, whether it says its member or not."""
-    return element.right if says_where(element) else element
+    return element.right if isinstance(element, ccode.Assignment) and says_where(element) else element
 
 
-def leaves(expression: Any) -> Iterator[ccode.Expression]:
+def leaves(expression: ccode.Expression | None) -> Iterator[ccode.Expression]:
     """The values in an initialiser, those of nested lists too."""
     if isinstance(expression, ccode.InitializerList):
         for inner in expression.elements:
@@ -68,7 +67,7 @@ def members_given(
     record = record_of(use)
     if record is None or use is None:
         return
-    inside = [value_in(element) for element in initialiser.elements]
+    inside = [value for element in initialiser.elements if (value := value_in(element)) is not None]
     if use.arrayDims:
         inner = ccode.TypeUse(arrayDims=_DIMENSION.sub("", use.arrayDims, count=1) or None, declaration=record)
         for one in inside:

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
-from typing import Any
 
 from robosmi.metamodels import ccode
-from robosmi.query import all_of_kind
+from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 
 
@@ -96,7 +95,7 @@ def _outside(unit: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Located, str]]
         if callee is not None and not call.viaMacro and callee.linkage is not ccode.Linkage.defined:
             yield call.calleeName, call, callee.header or ""
     for reference in all_of_kind(unit, ccode.NameReference):
-        target: Any = reference.target
+        target = reference.target
         if isinstance(target, (ccode.Function, ccode.ExternalSymbol)) and target.linkage is not ccode.Linkage.defined:
             yield reference.name, reference, target.header or ""
     for used in all_of_kind(unit, ccode.TypeUse):
@@ -104,8 +103,7 @@ def _outside(unit: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Located, str]]
             yield used.declaration.name, _place(used), used.declaration.header or ""
 
 
-def _place(use: ccode.TypeUse) -> Any:
-    element: Any = use
-    while not isinstance(element, ccode.Located):
-        element = element.eContainer()
-    return element
+def _place(use: ccode.TypeUse) -> ccode.Located:
+    place = ancestor_of_kind(use, ccode.Located)
+    assert place is not None
+    return place

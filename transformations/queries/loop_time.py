@@ -8,7 +8,7 @@ and is named.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.model.strict import Element
@@ -99,7 +99,7 @@ class LoopTimes:
         self._functions: dict[int, Time] = {}
         self._depth = 0
 
-    def of(self, element: Any) -> Time:
+    def of(self, element: Element | None) -> Time:
         """The time of a statement or expression, nothing for None."""
         if element is None:
             return NOTHING
@@ -145,7 +145,7 @@ class LoopTimes:
         step = loop.step if isinstance(loop, ccode.For) else None
         once = self.of(loop.condition).then(self.of(loop.body)).then(self.of(step))
         first = self.of(loop.initial) if isinstance(loop, ccode.For) else NOTHING
-        if isinstance(loop, ccode.For) and (trips := self._trips(loop)) is not None:
+        if isinstance(loop, ccode.For) and loop.body is not None and (trips := self._trips(loop)) is not None:
             early = any(isinstance(e, (ccode.Break, ccode.Return, ccode.Goto)) for e in all_contents(loop.body))
             return first.then(once.times(0 if early else trips, trips))
         if loop.condition is not None and [v.number for v in self._values.of(loop.condition)] == [0]:  # do { ... } while (0)

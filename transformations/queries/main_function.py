@@ -7,7 +7,7 @@ it, or why the whole body has to stay in one piece, which is always correct. It 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind, ancestor_of_kind
@@ -136,7 +136,8 @@ def _obstacle(structure: MainStructure) -> str:
 
 def _jumps(structure: MainStructure) -> str:
     """Which jump leads from one part of main to another, or an empty text."""
-    parts: dict[str, list[Any]] = {"before": structure.before, "in": [structure.loop], "behind": structure.after}
+    loop = [structure.loop] if structure.loop is not None else []
+    parts: dict[str, list[ccode.Statement]] = {"before": structure.before, "in": [*loop], "behind": structure.after}
     labels = {
         str(inner.name): part
         for part, statements in parts.items()

@@ -7,10 +7,8 @@ them is decided in the plan.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 from robosmi.metamodels import ccode
-from robosmi.model.strict import Element
 from robosmi.query import all_contents
 from robosmi.typed import fresh
 
@@ -62,10 +60,10 @@ def main_structure(unit: ccode.SourceUnit) -> MainStructure | None:
         return None
     body = function.body
     statements = list(body.statements) if body is not None else []
-    number = next((i for i, s in enumerate(statements) if isinstance(s, (ccode.While, ccode.For)) and s.endless), None)
-    if number is None:
+    endless = ((i, s) for i, s in enumerate(statements) if isinstance(s, (ccode.While, ccode.For)) and s.endless)
+    number, loop = next(endless, (0, None))
+    if loop is None:
         return MainStructure(function, before=statements)
-    loop: Any = statements[number]
     before = statements[:number]
     locals_ = [
         v for s in before if isinstance(s, ccode.DeclarationStatement) for v in s.declarations if isinstance(v, ccode.Variable)
@@ -74,11 +72,11 @@ def main_structure(unit: ccode.SourceUnit) -> MainStructure | None:
     return MainStructure(function, loop, before, statements[number + 1 :], hoisted, exits(loop))
 
 
-def _inside(loop: Any, reference: Any) -> bool:
+def _inside(loop: ccode.Located, reference: ccode.Located) -> bool:
     return bool(loop.startOffset <= reference.startOffset < loop.endOffset)
 
 
-def _in_macro(unit: ccode.SourceUnit, loop: Element, variable: ccode.Variable) -> bool:
+def _in_macro(unit: ccode.SourceUnit, loop: ccode.Loop, variable: ccode.Variable) -> bool:
     """Whether a macro that is used in the loop names the variable in its body."""
     import re
 
@@ -89,7 +87,7 @@ def _in_macro(unit: ccode.SourceUnit, loop: Element, variable: ccode.Variable) -
     )
 
 
-def exits(loop: Element) -> list[LoopExit]:
+def exits(loop: ccode.Loop) -> list[LoopExit]:
     """The breaks, returns and gotos that leave a loop, in text order."""
     return sorted((LoopExit(_KINDS[type(e)], int(e.line)) for e in ways_out(loop)), key=lambda e: e.line)
 
@@ -97,7 +95,7 @@ def exits(loop: Element) -> list[LoopExit]:
 _KINDS: dict[type, str] = {ccode.Break: "break", ccode.Return: "return", ccode.Goto: "goto"}
 
 
-def ways_out(loop: Any) -> list[ccode.Statement]:
+def ways_out(loop: ccode.Loop) -> list[ccode.Statement]:
     """The statements in a loop that leave it, in text order."""
     found: list[ccode.Statement] = []
     labels = {str(e.name) for e in all_contents(loop) if isinstance(e, ccode.Label)}

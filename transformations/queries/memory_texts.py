@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
-from typing import Any
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import all_contents
@@ -62,7 +61,7 @@ def _copied(variable: ccode.Variable, ignored: set[int]) -> bool:
     return any(way(each) not in ("read", "written", "size") and not is_ignored(each, ignored) for each in variable.references)
 
 
-def _constant(initializer: Any) -> bool:
+def _constant(initializer: ccode.Expression) -> bool:
     return not any(isinstance(each, (ccode.NameReference, ccode.Call)) for each in all_contents(initializer))
 
 

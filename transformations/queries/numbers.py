@@ -138,7 +138,7 @@ class Numbers:
         self.symbols = symbols
         self._known: dict[int, Number | None] = {}
 
-    def of(self, expression: Any) -> Number | None:
+    def of(self, expression: ccode.Expression | None) -> Number | None:
         """The type of an expression, None where the model does not say it or where it is no number."""
         pending = [expression]
         while pending:  # operands first; no recursion, for expressions nest
@@ -152,9 +152,12 @@ class Numbers:
                 self._known[id(one)] = self._rule(one)
         return self._known[id(expression)]
 
-    def _rule(self, expression: Any) -> Number | None:
+    def _rule(self, expression: ccode.Expression | None) -> Number | None:
         rule = _RULES.get(type(expression).__name__)
         return rule(self, expression) if rule is not None else self.typed(type_of(expression, self.functions))
+
+    def _assigned(self, assignment: ccode.Assignment) -> Number | None:
+        return self._given(assignment.left)
 
     def typed(self, kind: ValueType | None) -> Number | None:
         """The number that a type is on this machine; an enumeration is an int."""
@@ -229,7 +232,7 @@ class Numbers:
         return found
 
 
-def _operands(expression: ccode.Expression) -> tuple[ccode.Expression | None, ...]:
+def _operands(expression: ccode.Expression | None) -> tuple[ccode.Expression | None, ...]:
     """What an expression's type depends on."""
     if isinstance(expression, ccode.Binary):
         return (expression.left, expression.right)
@@ -247,7 +250,7 @@ _RULES: dict[str, Callable[[Numbers, Any], Number | None]] = {
     "SizeOf": lambda self, _: Number(self.machine.pointer_bits, False),
     "Binary": Numbers._binary,
     "Unary": Numbers._unary,
-    "Assignment": lambda self, assignment: self._given(assignment.left),
+    "Assignment": Numbers._assigned,
     "ConditionalExpression": Numbers._conditional,
     "NameReference": Numbers._name,
 }

@@ -110,7 +110,7 @@ def element_title(element: ccode.Located) -> str:
     kind = type(element).__name__
     if isinstance(element, ccode.Include):
         return f"#include {'<' if element.system else chr(34)}{element.header}{'>' if element.system else chr(34)}"
-    name = getattr(element, "name", "") if isinstance(element, (ccode.Declaration, ccode.Macro)) else ""
+    name = element.name if isinstance(element, (ccode.Declaration, ccode.Macro)) else ""
     return f"{kind} {name}" if name else kind
 
 

@@ -44,11 +44,11 @@ class PortMasks:
 
     def values(self, expression: Element | None) -> list[Value]:
         """The values of an expression as `Values` reads them in its unit."""
-        return self._values[id(ancestor_of_kind(expression, ccode.SourceUnit))].of(expression)
+        return self._values[_unit(expression)].of(expression)
 
     def numbers(self, expression: Element | None) -> set[int] | None:
         """The numbers that an expression may be, None where the text does not say them."""
-        reached = self._reached[id(ancestor_of_kind(expression, ccode.SourceUnit))]
+        reached = self._reached[_unit(expression)]
         for known in (self.values(expression), reached.of(expression)):
             found = {value.number for value in known}
             if None not in found:
@@ -174,8 +174,7 @@ class PortMasks:
     def _bounded(self, stepped: ccode.Expression | None, found: int) -> int | None:
         """The bits of a mask that is shifted again and again, up to what it is compared with."""
         target = stepped.target if isinstance(stepped, ccode.NameReference) else None
-        unit = ancestor_of_kind(stepped, ccode.SourceUnit)
-        compared = self._reached[id(unit)].bounds(target) if target is not None else ()
+        compared = self._reached[_unit(stepped)].bounds(target) if target is not None else ()
         bounds = [n - (o in ("<", "!=")) for o, n, _ in compared if o not in (">", ">=") and n > 0]
         return found & ((1 << max(bounds).bit_length()) - 1) if bounds else None
 
@@ -202,6 +201,11 @@ _RULES: dict[str, Callable[[PortMasks, Any], int | None]] = {
     "Cast": PortMasks._cast,
     "ConditionalExpression": PortMasks._conditional,
 }
+
+
+def _unit(expression: Element | None) -> int:
+    """The identity of the unit that an expression stands in."""
+    return id(ancestor_of_kind(expression, ccode.SourceUnit) if expression is not None else None)
 
 
 def union(parts: Iterable[int | None]) -> int | None:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 from robosmi.metamodels import ccode, platform
 from robosmi.query import ancestor_of_kind
@@ -171,12 +170,13 @@ def _given_by(call: ccode.Call, parameter: PinParameter, values: Values) -> set[
     return {None if value.number is None else pin_number(value.number) for value in known}
 
 
-def _result(expression: Any) -> Any:
+def _result(expression: ccode.Located) -> ccode.Located | None:
     """What has the value that an expression computes: of one that steps a variable, the variable."""
     if isinstance(expression, ccode.Assignment):
         return expression.left
-    steps = isinstance(expression, ccode.Unary) and str(expression.operator) in ("++", "--")
-    return expression.operand if steps else expression
+    if isinstance(expression, ccode.Unary) and expression.operator in ("++", "--"):
+        return expression.operand
+    return expression
 
 
 def _reached(through: Sequence[FlowPorts], bits: Sequence[PinUse]) -> Iterator[tuple[int, ccode.Located]]:
@@ -234,7 +234,8 @@ def _constant(argument: ccode.Expression | None) -> tuple[str, ccode.Located] | 
     unit = ancestor_of_kind(argument, ccode.SourceUnit)
     units = list(unit.program.units) if unit is not None and unit.program is not None else []
     macros = [m for u in units for m in u.macros if m.name == argument.name and not m.functionLike]
-    expanded = getattr(argument.eContainer(), "viaMacro", False)
+    around = argument.eContainer()
+    expanded = isinstance(around, ccode.Call) and around.viaMacro
     return (str(macros[0].name), macros[0]) if target is None and macros and not expanded else None
 
 

@@ -53,7 +53,7 @@ class Ranges:
         self._known: dict[int, Range | None] = {}
         self._depth = 0
 
-    def of(self, expression: Any) -> Range | None:
+    def of(self, expression: ccode.Expression | None) -> Range | None:
         """The range of an expression, None where the text does not say it."""
         key = id(expression)
         if key not in self._known:
@@ -67,7 +67,7 @@ class Ranges:
                 self._depth -= 1
         return self._known[key]
 
-    def _rule(self, expression: Element | None) -> Range | None:
+    def _rule(self, expression: ccode.Expression | None) -> Range | None:
         rule = _RULES.get(type(expression).__name__)
         found = rule(self, expression) if rule is not None else None
         if found is not None:
@@ -165,15 +165,20 @@ class Ranges:
                 return None
         return _union(found)
 
-    def _seen_elsewhere(self, variable: Any) -> bool:
+    def _assigned(self, assignment: ccode.Assignment) -> Range | None:
+        return self.of(assignment.right) if assignment.operator == "=" else None
+
+    def _seen_elsewhere(self, variable: ccode.Variable | ccode.Parameter) -> bool:
         """Whether another file may write a variable, by a declaration of its own."""
-        if not isinstance(variable.eContainer(), ccode.SourceUnit) or variable.storage is ccode.Storage.staticStorage:
+        if not isinstance(variable, ccode.Variable) or not isinstance(variable.eContainer(), ccode.SourceUnit):
+            return False
+        if variable.storage is ccode.Storage.staticStorage:
             return False
         return variable.storage is ccode.Storage.externStorage or variable.name in self._shared
 
     def _counted(self, step: ccode.Unary, variable: ccode.Declaration) -> Range | None:
         """Where a for loop lets its counter come to: the bound of its condition."""
-        loop: Any = step.eContainer()
+        loop = step.eContainer()
         up = step.operator == "++"
         if not isinstance(loop, ccode.For) or loop.step is not step:
             return None
@@ -241,5 +246,5 @@ _RULES: dict[str, Callable[[Ranges, Any], Range | None]] = {
     "Cast": Ranges._cast,
     "NameReference": Ranges._name,
     "Index": Ranges._index,
-    "Assignment": lambda self, assignment: self.of(assignment.right) if assignment.operator == "=" else None,
+    "Assignment": Ranges._assigned,
 }

@@ -6,9 +6,8 @@ compared, tested, used as an index or given to a function that is not followed.
 
 from __future__ import annotations
 
-from typing import Any
-
 from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.flow_reader import FlowReader
@@ -59,9 +58,9 @@ class ValueUses:
         if why:
             self.reader.flows.keep(self.reader.value(expression), why, computed=gives_access(expression))
 
-    def _why_kept(self, expression: ccode.Expression, parent: Any, view: CodeView) -> str:
+    def _why_kept(self, expression: ccode.Expression, parent: Element | None, view: CodeView) -> str:
         kind = type(parent).__name__
-        if kind in _HARMLESS or (kind == "Index" and parent.array is expression):
+        if kind in _HARMLESS or (isinstance(parent, ccode.Index) and parent.array is expression):
             return ""
         name = f"'{expression.name}'" if isinstance(expression, ccode.NameReference) else "it"
         line = f"(line {expression.line})"

@@ -370,7 +370,7 @@ def _start(loop: ccode.For, variable: ccode.Variable) -> ccode.Expression | None
     return None
 
 
-def passed_arguments(parameter: ccode.Parameter) -> list[Element]:
+def passed_arguments(parameter: ccode.Parameter) -> list[ccode.Expression]:
     """The arguments that callers pass for a parameter, in text order."""
     function = parameter.eContainer()
     if not isinstance(function, ccode.Function):
@@ -380,10 +380,10 @@ def passed_arguments(parameter: ccode.Parameter) -> list[Element]:
     return [list(c.arguments)[position] for c in calls if position < len(c.arguments)]
 
 
-def passed_arrays(parameter: ccode.Parameter) -> list[Element]:
+def passed_arrays(parameter: ccode.Parameter) -> list[ccode.Expression]:
     """What callers pass for a parameter, where they pass on a parameter of their own what is passed for that; each array once."""
-    found: dict[int, Element] = {}
-    pending: list[Element] = list(reversed(passed_arguments(parameter)))
+    found: dict[int, ccode.Expression] = {}
+    pending = list(reversed(passed_arguments(parameter)))
     seen = {id(parameter)}
     while pending:
         argument = pending.pop()

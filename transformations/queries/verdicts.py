@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
+from robosmi.transformations.queries.code import name_of
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.text_changes import CARRIED_OVER
 from robosmi.transformations.queries.waiting_calls import open_conventions
@@ -129,8 +130,9 @@ _KINDS = {
 def _line(element: ccode.Located, unit: ccode.SourceUnit | None) -> int:
     if unit is not None:
         return int(element.line)
-    uses = [*(element.calls if isinstance(element, ccode.Function) else []), *getattr(element, "references", ())]
-    return min((int(use.line) for use in uses), default=0)
+    uses: list[ccode.Located] = [*element.calls] if isinstance(element, ccode.Function) else []
+    uses += element.references if isinstance(element, ccode.Declaration) else []
+    return min((use.line for use in uses), default=0)
 
 
 class _Judge:
@@ -191,7 +193,7 @@ class _Judge:
 
     def _elsewhere(self, disposition: migration.Disposition) -> Judged:
         """The verdict on what is declared elsewhere: that of its adapter."""
-        name = str(getattr(disposition.element, "name", ""))
+        name = name_of(disposition.element)
         if isinstance(disposition.element, ccode.Function) and name in self.uses:
             return self._use(self.uses[name])
         if name in self.symbols:

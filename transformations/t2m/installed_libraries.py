@@ -14,7 +14,6 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from robosmi import inputs
 from robosmi.data_text import Json, json_of
@@ -22,6 +21,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.recommend.words import chunks, words
 from robosmi.transformations.t2m.library_declarations import declarations
+from robosmi.transformations.t2m.library_rows import HeaderRow, LibraryRow
 from robosmi.typed import fresh
 
 HEADERS = (".h", ".hpp", ".hh")
@@ -50,7 +50,7 @@ class Found:
         skipped: path -> why it was left out.
     """
 
-    rows: list[dict[str, Any]] = fresh(list)
+    rows: list[LibraryRow] = fresh(list)
     skipped: dict[str, str] = fresh(dict)
 
 
@@ -106,7 +106,7 @@ def _entries(folder: Path, found: Found) -> list[Path]:
         return []
 
 
-def _library(folder: Path, found: Found) -> dict[str, Any] | None:
+def _library(folder: Path, found: Found) -> LibraryRow | None:
     said = _declared(folder, found)
     inner = folder / "src"
     files = [path for path in _entries(inner if inner.is_dir() else folder, found) if path.suffix.lower() in HEADERS]
@@ -125,11 +125,12 @@ def _library(folder: Path, found: Found) -> dict[str, Any] | None:
     main = main or [path.name for path in headers if _bears(path.stem, name) or _bears(path.stem, folder.name)]
     main = main or [path.name for path in headers if len(headers) <= 3] or [headers[0].name]
     read = [_header(path, path.name in main, found) for path in sorted(headers, key=lambda p: (p.name not in main, p.name))]
-    facts = [header for header in read[:_MOST_HEADERS] if header is not None]
+    known = [each for each in read[:_MOST_HEADERS] if each is not None]
+    facts = [header for header, _ in known]
     if not any(header["main"] for header in facts):
         found.skipped[str(folder)] = "none of its main headers can be read"
         return None
-    classes = {each for header in facts for each in header.pop("classes") if header["main"]}
+    classes = {each for header, names in known for each in names if header["main"]}
     keywords, declared = _keywords(folder)
     start = [path for path in headers if any(header["main"] and header["file"] == path.name for header in facts)]
     return {
@@ -184,22 +185,24 @@ def _from_manifest(data: dict[str, Json]) -> dict[str, str]:
     }  # fmt: skip
 
 
-def _header(path: Path, main: bool, found: Found) -> dict[str, Any] | None:
+def _header(path: Path, main: bool, found: Found) -> tuple[HeaderRow, list[str]] | None:
+    """The facts of a header, and the names of its classes."""
     text = _text(path, found)
     if text is None:
         return None
     code = _NOT_CODE.sub(" ", text)
     identifiers = Counter(word for word in words(code) if not word.isdigit() and word not in _KEYWORDS)
-    return {
+    row: HeaderRow = {
         "file": path.name, "main": main, "includes": sorted(set(_INCLUDE.findall(text))),
         "raw": dict(Counter(chunks(text.lower())).most_common(_MOST_WORDS)),
-        "idents": dict(identifiers.most_common(_MOST_WORDS)), "classes": _CLASS.findall(code),
+        "idents": dict(identifiers.most_common(_MOST_WORDS)),
     }  # fmt: skip
+    return row, _CLASS.findall(code)
 
 
-def _api(main: list[Path], root: Path, found: Found) -> list[dict[str, Any]]:
+def _api(main: list[Path], root: Path, found: Found) -> list[dict[str, Json]]:
     """What the main headers declare, and the headers of the library that they include, directly or not."""
-    rows = []
+    rows: list[dict[str, Json]] = []
     known: dict[Path, str] = {path.resolve(): path.name for path in main}  # header -> the main one that leads to it
     waiting = list(main)
     for path in waiting:  # grows while it is walked: breadth first
@@ -208,7 +211,8 @@ def _api(main: list[Path], root: Path, found: Found) -> list[dict[str, Any]]:
             continue
         leads = known[path.resolve()]
         rows.append({"header": path.name, "main": leads} | declarations(text.encode("utf-8", "replace")))
-        for name in _INCLUDE.findall(_COMMENT.sub(" ", text)):
+        names: list[str] = _INCLUDE.findall(_COMMENT.sub(" ", text))
+        for name in names:
             for place in (path.parent / name, root / name):
                 if len(waiting) < _MOST_HEADERS and os.path.isfile(place):  # False for what is no name of a file, too
                     real = place.resolve()

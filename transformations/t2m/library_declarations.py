@@ -9,8 +9,8 @@ declaration. Nothing here nests: open brackets and scopes are kept in lists.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.transformations.knowledge.api_spelling import joined
 from robosmi.transformations.knowledge.api_tokens import (
     MOST_NAMES,
@@ -36,11 +36,22 @@ _NO_NAMES = frozenset(["if", "for", "while", "switch", "return", "sizeof", "defi
 
 
 @dataclass
+class _Class:
+    """A class; of each constructor its parameters, of each method its name, parameters, type, and `static` if it is."""
+
+    name: str
+    kind: str
+    bases: list[str]
+    constructors: list[str] = fresh(list)
+    methods: list[list[str]] = fresh(list)
+
+
+@dataclass
 class _Scope:
     """An open `{`: a namespace (also `extern "C"`), or a class with its entry."""
 
     name: str
-    entry: dict[str, Any] | None = None
+    entry: _Class | None = None
     public: bool = True
     own: str = ""
 
@@ -49,7 +60,7 @@ class _Scope:
 class _Scan:
     """What was found so far."""
 
-    classes: list[dict[str, Any]] = fresh(list)
+    classes: list[_Class] = fresh(list)
     functions: list[list[str]] = fresh(list)
     constants: dict[str, str] = fresh(dict)
     enums: dict[str, list[str]] = fresh(dict)
@@ -64,7 +75,7 @@ class _Scan:
         return "::".join([*(scope.name for scope in self.scopes if scope.name), name])
 
 
-def declarations(data: bytes) -> dict[str, Any]:
+def declarations(data: bytes) -> dict[str, Json]:
     """What a header declares, in the form of a row of facts: `classes`, `functions`, `constants`, `enums`.
 
     Args:
@@ -75,8 +86,8 @@ def declarations(data: bytes) -> dict[str, Any]:
     at = 0
     while at < len(parts):
         at = _statement(parts, at, scan)
-    used = [c for c in scan.classes if c["kind"] == "class" or c["methods"] or c["constructors"]]
-    return {"classes": used, "functions": scan.functions, "constants": scan.constants, "enums": scan.enums}
+    used = [c for c in scan.classes if c.kind == "class" or c.methods or c.constructors]
+    return {"classes": [vars(c) for c in used], "functions": scan.functions, "constants": scan.constants, "enums": scan.enums}
 
 
 def _opened(parts: list[Part], opening: int, scope: _Scope, scan: _Scan) -> int:
@@ -188,9 +199,7 @@ def _class(parts: list[Part], at: int, opening: int, scan: _Scan) -> int:
             current.append(part)
     bases += [joined(current)] if current else []
     shown = bool(name) and scan.visible() and len(scan.classes) < MOST_NAMES
-    entry: dict[str, Any] = {
-        "name": scan.qualified(name), "kind": kind, "bases": bases, "constructors": [], "methods": [],
-    }  # fmt: skip
+    entry = _Class(scan.qualified(name), kind, bases)
     if shown and kind != "union":
         scan.classes.append(entry)
     return _opened(parts, opening, _Scope(name, entry, kind != "class", name), scan)
@@ -308,12 +317,12 @@ def _note(scan: _Scan, name: str, parameters: str, returned: str, static: bool) 
         if returned and len(scan.functions) < MOST_NAMES:
             scan.functions.append([scan.qualified(name), parameters, returned])
         return
-    if len(around.entry["methods"]) >= MOST_NAMES:
+    if len(around.entry.methods) >= MOST_NAMES:
         return
     if name == around.own and not returned:
-        around.entry["constructors"].append(parameters)
+        around.entry.constructors.append(parameters)
     elif returned or name.startswith("operator"):
-        around.entry["methods"].append([name, parameters, returned, *(["static"] if static else [])])
+        around.entry.methods.append([name, parameters, returned, *(["static"] if static else [])])
 
 
 def _without_attributes(head: list[Part]) -> list[Part]:

@@ -12,11 +12,11 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from robosmi.data_text import Json, json_of
+from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import RobosmiError, SourceError, UsageError
 from robosmi.model.packed_lines import packed_lines
@@ -24,6 +24,7 @@ from robosmi.recommend.index_writer import write_index
 from robosmi.recommend.library_api import HeaderApi
 from robosmi.recommend.library_record import HeaderRecord, LibraryRecord
 from robosmi.transformations.t2m.library_api_facts import header_api, read_api
+from robosmi.transformations.t2m.library_rows import LibraryRow
 
 _ADDRESS = re.compile(r"\s*[<(][^<>()]*@[^<>()]*[>)]|\S+@\S+")
 _FIX = "take a file that has one library a line, as the README beside the index says"
@@ -49,12 +50,12 @@ def build(index_jsonl_gz: Path, target: Path, api_jsonl_gz: Path | None = None) 
     target.parent.mkdir(parents=True, exist_ok=True)
     api = read_api(api_jsonl_gz) if api_jsonl_gz is not None else {}
     try:
-        return write_index(target, (_library(row, api.get(row["name"], ())) for row in _rows(index_jsonl_gz)))
+        return write_index(target, (_library(row, [*own, *api.get(row["name"], ())]) for row, own in _rows(index_jsonl_gz)))
     except UsageError as error:
         raise SourceError(error.message, location=Location(str(index_jsonl_gz)), fix=_FIX) from error
 
 
-def _rows(path: Path) -> Iterator[dict[str, Any]]:
+def _rows(path: Path) -> Iterator[tuple[LibraryRow, list[HeaderApi]]]:
     place = Location(str(path))
     number = 0
     try:
@@ -67,8 +68,9 @@ def _rows(path: Path) -> Iterator[dict[str, Any]]:
         raise SourceError(f"cannot be read: {error}", location=place, fix=_FIX) from error
 
 
-def _checked(row: Any, place: Location) -> dict[str, Json]:
-    """The row, if it has what an index needs."""
+def _checked(row: Any, place: Location) -> tuple[LibraryRow, list[HeaderApi]]:
+    """The row, if it has what an index needs, and what its headers declare."""
+    library: LibraryRow = row
     if not isinstance(row, dict) or not isinstance(row.get("name"), str) or not row["name"]:
         raise SourceError("this line is not a library with a name", location=place, fix=_FIX)
     if not _texts(row.get("main")) or not row["main"]:
@@ -82,20 +84,19 @@ def _checked(row: Any, place: Location) -> dict[str, Json]:
     if not all(isinstance(tf, int) and tf > 0 for item in headers for tf in item["raw"].values()):
         raise SourceError(f"a count of a word of '{row['name']}' is not a whole number above 0", location=place, fix=_FIX)
     try:
-        row["api"] = [header_api(item) for item in row.get("api") or ()]
+        return library, [header_api(item) for item in row.get("api") or ()]
     except (ValueError, TypeError) as error:
         raise SourceError(f"what '{row['name']}' declares has another form: {error}", location=place, fix=_FIX) from error
-    return row
 
 
 def _texts(value: object) -> bool:
     return isinstance(value, list) and all(isinstance(item, str) and "\n" not in item for item in value)
 
 
-def _library(row: Mapping[str, Any], api: Sequence[HeaderApi]) -> LibraryRecord:
-    repo, commit, folder = (str(row.get(key) or "") for key in ("repo", "commit", "path"))
+def _library(row: LibraryRow, api: Sequence[HeaderApi]) -> LibraryRecord:
+    repo, commit, folder = row.get("repo") or "", row.get("commit") or "", row.get("path") or ""
     headers = [
-        HeaderRecord(item["file"], bool(item["main"]), item["raw"], item.get("idents") or {}, item.get("includes") or ())
+        HeaderRecord(item["file"], bool(item["main"]), item["raw"], item.get("idents") or {}, item.get("includes") or [])
         for item in row["headers"]
     ]
     return LibraryRecord(
@@ -103,8 +104,8 @@ def _library(row: Mapping[str, Any], api: Sequence[HeaderApi]) -> LibraryRecord:
         version=str(row.get("version") or ""),
         author=_ADDRESS.sub("", str(row.get("author") or "")).strip(" ,"),  # people's addresses are nobody's business here
         category=str(row.get("category") or ""),
-        architectures=tuple(row.get("architectures") or ()),
-        depends=tuple(row.get("depends") or ()),
+        architectures=tuple(row.get("architectures") or []),
+        depends=tuple(row.get("depends") or []),
         url=str(row.get("url") or ""),
         license=str(row.get("license") or ""),
         origin=f"{repo}@{commit}:{folder}" if repo else "",
@@ -112,11 +113,11 @@ def _library(row: Mapping[str, Any], api: Sequence[HeaderApi]) -> LibraryRecord:
         headers=headers,
         said=row.get("meta_terms") or {},
         keywords=row.get("keyword_terms") or {},
-        classes=tuple(row.get("keyword_classes") or ()),
+        classes=tuple(row.get("keyword_classes") or []),
         copies=int(row.get("copies") or 1),
         in_registry=bool(row.get("in_registry")),
         installed=bool(row.get("installed")),
-        api=[header for header in (*row["api"], *api) if header],
+        api=[header for header in api if header],
     )
 
 

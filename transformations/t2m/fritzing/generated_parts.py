@@ -16,15 +16,13 @@ def generated_part(part_id: str, known: PartNames | None = None) -> Part | None:
     boards of holes have none of their own, those that a drawing uses are told by the drawing.
     """
     for shape in (known or names()).generated:
-        if shape.get("tool", TOOL) != TOOL:
+        if shape.tool not in ("", TOOL):
             continue
-        holes = any(text in part_id for text in shape.get("contains", ()))
-        if not holes and not part_id.startswith(tuple(shape.get("prefixes", ()))):
+        holes = any(text in part_id for text in shape.contains)
+        if not holes and not part_id.startswith(shape.prefixes):
             continue
         count = 0 if holes else next((int(piece) for piece in part_id.split("_") if piece.isdecimal() and len(piece) < 4), 0)
         if count or holes:
             connectors = {f"connector{i}": PartConnector(f"connector{i}", f"pin {i + 1}", "unknown") for i in range(count)}
-            return Part(
-                part_id, shape["title"], shape["family"], connectors=connectors, source="the part's generated id", tool=TOOL
-            )
+            return Part(part_id, shape.title, shape.family, connectors=connectors, source="the part's generated id", tool=TOOL)
     return None
