@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from robosmi.chain import Chain
 from robosmi.chain.run import Progress
+from robosmi.data_text import Json
 from robosmi.diagnostics import Finding
 from robosmi.inputs import read_once
 from robosmi.metamodels import hardware as hw
@@ -16,7 +16,8 @@ from robosmi.metamodels import migration, platform
 from robosmi.resources import project_of_input
 from robosmi.transformations.chains.reading import HEADERS_ONLY, NO_BOARD, Drawing, read_drawing
 from robosmi.transformations.constraints.electrical import electrical_findings
-from robosmi.transformations.queries.circuit import boards, hardware_report, of_board, the_board
+from robosmi.transformations.queries.circuit import boards, hardware_report, of_board, pin_label, the_board
+from robosmi.transformations.queries.connector_names import told_name, told_names
 
 
 @dataclass(frozen=True)
@@ -26,33 +27,28 @@ class HardwareAnalysis:
     circuit: hw.Circuit
     connections: Sequence[migration.Connection]
     board_models: Mapping[str, platform.Board]
-    result: dict[str, Any]
+    result: dict[str, Json]
     findings: list[Finding]
 
     def lines(self) -> list[str]:
         """What a person reads: the components with their roles, what only passes a signal on, and the wiring table."""
-        titles = ", ".join(b["title"] for b in self.result["boards"])
+        drawn = boards(self.circuit)
+        titles = ", ".join(b.title for b in drawn)
         shown = [c for c in self.circuit.components if c.role not in (hw.Role.Decoration, hw.Role.Passive)]
         between = [c for c in self.circuit.components if c.role is hw.Role.Passive]
-        counts = f"{len(self.result['components'])} components, {len(self.result['mappings'])} connections"
+        counts = f"{len(self.circuit.components)} components, {len(self.connections)} connections"
         lines = [f"{titles or 'no board'}: {counts}", ""]
         rows = [(_title(c), c.partTitle or c.partId, c.role.name + (", driver" if c.driver else "")) for c in shown]
         lines += table(("component", "part", "role"), rows)
         if between:
             lines.append(f"  in between: {', '.join(_title(c) for c in between)}")
-        boards = {b["model_index"]: b["title"] for b in self.result["boards"]}
-        wires = [
-            (
-                f"{boards[m['board_model_index']]} {m['pin']}" if len(boards) > 1 else m["pin"],
-                m["name"],
-                m["signal"],
-                " ".join(filter(None, (m["component"] or f"#{m['component_model_index']}", _in_brackets(m["connectors"])))),
-                ", ".join(v["title"] for v in m["via"]),
-            )
-            for m in self.result["mappings"]
-        ]
-        if not boards:
-            return [*lines, "", *table(("net", "pins"), [(_net_name(net), _pins(net)) for net in self.result["nets"]])]
+        if not drawn:
+            return [
+                *lines,
+                "",
+                *table(("net", "pins"), [(net.title or net.voltage or net.name, _pins(net)) for net in self.circuit.nets]),
+            ]
+        wires = [_wire(connection, len(drawn) > 1) for connection in self.connections]
         return [*lines, "", *table(("pin", "name", "signal", "wired to", "through"), wires)]
 
     def picture(self) -> str:
@@ -86,17 +82,24 @@ def _title(component: hw.Component) -> str:
     return component.title or component.partTitle or f"#{component.elementId}"
 
 
-def _net_name(net: Mapping[str, Any]) -> str:
-    return str(net["title"] or net["voltage"] or net["name"])
+def _wire(connection: migration.Connection, several: bool) -> tuple[str, str, str, str, str]:
+    """A row of the wiring table; of several boards the pin says which is meant."""
+    board = connection.boardConnectors[0].component if connection.boardConnectors else None
+    component = connection.component
+    names = ", ".join(filter(None, told_names(connection.connectors)))
+    wired_to = component.title or f"#{component.elementId}" if component is not None else "#"
+    return (
+        f"{board.title} {pin_label(connection)}" if several and board is not None else pin_label(connection),
+        connection.name,
+        connection.signal.name,
+        f"{wired_to} ({names})" if names else wired_to,
+        ", ".join(c.title for c in connection.via),
+    )
 
 
-def _pins(net: Mapping[str, Any]) -> str:
-    return ", ".join(f"{c['component'] or '#' + c['component_model_index']} {c['name'] or c['id']}" for c in net["connectors"])
-
-
-def _in_brackets(connectors: Sequence[Mapping[str, str]]) -> str:
-    told = ", ".join(name for c in connectors if (name := c["name"]))
-    return f"({told})" if told else ""
+def _pins(net: hw.Net) -> str:
+    placed = [(c, c.component) for c in net.connectors if c.component is not None]
+    return ", ".join(f"{part.title or '#' + part.elementId} {told_name(c) or c.connectorId}" for c, part in placed)
 
 
 def hardware_chain() -> Chain:

@@ -18,7 +18,7 @@ from robosmi.transformations.m2t.circuit_picture import svg
 from robosmi.transformations.m2t.first_screen import Counted, counted, first_screen, task_place
 from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO, by_severity
 from robosmi.transformations.queries.answers import answer
-from robosmi.transformations.queries.choices import Choice, choices, choices_json
+from robosmi.transformations.queries.choices import Choice, OfferedChoice, Option, choices, offered_choices
 from robosmi.transformations.queries.connector_names import told_names
 from robosmi.transformations.queries.plan import said
 from robosmi.transformations.queries.source_lines import line_of
@@ -45,7 +45,7 @@ def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Co
 
 def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: str) -> dict[str, Any]:
     """Each choice with its answers: the open ones first."""
-    told = {each["id"]: each for each in choices_json(plan)}
+    told = {each.id: each for each in offered_choices(plan)}
     shown = [_choice(plan, one, told[one.id], sources, output) for one in choices(plan)]
     shown += [_role(told[identity], output) for identity in told if identity.startswith("role:")]
     open_ = [one for one in shown if one["open"]]
@@ -53,7 +53,7 @@ def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: 
     return {"open": open_, "made": [one for one in shown if not one["open"]], "wants_drawing": drawing}
 
 
-def _role(told: Mapping[str, Any], output: str) -> dict[str, Any]:
+def _role(told: OfferedChoice, output: str) -> dict[str, Any]:
     """The choice of what a component is for; it is never open, since a component of which nothing is known is taken as read."""
     return {
         "id": told["id"], "kind": "role", "subject": told["subject"], "open": False, "chosen": told["chosen"],
@@ -61,14 +61,14 @@ def _role(told: Mapping[str, Any], output: str) -> dict[str, Any]:
         "ranked": [], "command": f"robosmi choose {output} {told['id']}=ROLE",
         "drawn": [],
         "others": [
-            {"value": o["value"], "label": o["value"], "why": o["value"], "chosen": o["value"] == told["chosen"]}
-            for o in told["options"]
+            {"value": o.value, "label": o.value, "why": o.value, "chosen": o.value == told.chosen}
+            for o in told.options
         ],
     }  # fmt: skip
 
 
 def _choice(
-    plan: migration.MigrationPlan, one: Choice, told: Mapping[str, Any], sources: Mapping[str, bytes], output: str
+    plan: migration.MigrationPlan, one: Choice, told: OfferedChoice, sources: Mapping[str, bytes], output: str
 ) -> Mapping[str, Json]:
     decision, how = one.decision, answer(plan, one.decision)
     pins = {c.name: c for c in plan.connections}
@@ -76,24 +76,25 @@ def _choice(
     what = str(decision.what) if isinstance(decision, migration.PortBinding) else ""
     said = f"'{one.subject}' ({what})" if what else f"'{one.subject}'"
     libraries = {} if port else {c.name: c for c in decision.candidates}  # type: ignore[attr-defined]
-    options = [
-        {
-            "value": option["value"], "score": f"{option['score']:.2f}" if option["score"] else "", "why": option["why"],
-            "chosen": option["value"] == told["chosen"], "plain": not option["score"],
-            "label": _short(pins[option["value"]]) if option["value"] in pins else option["value"],
-            "title": _on(pins[option["value"]]) if option["value"] in pins else "",
-            "facts": _facts(libraries[option["value"]]) if option["value"] in libraries else "",
-        }
-        for option in told["options"]
-    ]  # fmt: skip
+
+    def answer_row(option: Option) -> dict[str, Json]:
+        known = option.value in pins
+        return {
+            "value": option.value, "score": f"{option.score:.2f}" if option.score else "", "why": option.why,
+            "chosen": option.value == told.chosen, "plain": not option.score,
+            "label": _short(pins[option.value]) if known else option.value, "title": _on(pins[option.value]) if known else "",
+            "facts": _facts(libraries[option.value]) if option.value in libraries else "",
+        }  # fmt: skip
+
+    plain = [option for option in told.options if not option.score]
     return {
         "id": one.id, "kind": one.kind, "subject": how.subject, "open": bool(decision.open), "chosen": told["chosen"] or "",
         "by": WHO[told["by"]], "at": told["at"] or "", "why": told["why"], "table": how.table,
         "title": f"Which pin is the port {said} on?" if port else f"Which library drives '{one.subject}'?",
         "line": line_of(decision.element, sources) if isinstance(decision, migration.PortBinding) else "",
-        "ranked": [option for option in options if not option["plain"]],
-        "drawn": [option for option in options if option["plain"] and option["value"] in pins],
-        "others": [option for option in options if option["plain"] and option["value"] not in pins],
+        "ranked": [answer_row(option) for option in told.options if option.score],
+        "drawn": [answer_row(option) for option in plain if option.value in pins],
+        "others": [answer_row(option) for option in plain if option.value not in pins],
         "command": f"robosmi choose {output} {one.id}={'PIN' if port else 'LIBRARY'}",
     }  # fmt: skip
 

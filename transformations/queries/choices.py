@@ -7,8 +7,9 @@ program does with the port, then `none`. What a choice is called in a command an
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
+from robosmi.data_text import Json
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.transformations.knowledge.part import GIVEN, ROLES
@@ -64,22 +65,63 @@ def _names(choice: Choice) -> tuple[str, ...]:
     return (choice.subject, f"#{component.elementId}") if component is not None else (choice.subject,)
 
 
-def choices_json(plan: migration.MigrationPlan) -> list[dict[str, Any]]:
-    """Every choice that a person may make in the contract's form; roles of components behind ports and libraries."""
+class Option(NamedTuple):
+    """An answer that a person may give: what to choose, how much speaks for it (0 to 1), and why."""
+
+    value: str
+    score: float
+    why: str
+
+
+class OfferedChoice(NamedTuple):
+    """A choice as a person sees it.
+
+    Attributes:
+        id: what commands call it.
+        kind: port, library or role.
+        subject: what it is about.
+        options: the answers, the best first.
+        chosen: the answer that holds, None where there is none.
+        by: who chose it, a literal of `migration.ChosenBy`.
+        at: when, None where that is not known.
+        why: what spoke for it.
+    """
+
+    id: str
+    kind: str
+    subject: str
+    options: list[Option]
+    chosen: str | None
+    by: str
+    at: str | None
+    why: str
+
+    def to_json(self) -> dict[str, Json]:
+        """The choice in the contract's form."""
+        return {**self._asdict(), "options": [option._asdict() for option in self.options]}
+
+
+def offered_choices(plan: migration.MigrationPlan) -> list[OfferedChoice]:
+    """Every choice that a person may make; roles of components behind ports and libraries."""
     made = [
-        {
-            "id": choice.id,
-            "kind": choice.kind,
-            "subject": choice.subject,
-            "options": list(_options(plan, choice.decision)),
-            "chosen": None if choice.decision.open else choice.decision.choice,
-            "by": choice.decision.chosenBy.name,
-            "at": choice.decision.chosenAt or None,
-            "why": "; ".join(choice.decision.evidence),
-        }
+        OfferedChoice(
+            id=choice.id,
+            kind=choice.kind,
+            subject=choice.subject,
+            options=list(_options(plan, choice.decision)),
+            chosen=None if choice.decision.open else choice.decision.choice,
+            by=choice.decision.chosenBy.name,
+            at=choice.decision.chosenAt or None,
+            why="; ".join(choice.decision.evidence),
+        )
         for choice in choices(plan)
     ]
     return made + [_role(component) for component in unclear_components(plan)]
+
+
+def choices_json(plan: migration.MigrationPlan) -> list[dict[str, Json]]:
+    """Every choice that a person may make in the contract's form."""
+    return [choice.to_json() for choice in offered_choices(plan)]
 
 
 def unclear_components(plan: migration.MigrationPlan) -> list[hardware.Component]:
@@ -89,26 +131,22 @@ def unclear_components(plan: migration.MigrationPlan) -> list[hardware.Component
     return [*(c for c in reached.values() if c.role is hardware.Role.Unknown), *given]
 
 
-def _role(component: hardware.Component) -> dict[str, Any]:
+def _role(component: hardware.Component) -> OfferedChoice:
     """The choice of a component's role: until a person says it, the component is taken for something that is read."""
     given = component.roleEvidence == GIVEN
-    return {
-        "id": f"role:{component.elementId}",
-        "kind": "role",
-        "subject": str(component.title),
-        "options": [
-            {"value": role, "score": 0.0, "why": ""}
-            for role in ROLES
-            if role not in ("Unknown", "Board")
-        ],
-        "chosen": component.role.name if given else hardware.Role.Input.name,
-        "by": migration.ChosenBy.person.name if given else migration.ChosenBy.defaultValue.name,
-        "at": None,
-        "why": GIVEN if given else "what it does is unknown; it is taken as something that is read",
-    }  # fmt: skip
+    return OfferedChoice(
+        id=f"role:{component.elementId}",
+        kind="role",
+        subject=component.title,
+        options=[Option(role, 0.0, "") for role in ROLES if role not in ("Unknown", "Board")],
+        chosen=component.role.name if given else hardware.Role.Input.name,
+        by=migration.ChosenBy.person.name if given else migration.ChosenBy.defaultValue.name,
+        at=None,
+        why=GIVEN if given else "what it does is unknown; it is taken as something that is read",
+    )
 
 
-def _options(plan: migration.MigrationPlan, decision: migration.Decision) -> Iterator[dict[str, Any]]:
+def _options(plan: migration.MigrationPlan, decision: migration.Decision) -> Iterator[Option]:
     ranked = [(str(o.label), float(o.score), "; ".join(o.reasons)) for o in decision.options]
     if isinstance(decision, migration.PortBinding):
         named = {c.name: c.pin for c in plan.connections}
@@ -126,7 +164,7 @@ def _options(plan: migration.MigrationPlan, decision: migration.Decision) -> Ite
     chosen = "" if decision.open else str(decision.choice)
     if chosen and all(value != chosen for value, _, _ in ranked):
         ranked.insert(0, (chosen, float(decision.confidence), "; ".join(decision.evidence)))
-    yield from ({"value": value, "score": score, "why": why} for value, score, why in ranked)
+    yield from (Option(value, score, why) for value, score, why in ranked)
 
 
 def free_pins(plan: migration.MigrationPlan, binding: migration.PortBinding) -> list[platform.Pin]:

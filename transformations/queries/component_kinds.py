@@ -14,6 +14,7 @@ from typing import NamedTuple
 from robosmi import resources
 from robosmi.metamodels import migration
 from robosmi.project import read_data
+from robosmi.verify.tables import DataTable
 
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 EMPTY_WORDS = frozenset(
@@ -108,10 +109,12 @@ def known_roles() -> PortWords:
 
 @lru_cache(maxsize=2)
 def _known_roles(path: Path, _: int) -> PortWords:
-    data = read_data(path)
-    roles = {role: frozenset(words) for role, words in data["roles"].items()}
-    apart = tuple(frozenset(each) for each in data["apart"])
-    words = frozenset().union(*roles.values(), *apart, ["pin", "port", "sensor"])
-    connectors = {purpose: (frozenset(entry["words"]), entry["board"]) for purpose, entry in data["connectors"].items()}
-    kinds = {purpose: entry["kind"] for purpose, entry in data["connectors"].items() if "kind" in entry}
+    data = DataTable(path, read_data(path))
+    said, purposes = data.table("roles"), data.table("connectors")
+    roles = {role: frozenset(said.texts(role)) for role in said.values}
+    apart = tuple(frozenset(each) for each in data.lists_of_texts("apart"))
+    words = {"pin", "port", "sensor"}.union(*roles.values(), *apart)
+    entries = {purpose: purposes.table(purpose) for purpose in purposes.values}
+    connectors = {purpose: (frozenset(entry.texts("words")), entry.text("board")) for purpose, entry in entries.items()}
+    kinds = {purpose: entry.text("kind") for purpose, entry in entries.items() if "kind" in entry.values}
     return PortWords(roles, apart, connectors, frozenset(word for word in words if len(word) > 2), kinds)

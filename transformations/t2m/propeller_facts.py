@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import sys
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 from robosmi import inputs, resources
 from robosmi.data_text import Json, json_of
@@ -19,15 +19,36 @@ from robosmi.transformations.knowledge.api_spelling import tidy
 PLATFORM = "propeller"
 
 
-def api_facts(database: dict[str, Any]) -> dict[str, Any]:
+class _Function(TypedDict):
+    ret: str
+    sig: str
+
+
+class _Header(TypedDict):
+    """A header as it was collected; `macros` says of each whether it is function-like or object-like."""
+
+    kind: str
+    source: str
+    includes: list[str]
+    functions: dict[str, _Function]
+    macros: dict[str, str]
+    vars: dict[str, str]
+    consts: list[str]
+    types: dict[str, str]
+
+
+def api_facts(database: dict[str, _Header]) -> dict[str, dict[str, dict[str, Json]]]:
     """The content of `api.json`: headers by name, in the order of their names.
 
     Functions are `name: [return type, parameters]`, macros `name: 1 when function-like, else 0`.
     """
-    headers = {}
-    for name, header in sorted(database.items()):
-        entry: dict[str, Any] = {"kind": header["kind"], "source": header["source"], "includes": header["includes"]}
-        entry["functions"] = {f: [tidy(x["ret"]), tidy(x["sig"])] for f, x in sorted(header["functions"].items())}
+    headers: dict[str, dict[str, Json]] = {}
+    for name in sorted(database):
+        header = database[name]
+        entry: dict[str, Json] = {"kind": header["kind"], "source": header["source"], "includes": header["includes"]}
+        entry["functions"] = {
+            f: [tidy(x["ret"]), tidy(x["sig"])] for f, x in sorted(header["functions"].items(), key=lambda item: item[0])
+        }
         entry["macros"] = {m: int(kind == "function-like") for m, kind in sorted(header["macros"].items())}
         entry["vars"] = {v: tidy(kind) for v, kind in sorted(header["vars"].items())}
         entry["consts"] = sorted(header["consts"])
@@ -42,7 +63,7 @@ _NOT_COLLECTED = {
 """Function and header -> name and direction of its first parameter, a pin, where the collected facts lack the function."""
 
 
-def pin_facts(parameters: dict[str, Any]) -> dict[str, Any]:
+def pin_facts(parameters: dict[str, list[dict[str, Any]]]) -> dict[str, list[dict[str, Any]]]:
     """The content of `pins.json`: one entry per function and group of headers; notes are left out."""
     there = {(entry["function"], header) for entry in parameters["functions"] for header in entry["headers"]}
     more = [
