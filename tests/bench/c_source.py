@@ -135,11 +135,13 @@ def synthetic(lines: int) -> str:
 
 def on_demand(path: str) -> tuple[float, float]:
     """Seconds and megabytes of the questions of a migration to a program read on demand, in this process."""
+    from robosmi.metamodels import ccode
+    from robosmi.query import all_of_kind
     from robosmi.transformations.t2m.c_source.on_demand import open_program
 
     start = time.perf_counter()
     model = open_program(path, platform=PLATFORM)
-    calls = model.all_of_kind("Call")
+    calls = all_of_kind(model, ccode.Call)
     names = {str(call.calleeName) for call in calls}
     assert "high" in names
     assert len(model.all_of_kind("Function")) > 10

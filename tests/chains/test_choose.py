@@ -16,7 +16,7 @@ from robosmi.model.files import digest
 from robosmi.recommend.history import History
 from robosmi.transformations.chains.choose import choose
 from robosmi.transformations.chains.models import load_models
-from robosmi.transformations.queries.choices import choices_json
+from robosmi.transformations.queries.choices import choices_json, offered_choices
 from tests.running import run, tree
 
 
@@ -218,20 +218,20 @@ def test_a_role_is_chosen_by_migrating_again_as_before(tmp_path: Path) -> None:
     (folder / "robot.c").write_text('#include "simpletools.h"\nint eye = 3;\nint main() { while (1) { high(eye); pause(5); } }\n')
     (folder / "parts.csv").write_text("pin;part;title\nD3;Gizmo;thing\n")
     robosmi.migrate([folder / "robot.c"], folder / "out", hardware=folder / "parts.csv", target="nano")
-    (role,) = [c for c in choices_json(plan_in(folder / "out")) if c["kind"] == "role"]
-    assert (role["subject"], role["chosen"], role["by"]) == ("thing", "Input", "defaultValue")
+    (role,) = [c for c in offered_choices(plan_in(folder / "out")) if c.kind == "role"]
+    assert (role.subject, role.chosen, role.by) == ("thing", "Input", "defaultValue")
     before = tree(folder)
-    choose(folder / "out", {role["id"]: "Output"})
+    choose(folder / "out", {role.id: "Output"})
     assert '[roles]\nthing = "Output"' in (folder / "robosmi.toml").read_text()
     plan = plan_in(folder / "out")
     assert plan.targetDescription is not None
     assert (plan.connections[0].signal.name, plan.targetDescription.name) == ("write", "nano")
-    (after,) = [c for c in choices_json(plan) if c["kind"] == "role"]
-    assert (after["chosen"], after["by"], after["options"]) == ("Output", "person", role["options"])
+    (after,) = [c for c in offered_choices(plan) if c.kind == "role"]
+    assert (after.chosen, after.by, after.options) == ("Output", "person", role.options)
     undo(folder / "out")
     assert tree(folder) == before
     shutil.move(folder / "out", tmp_path / "moved")
-    outcome = run("choose", tmp_path / "moved", f"{role['id']}=Output")
+    outcome = run("choose", tmp_path / "moved", f"{role.id}=Output")
     assert outcome.code == 3
     assert "write under [roles] in robosmi.toml" in outcome.err
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from robosmi.chain import Chain
 from robosmi.chain.run import Progress
-from robosmi.data_text import Json
 from robosmi.diagnostics import Finding
 from robosmi.inputs import read_once
 from robosmi.metamodels import hardware as hw
@@ -27,7 +27,7 @@ class HardwareAnalysis:
     circuit: hw.Circuit
     connections: Sequence[migration.Connection]
     board_models: Mapping[str, platform.Board]
-    result: dict[str, Json]
+    result: dict[str, Any]
     findings: list[Finding]
 
     def lines(self) -> list[str]:
@@ -43,11 +43,8 @@ class HardwareAnalysis:
         if between:
             lines.append(f"  in between: {', '.join(_title(c) for c in between)}")
         if not drawn:
-            return [
-                *lines,
-                "",
-                *table(("net", "pins"), [(net.title or net.voltage or net.name, _pins(net)) for net in self.circuit.nets]),
-            ]
+            nets = [(net.title or net.voltage or net.name, _pins(net)) for net in self.circuit.nets]
+            return [*lines, "", *table(("net", "pins"), nets)]
         wires = [_wire(connection, len(drawn) > 1) for connection in self.connections]
         return [*lines, "", *table(("pin", "name", "signal", "wired to", "through"), wires)]
 

@@ -37,7 +37,7 @@ def board_claims(
         return ()
     entries = table_of(path).table("board_check").tables("claims")
     pins, names = board_file(str(board.name), project), mapping_file(platform_name, str(board.name), project)
-    numbers = table_of(names).values.get("numbers", {}) if names is not None else {}
+    numbers = table_of(names).table("numbers", needed=False).values if names is not None else {}
     found = []
     for name in mapping.pinNames:
         if (pin := name.pin) is None:

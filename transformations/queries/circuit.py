@@ -6,7 +6,7 @@ Reused by rules, templates and commands. They read models and change nothing.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from robosmi.data_text import Json
 from robosmi.diagnostics import Location
@@ -154,7 +154,7 @@ def circuit_graph(
     return graph
 
 
-def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.Connection]) -> dict[str, Json]:
+def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.Connection]) -> dict[str, Any]:
     """The result of the command `hardware`, JSON values only (`boards`, `components`, `mappings`, `nets`)."""
     beyond = {c: behind(c) for c in circuit.components if c.driver}
     return {

@@ -9,8 +9,8 @@ declaration. Nothing here nests: open brackets and scopes are kept in lists.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
-from robosmi.data_text import Json
 from robosmi.transformations.knowledge.api_spelling import joined
 from robosmi.transformations.knowledge.api_tokens import (
     MOST_NAMES,
@@ -75,7 +75,7 @@ class _Scan:
         return "::".join([*(scope.name for scope in self.scopes if scope.name), name])
 
 
-def declarations(data: bytes) -> dict[str, Json]:
+def declarations(data: bytes) -> dict[str, Any]:
     """What a header declares, in the form of a row of facts: `classes`, `functions`, `constants`, `enums`.
 
     Args:

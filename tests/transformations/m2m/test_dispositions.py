@@ -103,6 +103,7 @@ def test_each_disposition_has_one_link_from_its_element(plan: migration.Migratio
 
 
 def test_dispositions_stand_in_the_order_of_the_model(plan: migration.MigrationPlan) -> None:
+    assert plan.program is not None
     places = {id(element): place for place, element in enumerate(all_contents(plan.program))}
     rules = {id(d): rule for rule, d in judged(plan)}
     order = [places[id(d.element)] for d in plan.dispositions if rules[id(d)] != "Rewritten"]

@@ -79,7 +79,7 @@ def test_the_view_on_demand_is_the_same_too(name: str, folder: Path) -> None:
             return [
                 (kind, str(getattr(one, "name", None) or getattr(one, "calleeName", None)), str(one.startOffset))
                 for kind in ("Function", "Variable", "Call", "MacroUse", "Include")
-                for one in model.all_of_kind(kind)
+                for one in all_of_kind(model, kind)
             ]
         except RobosmiError as error:
             return [(str(error),)]

@@ -210,7 +210,8 @@ def test_a_prototype_stands_for_the_definition_in_another_unit(tmp_path: Path) -
     reference = next(r for r in all_of_kind(program.units[0], ccode.NameReference) if r.name == "blink")
     assert reference.target is blink.callee
     model = open_program(paths)
-    on_demand = next(call for call in model.all_of_kind("Call") if call.calleeName == "blink")
+    on_demand = next(call for call in all_of_kind(model, ccode.Call) if call.calleeName == "blink")
+    assert on_demand.callee is not None
     assert on_demand.callee.definition
     unknown = [function.name for view in code.views(program, ApiIndex.load("propeller")) for function in view.unknown()]
     assert unknown == ["hidden"]
