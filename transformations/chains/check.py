@@ -88,17 +88,17 @@ def _checked(file: Path, metamodels: Sequence[Path]) -> Checked:
     return _validated(done, models)
 
 
-def _validated(done: Checked, models: list[Any]) -> Checked:
+def _validated(done: Checked, models: Sequence[Model]) -> Checked:
     for model in models:
         sets = [constraints_of(name) for name in _metamodels(model) if name in registry().names(KIND)]
         for one in sets:
             done.findings += one.run(model, *_referred(model, models)).findings()
         counted = sum(len(c.constraints) for one in sets for module in one.modules() for c in module.contexts)
-        done.models.append({"model": model.name, "elements": sum(1 for _ in model.all_contents()), "constraints": counted})
+        done.models.append({"model": model.name, "elements": len(list(model.all_contents())), "constraints": counted})
     return done
 
 
-def _referred(model: Any, models: list[Any]) -> list[Any]:
+def _referred(model: Model, models: Sequence[Model]) -> list[Model]:
     """The program of a plan, which some of the plan's constraints are about."""
     is_plan = isinstance(model, EmfModel) and any(isinstance(r, migration.MigrationPlan) for r in model.roots)
     return [m for m in models if m is not model and m.name == "code"] if is_plan else []

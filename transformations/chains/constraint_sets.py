@@ -5,7 +5,7 @@ What they check is theirs; which models are checked is `check`'s and `migrate`'s
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
 
 from robosmi.diagnostics import Finding
 from robosmi.errors import RuleError
@@ -42,7 +42,7 @@ def added_findings(plan: migration.MigrationPlan) -> list[Finding]:
     """
     found: list[Finding] = []
     for name, root in (("ccode", plan.program), ("hardware", plan.circuit), ("migration", plan)):
-        offered = registry().all(KIND, name) if _has_added(name) else []
+        offered: list[tuple[EVL, str]] = registry().all(KIND, name) if _has_added(name) else []
         if root is None or not offered:
             continue
         built_in = {id(c) for made, owner in offered if not owner for c in made.declared()}
@@ -61,12 +61,13 @@ def _has_added(metamodel: str) -> bool:
     return any(target in registry().providers for target in registry().targets(KIND, metamodel))
 
 
-def _together(offered: list[tuple[Any, str]]) -> EVL:
+def _together(offered: Sequence[tuple[EVL, str]]) -> EVL:
     together = EVL()
     owners: dict[str, str] = {}
     known: set[int] = set()
     if any(owner for _, owner in offered):
-        built_in = [made for name in registry().names(KIND) for made, owner in registry().all(KIND, name) if not owner]
+        every: list[tuple[EVL, str]] = [each for name in registry().names(KIND) for each in registry().all(KIND, name)]
+        built_in = [made for made, owner in every if not owner]
         owners = {c.id: "robosmi" for made in built_in for c in made.declared()}
         known = {id(c) for made in built_in for c in made.declared()}
     for made, owner in offered:

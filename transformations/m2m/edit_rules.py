@@ -52,8 +52,9 @@ def _end(element: ccode.Located, text: SourceText) -> int:
     return end
 
 
-def _void_value(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+def _void_value(element: ccode.Return, choice: str, text: SourceText) -> list[Replacement]:
     value = element.value
+    assert value is not None  # else the rule does not hold
     return [(value.startOffset, value.startOffset, "(void)("), (value.endOffset, value.endOffset, ")")]
 
 
@@ -62,7 +63,8 @@ def _go_on(element: ccode.Located, choice: str, text: SourceText) -> list[Replac
     return [(element.startOffset, _end(element, text), f"return {choice}()")]
 
 
-def _value_and_go_on(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+def _value_and_go_on(element: ccode.Return, choice: str, text: SourceText) -> list[Replacement]:
+    assert element.value is not None  # else the rule does not hold
     return [*_void_value(element, choice, text), (element.value.endOffset, element.value.endOffset, f", {choice}()")]
 
 
@@ -84,24 +86,24 @@ def _out(element: ccode.Located, choice: str, text: SourceText) -> list[Replacem
     return [(element.startOffset, end, "")]
 
 
-def _rename(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+def _rename(element: ccode.Declaration | ccode.Macro, choice: str, text: SourceText) -> list[Replacement]:
     return [(start, end, choice) for start, end, name in name_tokens(text.data) if name == element.name]
 
 
-def _rename_tag(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+def _rename_tag(element: ccode.Declaration, choice: str, text: SourceText) -> list[Replacement]:
     """The name behind `struct`, `union` or `enum` alone; a type of the same name keeps its own."""
     names = list(name_tokens(text.data))
     pairs = itertools.pairwise(names)
     return [(start, end, choice) for (_, _, before), (start, end, name) in pairs if name == element.name and before in _TAGGED]
 
 
-def _qualify_type(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+def _qualify_type(element: ccode.Declaration, choice: str, text: SourceText) -> list[Replacement]:
     """A member of its type's name: the type is said to be the one at file scope."""
     found = re.compile(rb"\b%s\b" % re.escape(element.name.encode())).search(text.data, element.startOffset, element.endOffset)
     return [(found.start(), found.start(), "::")] if found else []
 
 
-def _open_size(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+def _open_size(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
     """The first size of an array that is a parameter goes: it says nothing."""
     found = re.compile(rb"\[([^\]]*)\]").search(text.data, name_place(element, text.data), element.endOffset)
     return [(found.start(1), found.end(1), "")] if found else []
@@ -137,15 +139,16 @@ def _convert_compound(element: ccode.Located, choice: str, text: SourceText) -> 
     return [(element.startOffset, element.startOffset, f"({choice})("), (element.endOffset, element.endOffset, ")")]
 
 
-def _parentheses(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+def _parentheses(element: ccode.Function, choice: str, text: SourceText) -> list[Replacement]:
     found = re.compile(rb"\b%s\s*\(\s*\)" % re.escape(element.name.encode())).search(
         text.data, element.startOffset, element.endOffset
     )
     return [(found.end() - 1, found.end() - 1, choice)] if found else []
 
 
-def _parameters_behind(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+def _parameters_behind(element: ccode.Function, choice: str, text: SourceText) -> list[Replacement]:
     """The list takes the declarations behind it; what is commented there stays, behind the list."""
+    assert element.body is not None  # only a definition has parameters there
     start = text.data.find(b"(", text.data.find(element.name.encode(), element.startOffset)) + 1
     end = element.startOffset + len(text.data[element.startOffset : element.body.startOffset].rstrip())
     comments = [c for c in text.unit.comments if start <= c.startOffset < end]
@@ -154,7 +157,8 @@ def _parameters_behind(element: Any, choice: str, text: SourceText) -> list[Repl
     return [(start, end, f"{choice})" + "".join(f"\n{line}" for line in shown))]
 
 
-def _return_at_end(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+def _return_at_end(element: ccode.Function, choice: str, text: SourceText) -> list[Replacement]:
+    assert element.body is not None  # only a definition can lack a return
     brace = inside(text.data, element.body)[1]
     start = text.line_start(brace)
     if text.blank(start, brace):
@@ -175,7 +179,8 @@ def _comment(element: ccode.Located, choice: str, text: SourceText) -> list[Repl
     return [(start, start, "/* "), *inner, (end, end, " */;")]
 
 
-def _compound(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+def _compound(element: ccode.Assignment, choice: str, text: SourceText) -> list[Replacement]:
+    assert element.right is not None
     return [(element.startOffset, element.right.startOffset, choice), (element.endOffset, element.endOffset, "))")]
 
 
@@ -285,7 +290,7 @@ def _body(element: Any, choice: str, text: SourceText) -> list[Replacement]:
     return [*made, (start, end, " {\n" + "\n".join(lines) + "\n}")]
 
 
-def _own_header(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+def _own_header(element: ccode.Include, choice: str, text: SourceText) -> list[Replacement]:
     """The include of a header that was carried over names the file in the sketch folder."""
     written = re.compile(rb'[<"][^>"\n]*[>"]').search(text.data, element.startOffset, text.line_end(element.startOffset))
     wanted = f'"{own_header(element)}"'

@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 import shlex
 from collections.abc import Callable, Iterator
-from operator import attrgetter
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
@@ -28,9 +27,11 @@ from robosmi.transformations.t2m.kicad.sheet import (
 HEAD = "EESchema Schematic File Version"
 _LABELS = {"Label": LOCAL, "GLabel": GLOBAL, "HLabel": UPWARD}
 _LINES: dict[str, Callable[[Sheet], list[Wire]]] = {
-    "Wire Wire Line": attrgetter("wires"), "Wire Bus Line": attrgetter("buses"), "Entry Bus Bus": attrgetter("buses"),
-    "Entry Wire Line": attrgetter("entries"),
-}  # fmt: skip
+    "Wire Wire Line": lambda sheet: sheet.wires,
+    "Wire Bus Line": lambda sheet: sheet.buses,
+    "Entry Bus Bus": lambda sheet: sheet.buses,
+    "Entry Wire Line": lambda sheet: sheet.entries,
+}
 _FIELD = re.compile(r'F ?([0-9]{1,9}) "((?:[^"\\]|\\.)*)"')
 _SHEET_PIN = re.compile(r'F ?([0-9]{1,9}) "((?:[^"\\]|\\.)*)" [IOBTU] [RLTB] (-?[0-9]{1,9}) (-?[0-9]{1,9})')
 _REFERENCE = re.compile(r'AR Path="([^"]*)" Ref="([^"]*)"(?:\s+Part="([0-9]{1,9})")?')
