@@ -13,8 +13,8 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.transformations.constraints.code_move import Move, is_narrower, move, moved, place, the_move, together
-from robosmi.transformations.queries.code import named_type
 from robosmi.transformations.queries.expression_type import of_use
+from robosmi.transformations.queries.names import named_type
 from robosmi.transformations.queries.numbers import COMPARISONS, Number
 from robosmi.transformations.queries.ranges import Range
 from robosmi.validate import Fail

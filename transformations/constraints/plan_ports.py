@@ -14,10 +14,10 @@ from robosmi.model.strict import Element
 from robosmi.query import root_of
 from robosmi.transformations.constraints.electrical_plan import terminal_functions
 from robosmi.transformations.knowledge.adapter_ranges import parameter_names
-from robosmi.transformations.queries.code import name_of
 from robosmi.transformations.queries.component_kinds import kinds_of
 from robosmi.transformations.queries.connector_names import told_names
 from robosmi.transformations.queries.macro_calls import MacroCalls
+from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.transformations.queries.waiting_calls import unwired_needs
 from robosmi.typed import distinct
@@ -194,7 +194,7 @@ def _timers(use: migration.AdapterUse) -> set[str]:
     id="RS730", severity=Severity.warning, guard=lambda u: u.adapter is not None,
     advice="bind the port to the pin where such a part is wired, or take the calls out",
 )  # fmt: skip
-def WhatIsAskedIsWired(u: migration.AdapterUse) -> Any:
+def WhatIsAskedIsWired(u: migration.AdapterUse) -> bool | Fail:
     """A function does not ask a sensor for its way or its time that a person said is not wired."""
     missing = [b for b in unwired_needs(plan_of(u), u)[0] if b.signal is migration.Signal.read]
     if not missing or u.adapter is None:

@@ -267,7 +267,7 @@ def _define_behind(element: ccode.Variable, choice: str, text: SourceText) -> li
 _ATTRIBUTES_BEHIND = re.compile(rb"(?:\s*__attribute__\s*\(\((?:[^()]|\([^()]*\))*\)\))+\s*\Z")
 
 
-def _body(element: Any, choice: str, text: SourceText) -> list[Replacement]:
+def _body(element: ccode.Function, choice: str, text: SourceText) -> list[Replacement]:
     """The prototype becomes an adapter: the place of its semicolon takes a body that is to be written.
 
     One of several names of a declaration is defined behind it, with the signature that is given.

@@ -20,8 +20,8 @@ from robosmi.transformations.m2m.source_assembler import LEFT_OUT
 from robosmi.transformations.m2m.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.binding_edits import binding_links, referred, trace_binding
-from robosmi.transformations.queries.code import name_of
 from robosmi.transformations.queries.macro_calls import MacroCalls
+from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plan import beside_its_declaration, called, needs_own_types
 from robosmi.transformations.queries.port_pins import NOT_WIRED
 from robosmi.transformations.queries.source_text import SourceText

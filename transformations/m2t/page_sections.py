@@ -56,9 +56,9 @@ def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: 
 def _role(told: OfferedChoice, output: str) -> dict[str, Any]:
     """The choice of what a component is for; it is never open, since a component of which nothing is known is taken as read."""
     return {
-        "id": told["id"], "kind": "role", "subject": told["subject"], "open": False, "chosen": told["chosen"],
-        "by": WHO[told["by"]], "at": "", "why": told["why"], "title": f"What is '{told['subject']}' for?", "line": "",
-        "ranked": [], "command": f"robosmi choose {output} {told['id']}=ROLE",
+        "id": told.id, "kind": "role", "subject": told.subject, "open": False, "chosen": told.chosen,
+        "by": WHO[told.by], "at": "", "why": told.why, "title": f"What is '{told.subject}' for?", "line": "",
+        "ranked": [], "command": f"robosmi choose {output} {told.id}=ROLE",
         "drawn": [],
         "others": [
             {"value": o.value, "label": o.value, "why": o.value, "chosen": o.value == told.chosen}
@@ -88,8 +88,8 @@ def _choice(
 
     plain = [option for option in told.options if not option.score]
     return {
-        "id": one.id, "kind": one.kind, "subject": how.subject, "open": bool(decision.open), "chosen": told["chosen"] or "",
-        "by": WHO[told["by"]], "at": told["at"] or "", "why": told["why"], "table": how.table,
+        "id": one.id, "kind": one.kind, "subject": how.subject, "open": bool(decision.open), "chosen": told.chosen or "",
+        "by": WHO[told.by], "at": told.at or "", "why": told.why, "table": how.table,
         "title": f"Which pin is the port {said} on?" if port else f"Which library drives '{one.subject}'?",
         "line": line_of(decision.element, sources) if isinstance(decision, migration.PortBinding) else "",
         "ranked": [answer_row(option) for option in told.options if option.score],

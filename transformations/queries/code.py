@@ -18,17 +18,12 @@ from robosmi.model.strict import Element
 from robosmi.query import Q, all_contents
 from robosmi.transformations.knowledge.api_facts import ApiEntry
 from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.queries.names import name_or_text
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.values import Values
 from robosmi.typed import fresh
 
 T = TypeVar("T")
-_NAMED = (
-    ccode.Declaration, ccode.Macro, ccode.MacroUse, ccode.UnresolvedCall, ccode.Label, ccode.NameReference, ccode.Member,
-)  # fmt: skip
-_WRITTEN = (
-    ccode.IntegerLiteral, ccode.FloatingLiteral, ccode.CharacterLiteral, ccode.StringLiteral, ccode.UnknownExpression,
-)  # fmt: skip
 _CALLED = re.compile(r"(?<![\w.#>])([A-Za-z_]\w*)\s*\(")
 _NAMES = re.compile(r"[A-Za-z_]\w*")
 _LITERALS = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|/\*.*?\*/|//[^\n]*', re.DOTALL)
@@ -377,18 +372,7 @@ def _code_name(argument: ccode.Expression) -> str:
             argument = argument.arguments[0]
         else:
             break
-    return str(argument.text or "") if isinstance(argument, _WRITTEN) else name_of(argument)
-
-
-def name_of(element: Element | None) -> str:
-    """The name that an element of a program declares or uses; empty where it has none."""
-    return str(element.name or "") if isinstance(element, _NAMED) else ""
-
-
-def named_type(expression: Element | None) -> ccode.TypeUse | None:
-    """The declared type of the variable, parameter or field that an expression names; None for any other expression."""
-    target = expression.target if isinstance(expression, ccode.NameReference) else None
-    return target.valueType if isinstance(target, (ccode.Variable, ccode.Parameter, ccode.Field)) else None
+    return name_or_text(argument)
 
 
 def unit_of(element: Element | None) -> ccode.SourceUnit | None:

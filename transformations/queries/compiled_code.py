@@ -15,10 +15,10 @@ from robosmi.metamodels import ccode, migration
 from robosmi.model.strict import Element
 from robosmi.query import all_of_kind
 from robosmi.transformations.queries.answered_calls import calls_at_no_pin, ignored_arguments, unwritten_calls
-from robosmi.transformations.queries.code import named_type
 from robosmi.transformations.queries.folded_code import FoldedCode
 from robosmi.transformations.queries.folded_values import PURE, Key
 from robosmi.transformations.queries.live_code import identity, in_macros, is_global
+from robosmi.transformations.queries.names import named_type
 from robosmi.transformations.queries.values import Values
 from robosmi.typed import fresh
 

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
-from robosmi.transformations.queries.code import CodeView, named_type
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.names import named_type
 
 
 def pointed_functions(

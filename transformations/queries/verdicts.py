@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.queries.code import name_of
+from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.text_changes import CARRIED_OVER
 from robosmi.transformations.queries.waiting_calls import open_conventions

@@ -75,7 +75,7 @@ class CallStates:
             or open_conventions(self.plan, use)
         ):
             return WAITS
-        if unwired_needs(self.plan, use)[1] or id(call) in self._unwired or (ports and all(map(_left_out, ports))):
+        if unwired_needs(self.plan, use)[1] or id(call) in self._unwired or (ports and all(_left_out(port) for port in ports)):
             return NOT_WIRED_CALL
         return WITH_CARE if limits(use) else WORKS
 

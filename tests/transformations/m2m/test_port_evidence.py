@@ -9,7 +9,7 @@ import pytest
 
 import robosmi
 from robosmi.metamodels import migration
-from robosmi.transformations.queries.choices import choices_json
+from robosmi.transformations.queries.choices import offered_choices
 from robosmi.transformations.queries.component_kinds import name_words
 
 CASES = sorted((Path(__file__).parent / "port_evidence").iterdir())
@@ -42,9 +42,9 @@ def test_a_channel_of_a_converter_is_offered_pins_that_measure() -> None:
     case = Path(__file__).parent / "port_evidence" / "channel_of_a_converter"
     plan = robosmi.plan_migration([case / "program.c"], hardware=case / "wiring.csv").plan
     channel = next(b for b in plan.portBindings if b.name == "AD2")
-    offered = {o["value"]: o for choice in choices_json(plan) if choice["subject"] == "AD2" for o in choice["options"]}
+    offered = {o.value: o for choice in offered_choices(plan) if choice.subject == "AD2" for o in choice.options}
     assert [o.label for o in channel.options] == ["Potentiometer2ReadP1"]
-    assert offered["Potentiometer1ReadP1"]["why"] == "drawn; D3 cannot measure a voltage"
+    assert offered["Potentiometer1ReadP1"].why == "drawn; D3 cannot measure a voltage"
     assert {name for name in offered if re.fullmatch(r"[AD]\d+", name)} == {"A0", "A2", "A3", "A4", "A5"}
 
 
