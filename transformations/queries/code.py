@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, TypeVar
 
@@ -52,7 +52,7 @@ class CalledFunction:
     signature: str = ""
     signature_source: str = "inferred"
     in_macro: bool = False
-    made: list[ccode.Call] = field(default_factory=list)
+    made: list[ccode.Call] = fresh(list)
     callee: ccode.Function | None = None
 
     @property

@@ -8,7 +8,7 @@ role. Which numbers go where is `port_flows`' business; what a port becomes on t
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from robosmi.metamodels import ccode, platform
 from robosmi.query import ancestor_of_kind
@@ -71,7 +71,7 @@ class FlowPorts:
     numbers: list[int]
     anything: bool
     values: list[list[Value]]
-    made: Mapping[int, Sequence[tuple[ccode.Call, Collection[int | None]]]] = field(default_factory=dict)
+    made: Mapping[int, Sequence[tuple[ccode.Call, Collection[int | None]]]] = fresh(dict)
 
     @property
     def moved(self) -> bool:

@@ -61,6 +61,7 @@ def _deepest(main: ccode.Function, code: CompiledCode, measured: Mapping[str, in
     while waiting:  # no recursion: functions may call the next for as long as they like
         at = waiting[-1]
         if id(at) not in parts:
+            assert at.body is not None  # only functions with one are followed
             calls = [call for call in all_of_kind(at.body, ccode.Call) if id(call) in live]
             names = [each for each in all_of_kind(at.body, ccode.NameReference) if id(each) in live]
             variables = [each for each in all_of_kind(at.body, ccode.Variable) if id(each) in live]
