@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +31,7 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2t.task_list import RELATIONS
 from robosmi.transformations.queries.written_bodies import Body, bodies
-from robosmi.typed import distinct, fresh
+from robosmi.typed import distinct
 
 _INCLUDE = re.compile(r"^#include\s+(<[^>]+>|\"[^\"]+\")", re.MULTILINE)
 
@@ -48,9 +48,9 @@ class AdaptersTold:
         written: the adapter files that were written.
     """
 
-    adapters: list[dict[str, Any]] = fresh(list)
-    findings: list[Finding] = fresh(list)
-    written: list[str] = fresh(list)
+    adapters: list[dict[str, Any]] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+    written: list[str] = field(default_factory=list)
 
     @property
     def result(self) -> dict[str, Any]:

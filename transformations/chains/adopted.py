@@ -7,7 +7,7 @@ the run stops before it is written over.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from robosmi.diagnostics import Finding, Location, Severity
@@ -21,7 +21,6 @@ from robosmi.transformations.chains.models import stored_models
 from robosmi.transformations.constraints.plan_edits import refuse_nonsense
 from robosmi.transformations.m2m.plan_tasks import settle
 from robosmi.transformations.m2m.stored_choices import GONE, NOTHING, StoredChoices, choices_of_persons
-from robosmi.typed import fresh
 
 
 @dataclass
@@ -35,8 +34,8 @@ class Adopted:
     """
 
     choices: StoredChoices = NOTHING
-    inputs: Mapping[str, bytes | None] = fresh(dict)
-    notes: list[Finding] = fresh(list)
+    inputs: Mapping[str, bytes | None] = field(default_factory=dict)
+    notes: list[Finding] = field(default_factory=list)
 
 
 def adopt(output: Path) -> Adopted:

@@ -7,7 +7,7 @@ is called no more stays in its file, switched off, with a word about it; so neit
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 from robosmi.diagnostics import Finding, Location, Severity
@@ -19,7 +19,6 @@ from robosmi.transformations.chains.kept_includes import needed_still, without_i
 from robosmi.transformations.m2m.plan_tasks import settle_tasks
 from robosmi.transformations.queries.plan import target_of
 from robosmi.transformations.queries.written_bodies import AS_BYTES, Body, bodies, task_key, ticks, with_ticks, written
-from robosmi.typed import fresh
 
 REPORT = "MIGRATION.md"
 _CODE = (".h", ".ino", ".cpp", ".c")
@@ -37,10 +36,10 @@ class ByHand:
         findings: what became of bodies that are called no more, and of such headers.
     """
 
-    names: set[str] = fresh(set)
-    done: set[tuple[str, ...]] = fresh(set)
-    includes: dict[str, list[str]] = fresh(dict)
-    findings: list[Finding] = fresh(list)
+    names: set[str] = field(default_factory=set)
+    done: set[tuple[str, ...]] = field(default_factory=set)
+    includes: dict[str, list[str]] = field(default_factory=dict)
+    findings: list[Finding] = field(default_factory=list)
 
     def base(self, name: str, last: str, there: str, made: str, path: Path) -> tuple[str, str]:
         """The text that was made last and the one that is there, as the merge is to see them.

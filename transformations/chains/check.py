@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -26,15 +26,15 @@ from robosmi.transformations.chains.constraint_sets import KIND, constraints_of
 from robosmi.transformations.chains.readers import is_drawing
 from robosmi.transformations.chains.reading import read_drawing
 from robosmi.transformations.constraints.electrical_plan import wired
-from robosmi.typed import distinct, fresh
+from robosmi.typed import distinct
 
 
 @dataclass
 class Checked:
     """What was checked, and what was found."""
 
-    models: list[dict[str, Any]] = fresh(list)
-    findings: list[Finding] = fresh(Findings)
+    models: list[dict[str, Any]] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=Findings)
 
     @property
     def result(self) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -40,7 +40,6 @@ from robosmi.transformations.m2m.port_binding import bind_by_hand
 from robosmi.transformations.queries.answers import answer
 from robosmi.transformations.queries.choices import NO_LIBRARY, Choice, choices_json, the_choice
 from robosmi.transformations.queries.plan import open_choices
-from robosmi.typed import fresh
 
 ROLE = "role:"
 """How the identity of a choice of a role begins."""
@@ -59,9 +58,9 @@ class Chosen(Generated):
         command: what to type for the same.
     """
 
-    chosen: dict[str, str] = fresh(dict)
+    chosen: dict[str, str] = field(default_factory=dict)
     project: Path | None = None
-    settings: Project = fresh(Project)
+    settings: Project = field(default_factory=Project)
     command: str = ""
 
     @property

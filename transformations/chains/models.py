@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
 
@@ -20,7 +20,6 @@ from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model.files import digest, within
 from robosmi.model.metamodels import built_in
 from robosmi.model.xmi_writer import to_xmi
-from robosmi.typed import fresh
 
 PLAN, CODE, HARDWARE, PLATFORM = "plan.xmi", "code.xmi", "hardware.xmi", "platform.xmi"
 FOLDER = "models"
@@ -48,8 +47,8 @@ class MigrationModels:
     circuit: hardware.Circuit | None
     repository: platform.PlatformRepository
     files: dict[str, bytes]
-    places: dict[str, str] = fresh(dict)
-    notes: list[Finding] = fresh(list)
+    places: dict[str, str] = field(default_factory=dict)
+    notes: list[Finding] = field(default_factory=list)
     settled: bool = False
 
     def _repr_html_(self) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping
 from contextlib import nullcontext
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from datetime import date
 from difflib import unified_diff
 from pathlib import Path
@@ -45,7 +45,6 @@ from robosmi.transformations.m2t.program_files import BENCH, ProgramGeneration
 from robosmi.transformations.m2t.terminal_text import terminal_lines
 from robosmi.transformations.queries.plan import open_choices, plan_json, said, target_of
 from robosmi.transformations.queries.work import work_json
-from robosmi.typed import fresh
 
 LAST = ".robosmi/generated"
 """Where the texts that were made last are kept, beside the models."""
@@ -78,8 +77,8 @@ class Generated:
     output: Path
     contents: dict[str, bytes]
     written: bool
-    new_choices: list[migration.LibraryChoice] = fresh(list)
-    notes: list[Finding] = fresh(list)
+    new_choices: list[migration.LibraryChoice] = field(default_factory=list)
+    notes: list[Finding] = field(default_factory=list)
     verification: tuple[dict[str, Json], int] | None = None
     diff: str = ""
     counted: Counted | None = None

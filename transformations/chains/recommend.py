@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +20,6 @@ from robosmi.transformations.chains.reading import read_drawing
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2m.library_choice import component_query
 from robosmi.transformations.queries.circuit import boards, the_board
-from robosmi.typed import fresh
 
 
 @dataclass(frozen=True)
@@ -29,7 +28,7 @@ class Recommendations:
 
     queries: list[ComponentQuery]
     answers: list[Recommendation]
-    findings: list[Finding] = fresh(list)
+    findings: list[Finding] = field(default_factory=list)
 
     @property
     def result(self) -> dict[str, Any]:

@@ -7,7 +7,7 @@ names pins. Nothing is written but the trace that was asked for.
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +21,6 @@ from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
 from robosmi.transformations.verification.played_devices import devices_at, played
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports
-from robosmi.typed import fresh
 from robosmi.verify.activity import activity
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.libraries import STAND_IN
@@ -53,7 +52,7 @@ class Simulated:
 
     compiled: CompileReport
     trace: PinTrace | None = None
-    ports: list[BoundPort] = fresh(list)
+    ports: list[BoundPort] = field(default_factory=list)
     written: Path | None = None
 
     @property

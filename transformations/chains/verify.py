@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -41,7 +41,6 @@ from robosmi.transformations.verification.played_devices import played, signals_
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, reads_console, texts_understood
 from robosmi.transformations.verification.scenario_search import search
 from robosmi.transformations.verification.source_reached import cover
-from robosmi.typed import fresh
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.libraries import STAND_IN
@@ -73,7 +72,7 @@ class Verified:
 
     verdict: Verdict
     compiled: CompileReport
-    written: list[tuple[Path, str]] = fresh(list)
+    written: list[tuple[Path, str]] = field(default_factory=list)
 
     @property
     def findings(self) -> list[Finding]:
@@ -266,8 +265,8 @@ def _original(models: MigrationModels, folder: Path, place: Path) -> OriginalPro
 
 @dataclass
 class _Made:
-    new: list[Scenario] = fresh(list)
-    racy_counts: list[bytes] = fresh(list)
+    new: list[Scenario] = field(default_factory=list)
+    racy_counts: list[bytes] = field(default_factory=list)
 
 
 Case = tuple[Scenario, SourceRuns]

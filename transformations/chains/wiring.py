@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -28,7 +28,6 @@ from robosmi.transformations.m2t.pin_table import pin_table
 from robosmi.transformations.m2t.sketch_project import project
 from robosmi.transformations.m2t.wokwi_project import project_files
 from robosmi.transformations.queries.plan import ports_by_pin, said
-from robosmi.typed import fresh
 
 FORM = "wiring form"
 """The registry's kind of forms: functions of `(models, OUT, path)` that give `Handed`."""
@@ -47,9 +46,9 @@ class Handed:
 
     files: Mapping[str, bytes]
     kinds: Mapping[str, str]
-    findings: list[Finding] = fresh(list)
-    result: dict[str, Any] = fresh(dict)
-    written: list[tuple[Path, str]] = fresh(list)
+    findings: list[Finding] = field(default_factory=list)
+    result: dict[str, Any] = field(default_factory=dict)
+    written: list[tuple[Path, str]] = field(default_factory=list)
 
     def artifacts(self) -> list[dict[str, str]]:
         """The files, as the contract lists them."""

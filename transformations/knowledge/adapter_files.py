@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
@@ -18,7 +18,6 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapter_ranges import ArgumentRange, argument_range
-from robosmi.typed import fresh
 
 MARK = "//#"
 NOT_SERVED = "unsupported"
@@ -128,25 +127,25 @@ class AdapterPiece:
     header: str
     location: Location
     text: str = ""
-    signatures: list[str] = fresh(list)
+    signatures: list[str] = field(default_factory=list)
     relation: str = ""
-    needs: list[str] = fresh(list)
-    includes: list[str] = fresh(list)
-    libraries: list[str] = fresh(list)
+    needs: list[str] = field(default_factory=list)
+    includes: list[str] = field(default_factory=list)
+    libraries: list[str] = field(default_factory=list)
     role: str = ""
-    setup: list[str] = fresh(list)
-    timers: list[str] = fresh(list)
-    vectors: list[str] = fresh(list)
-    taken: list[str] = fresh(list)
-    mcus: list[str] = fresh(list)
-    members: list[str] = fresh(list)
-    pins: list[AdapterPin] = fresh(list)
-    ports: list[ConventionalPort] = fresh(list)
-    tables: list[PortTable] = fresh(list)
-    ranges: list[ArgumentRange] = fresh(list)
+    setup: list[str] = field(default_factory=list)
+    timers: list[str] = field(default_factory=list)
+    vectors: list[str] = field(default_factory=list)
+    taken: list[str] = field(default_factory=list)
+    mcus: list[str] = field(default_factory=list)
+    members: list[str] = field(default_factory=list)
+    pins: list[AdapterPin] = field(default_factory=list)
+    ports: list[ConventionalPort] = field(default_factory=list)
+    tables: list[PortTable] = field(default_factory=list)
+    ranges: list[ArgumentRange] = field(default_factory=list)
     fidelity: str = ""
-    limits: list[str] = fresh(list)
-    symmetric: list[str] = fresh(list)
+    limits: list[str] = field(default_factory=list)
+    symmetric: list[str] = field(default_factory=list)
     target_name: str = ""
     stack: int = 0
     ram: int = 0
@@ -164,9 +163,9 @@ class AdapterFile:
     """
 
     header: str = ""
-    pieces: list[AdapterPiece] = fresh(list)
+    pieces: list[AdapterPiece] = field(default_factory=list)
     unsupported: str = ""
-    tasks: dict[str, str] = fresh(dict)
+    tasks: dict[str, str] = field(default_factory=dict)
 
 
 def read_adapter_file(path: Path) -> list[AdapterPiece]:

@@ -8,9 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
-
-from robosmi.typed import fresh
+from dataclasses import dataclass, field
 
 GIVEN = "given by the user"
 """The evidence of a role that a person gave."""
@@ -58,9 +56,9 @@ class Part:
     role: str = "Unknown"
     evidence: str = ""
     driver: bool = False
-    connectors: Mapping[str, PartConnector] = fresh(dict)
-    buses: Mapping[str, tuple[str, ...]] = fresh(dict)
-    properties: Mapping[str, str] = fresh(dict)
+    connectors: Mapping[str, PartConnector] = field(default_factory=dict)
+    buses: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    properties: Mapping[str, str] = field(default_factory=dict)
     source: str = ""
     tool: str = ""
     description: str = ""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from functools import cache
 from pathlib import Path
@@ -19,7 +19,6 @@ from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
-from robosmi.typed import fresh
 from robosmi.verify.tables import DataTable
 
 _LISTS = ("supply", "ground", "idle", "polarity", "control", "bus", "write", "read", "read_chip", "write_chip")
@@ -97,7 +96,7 @@ class PartNames:
     device_properties: frozenset[str] = frozenset()
     headers: tuple[str, ...] = ()
     solder_jumpers: tuple[str, ...] = ()
-    symbols: Mapping[str, tuple[str, ...]] = fresh(dict)
+    symbols: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     joined: tuple[JoinedPins, ...] = ()
     generated: tuple[GeneratedShape, ...] = ()
 

@@ -5,9 +5,7 @@ They are made by `m2m/wokwi_wiring` and written by `m2t/wokwi_project`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from robosmi.typed import fresh
+from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,9 +39,9 @@ class WokwiWiring:
         added: supply and ground wires that the source says nothing about.
     """
 
-    parts: list[DrawnPart] = fresh(list)
-    wires: list[tuple[str, str, str]] = fresh(list)
-    not_drawn: list[NotDrawn] = fresh(list)
+    parts: list[DrawnPart] = field(default_factory=list)
+    wires: list[tuple[str, str, str]] = field(default_factory=list)
+    not_drawn: list[NotDrawn] = field(default_factory=list)
     added: int = 0
 
     def listed(self) -> list[str]:

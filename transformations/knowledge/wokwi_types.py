@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from functools import cache
 from pathlib import Path
@@ -20,7 +20,6 @@ from robosmi.transformations.knowledge.board_models import drawing_files, table_
 from robosmi.transformations.knowledge.part import Part
 from robosmi.transformations.knowledge.part_names import Phrases
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
-from robosmi.typed import fresh
 from robosmi.verify.tables import DataTable
 
 TOOL = "wokwi"
@@ -46,7 +45,7 @@ class WokwiPart:
     attributes: Mapping[str, str]
     pins: Mapping[str, str]
     supplies: Mapping[str, str]
-    returns: Mapping[str, str] = fresh(dict)
+    returns: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +66,7 @@ class _Entry:
     pins: tuple[tuple[str, str], ...]
     order: tuple[tuple[str, ...], ...]
     returns: tuple[str, ...]
-    takes: Mapping[str, tuple[str, ...]] = fresh(dict)
+    takes: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 def wokwi_board(name: str, project: Path | None = None) -> WokwiBoard | None:

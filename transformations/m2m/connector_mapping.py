@@ -9,7 +9,7 @@ figures. Nothing here knows a drawing tool.
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import islice
 
 from robosmi import quoting
@@ -21,7 +21,7 @@ from robosmi.transformations.knowledge.part_names import PartNames, name_directi
 from robosmi.transformations.queries.circuit_walk import ReachedComponent, either_side, natural_key, pins_of, walk
 from robosmi.transformations.queries.connector_names import told_name
 from robosmi.transformations.queries.joined_inside import tied_inside
-from robosmi.typed import distinct, fresh
+from robosmi.typed import distinct
 
 Role = hardware.Role
 
@@ -53,8 +53,8 @@ class _Mapped:
 class _State:
     known: PartNames
     path: str
-    findings: list[Finding] = fresh(list)
-    on_boards: dict[int, list[hardware.Connector]] = fresh(dict)
+    findings: list[Finding] = field(default_factory=list)
+    on_boards: dict[int, list[hardware.Connector]] = field(default_factory=dict)
     """Of a net, by its identity: the connectors that boards have on it."""
 
     def report(self, rule: str, severity: Severity, message: str, fix: str | None = None, **evidence: object) -> None:

@@ -8,7 +8,7 @@ ranked is `library_ranking`'s business, how a person is asked the command line's
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
@@ -22,7 +22,6 @@ from robosmi.transformations.knowledge.library_takes import Takes, library_takes
 from robosmi.transformations.knowledge.target_platform import TargetFacts
 from robosmi.transformations.m2m.stored_choices import Said, explain
 from robosmi.transformations.queries.circuit import component_named
-from robosmi.typed import fresh
 
 NO_LIBRARY = "none"
 """What a person says, instead of a library's name, when a component needs none."""
@@ -54,7 +53,7 @@ class LibraryModels:
 
     target: TargetFacts
     board: platform.Board
-    elements: dict[str, platform.Library] = fresh(dict)
+    elements: dict[str, platform.Library] = field(default_factory=dict)
 
     @cached_property
     def takes(self) -> Mapping[str, Takes]:

@@ -7,7 +7,7 @@ with their digests, so that a stored plan can tell whether it still belongs to i
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from robosmi.diagnostics import Finding
@@ -31,7 +31,7 @@ from robosmi.transformations.queries.binding_edits import TRACED
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.ports import ProgramPorts
 from robosmi.transformations.queries.source_text import words_of
-from robosmi.typed import distinct, fresh
+from robosmi.typed import distinct
 
 
 @dataclass(frozen=True)
@@ -45,10 +45,10 @@ class LibrariesSaid:
         stored: (elementId, title) -> what a person chose in a stored plan, behind `libraries`.
     """
 
-    libraries: Mapping[str, str] = fresh(dict)
+    libraries: Mapping[str, str] = field(default_factory=dict)
     limit: float = 0.8
     candidates: int = 10
-    stored: Mapping[tuple[str, str], Said] = fresh(dict)
+    stored: Mapping[tuple[str, str], Said] = field(default_factory=dict)
 
 
 class Hardware(NamedTuple):

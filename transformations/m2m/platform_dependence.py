@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TypeVar
 
 from robosmi.metamodels import ccode, migration, platform
@@ -52,7 +52,6 @@ from robosmi.transformations.queries.main_function import Division, divide, main
 from robosmi.transformations.queries.piece_names import declared_names, library_names
 from robosmi.transformations.queries.program_model import ProgramModel
 from robosmi.transformations.queries.source_text import SourceText, is_header, words_of
-from robosmi.typed import fresh
 
 T = TypeVar("T")
 _WORD = re.compile(r"\b[A-Za-z_]\w*")
@@ -77,14 +76,14 @@ class Dependence:
         concurrency: how code runs that the program starts on other cores.
     """
 
-    dispositions: list[migration.Disposition] = fresh(list)
-    adapters: list[migration.AdapterUse] = fresh(list)
-    symbols: list[migration.SymbolUse] = fresh(list)
-    pieces: list[platform.Adapter] = fresh(list)
-    helpers: list[platform.Adapter] = fresh(list)
-    unserved: list[UnservedHeader] = fresh(list)
+    dispositions: list[migration.Disposition] = field(default_factory=list)
+    adapters: list[migration.AdapterUse] = field(default_factory=list)
+    symbols: list[migration.SymbolUse] = field(default_factory=list)
+    pieces: list[platform.Adapter] = field(default_factory=list)
+    helpers: list[platform.Adapter] = field(default_factory=list)
+    unserved: list[UnservedHeader] = field(default_factory=list)
     source: platform.Platform | None = None
-    divisions: list[Division] = fresh(list)
+    divisions: list[Division] = field(default_factory=list)
     concurrency: migration.Concurrency | None = None
 
 

@@ -8,13 +8,12 @@ left out with a finding; so is said where a flag, the project file and the plan 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import migration
-from robosmi.typed import fresh
 
 DIFFERENT, GONE = "RS413", "RS414"
 
@@ -37,8 +36,8 @@ class StoredChoices:
         place: the plan, for messages.
     """
 
-    ports: Mapping[str, Said] = fresh(dict)
-    libraries: Mapping[tuple[str, str], Said] = fresh(dict)
+    ports: Mapping[str, Said] = field(default_factory=dict)
+    libraries: Mapping[tuple[str, str], Said] = field(default_factory=dict)
     place: Path | None = None
 
 

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from robosmi.transformations.m2m.width_rules import Walk
 from robosmi.transformations.m2m.width_wants import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, Want
 from robosmi.transformations.queries.numbers import Number
 from robosmi.transformations.queries.typed import TextPlace, TypedExpression
-from robosmi.typed import fresh
 
 _LITERAL = re.compile(r"(0[xX][0-9a-fA-F]+|0[bB][01]+|\d+)([uU]?)([lL]*)")
 _COMPOUND_FORMS = frozenset(["binary", "conditional", "assign", "compound"])
@@ -54,9 +53,9 @@ class Writer:
     texts: Mapping[str, bytes]
     walk: Walk
     lambdas: bool = True
-    lost: list[Want] = fresh(list)
-    _casts: dict[TextPlace, _Cast] = fresh(dict)
-    _edits: dict[WidthEdit, None] = fresh(dict)
+    lost: list[Want] = field(default_factory=list)
+    _casts: dict[TextPlace, _Cast] = field(default_factory=dict)
+    _edits: dict[WidthEdit, None] = field(default_factory=dict)
 
     def edits(self) -> list[WidthEdit]:
         """All changes; of those at one place the ones that stand outside come first."""

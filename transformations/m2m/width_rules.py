@@ -9,13 +9,12 @@ of text is in `width_changes`, types of declarations are in `width_types`. Sourc
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from robosmi.transformations.m2m.width_formats import conversions, has_format, wanted
 from robosmi.transformations.m2m.width_wants import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, Want
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number
 from robosmi.transformations.queries.typed import NumberKind, TextPlace, TypedExpression
-from robosmi.typed import fresh
 
 _ARITHMETIC = frozenset(["+", "-", "*", "/", "%", "&", "|", "^"])
 _TRUTH = Number(8, False)
@@ -37,11 +36,11 @@ class Walk:
 
     here: Machine
     there: Machine
-    names: Mapping[str, str] = fresh(dict)
-    wants: list[Want] = fresh(list)
-    seen: dict[TextPlace, set[str]] = fresh(dict)
-    changed: set[TextPlace] = fresh(set)
-    handing: set[str] = fresh(set)
+    names: Mapping[str, str] = field(default_factory=dict)
+    wants: list[Want] = field(default_factory=list)
+    seen: dict[TextPlace, set[str]] = field(default_factory=dict)
+    changed: set[TextPlace] = field(default_factory=set)
+    handing: set[str] = field(default_factory=set)
 
     def run(self, top: list[TypedExpression]) -> None:
         """Walk over what a unit declares."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import accumulate
 
 from robosmi.diagnostics import Finding, Location, Severity
@@ -23,7 +23,7 @@ from robosmi.transformations.m2m.width_wants import Want
 from robosmi.transformations.queries.numbers import Machine
 from robosmi.transformations.queries.typed import TypedExpression, deep_calls
 from robosmi.transformations.queries.width_types import retyped, retyped_words
-from robosmi.typed import distinct, fresh
+from robosmi.typed import distinct
 
 TYPE = "type"
 """The rule of a change of a declared type."""
@@ -47,8 +47,8 @@ class Widened:
         lost: what has to be written otherwise and finds no place.
     """
 
-    widenings: list[migration.Widening] = fresh(list)
-    lost: list[Want] = fresh(list)
+    widenings: list[migration.Widening] = field(default_factory=list)
+    lost: list[Want] = field(default_factory=list)
 
 
 def widenings(

@@ -7,10 +7,8 @@ is about as high as wide. Lengths in pixels of the SVG. What boxes mean is not k
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import sqrt
-
-from robosmi.typed import fresh
 
 _ROW, _HEAD, _GAP, _MARGIN, _MARK, _FOOT = 18, 40, 22, 20, 15, 16
 _CHANNEL, _BEND, _APART = 150, 60, 50
@@ -74,8 +72,8 @@ class Box:
     column: int
     group: int = 0
     strip: int = 0
-    rows: list[PartRow] = fresh(list)
-    marks: list[DrawnMark] = fresh(list)
+    rows: list[PartRow] = field(default_factory=list)
+    marks: list[DrawnMark] = field(default_factory=list)
     edge: str = "#444"
     x: float = 0
     y: float = 0

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import hardware
-from robosmi.typed import distinct, fresh
+from robosmi.typed import distinct
 
 _ELEMENT = re.compile(r"//@(components|nets)\.(\d+)")
 _QUOTED = re.compile(r"'([^']+)'")
@@ -33,9 +33,9 @@ class Mark:
 class Marks:
     """The marks of a picture: by component, by connector, and those of the drawing as a whole."""
 
-    components: dict[hardware.Component, list[Mark]] = fresh(dict)
-    connectors: dict[hardware.Connector, Mark] = fresh(dict)
-    whole: list[Mark] = fresh(list)
+    components: dict[hardware.Component, list[Mark]] = field(default_factory=dict)
+    connectors: dict[hardware.Connector, Mark] = field(default_factory=dict)
+    whole: list[Mark] = field(default_factory=list)
 
 
 def marks(circuit: hardware.Circuit, findings: Iterable[Finding]) -> Marks:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections import Counter, deque
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from textwrap import wrap
 
 from robosmi.diagnostics import Finding
@@ -22,7 +22,7 @@ from robosmi.transformations.m2t.circuit_layout import HEAD, Box, DrawnLink, Dra
 from robosmi.transformations.m2t.circuit_marks import Mark, Marks, marks
 from robosmi.transformations.queries.circuit_walk import natural_key, pins_of
 from robosmi.transformations.queries.connector_names import told_name
-from robosmi.typed import distinct, fresh
+from robosmi.typed import distinct
 
 _FILLS = {
     "Board": "#cfe3f5", "Input": "#d9f0d3", "Output": "#fde3c8", "Both": "#e9dcf2", "Passive": "#eeeeee", "Power": "#f8d0d0",
@@ -43,9 +43,9 @@ class Picture:
     """What is to be drawn: boxes with rows, links between rows or boxes, and lines of text below."""
 
     title: str
-    boxes: list[Box] = fresh(list)
-    links: list[DrawnLink] = fresh(list)
-    below: list[str] = fresh(list)
+    boxes: list[Box] = field(default_factory=list)
+    links: list[DrawnLink] = field(default_factory=list)
+    below: list[str] = field(default_factory=list)
 
 
 def circuit_picture(

@@ -6,14 +6,13 @@ The links are the plan's: texts that were generated from elements, and what was 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from robosmi.data_text import Json
 from robosmi.metamodels import ccode, migration, trace
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.page_sections import chunked
-from robosmi.typed import fresh
 
 _MOST = 40
 """Lines that one line is linked to; more, as of a whole file's heading, tell nothing."""
@@ -23,7 +22,7 @@ _MOST = 40
 class _Line:
     identity: str
     text: str
-    links: list[str] = fresh(list)
+    links: list[str] = field(default_factory=list)
     why: str = ""
 
     def row(self) -> tuple[str, str, str, str]:

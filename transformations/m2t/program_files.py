@@ -8,7 +8,7 @@ elements and to the step of the method that made it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from robosmi.data_text import Json
@@ -25,7 +25,6 @@ from robosmi.transformations.queries.circuit import pin_literal
 from robosmi.transformations.queries.plan import target_of
 from robosmi.transformations.queries.source_text import SourceText, is_header
 from robosmi.transformations.queries.text_changes import all_changes
-from robosmi.typed import fresh
 
 BENCH = "bench"
 """The folder, beside that of the program, of the sketch that tries one component at a time."""
@@ -50,7 +49,7 @@ class ProgramTemplates:
     adapters: str
     project: str
     project_file: str
-    more: Mapping[str, str] = fresh(dict)
+    more: Mapping[str, str] = field(default_factory=dict)
     bench: str = ""
 
 

@@ -7,12 +7,11 @@ variant for a microcontroller counts before one for all, one for the members of 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol
 
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece
-from robosmi.typed import fresh
 
 
 @dataclass
@@ -24,8 +23,8 @@ class Needed:
         unserved: (header, name) of what was asked for and cannot be served on this microcontroller -> why not.
     """
 
-    pieces: list[AdapterPiece] = fresh(list)
-    unserved: dict[tuple[str, str], str] = fresh(dict)
+    pieces: list[AdapterPiece] = field(default_factory=list)
+    unserved: dict[tuple[str, str], str] = field(default_factory=dict)
 
 
 class PieceSource(Protocol):

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, TypeVar
 
@@ -21,7 +21,6 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.names import name_or_text
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.values import Values
-from robosmi.typed import fresh
 
 T = TypeVar("T")
 _CALLED = re.compile(r"(?<![\w.#>])([A-Za-z_]\w*)\s*\(")
@@ -46,13 +45,13 @@ class CalledFunction:
     """
 
     name: str
-    calls: list[ccode.Call] = fresh(list)
+    calls: list[ccode.Call] = field(default_factory=list)
     entry: ApiEntry | None = None
     header: str = ""
     signature: str = ""
     signature_source: str = "inferred"
     in_macro: bool = False
-    made: list[ccode.Call] = fresh(list)
+    made: list[ccode.Call] = field(default_factory=list)
     callee: ccode.Function | None = None
 
     @property
@@ -73,7 +72,7 @@ class UsedName:
     name: str
     kind: str
     header: str
-    lines: list[int] = fresh(list)
+    lines: list[int] = field(default_factory=list)
 
 
 @dataclass

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from robosmi.metamodels import ccode, migration
 from robosmi.model.strict import Element
@@ -20,7 +20,6 @@ from robosmi.transformations.queries.folded_values import PURE, Key
 from robosmi.transformations.queries.live_code import identity, in_macros, is_global
 from robosmi.transformations.queries.names import named_type
 from robosmi.transformations.queries.values import Values
-from robosmi.typed import fresh
 
 _COUNTS = ("++", "--")
 _VALUE = re.compile(r"^(?:const \w+ \w+ =|#define \w+) (?P<number>-?(?:0x[0-9A-Fa-f]+|0|[1-9]\d*))L?;?$")
@@ -42,10 +41,10 @@ class CompiledCode:
 
     elements: list[Element]
     ignored: set[int]
-    fixed: dict[Key, int | None] = fresh(dict)
-    unread: set[Key] = fresh(set)
-    answers: dict[int, int] = fresh(dict)
-    arguments: dict[int, list[int | None]] = fresh(dict)
+    fixed: dict[Key, int | None] = field(default_factory=dict)
+    unread: set[Key] = field(default_factory=set)
+    answers: dict[int, int] = field(default_factory=dict)
+    arguments: dict[int, list[int | None]] = field(default_factory=dict)
 
 
 def compiled_code(plan: migration.MigrationPlan, *, pins: bool = True) -> CompiledCode:

@@ -6,11 +6,10 @@ them is decided in the plan.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents
-from robosmi.typed import fresh
 
 
 @dataclass
@@ -35,10 +34,10 @@ class MainStructure:
 
     function: ccode.Function
     loop: ccode.Loop | None = None
-    before: list[ccode.Statement] = fresh(list)
-    after: list[ccode.Statement] = fresh(list)
-    hoisted: list[ccode.Variable] = fresh(list)
-    exits: list[LoopExit] = fresh(list)
+    before: list[ccode.Statement] = field(default_factory=list)
+    after: list[ccode.Statement] = field(default_factory=list)
+    hoisted: list[ccode.Variable] = field(default_factory=list)
+    exits: list[LoopExit] = field(default_factory=list)
 
     @property
     def loop_kind(self) -> str | None:

@@ -8,7 +8,7 @@ role. Which numbers go where is `port_flows`' business; what a port becomes on t
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from robosmi.metamodels import ccode, platform
 from robosmi.query import ancestor_of_kind
@@ -21,7 +21,6 @@ from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.register_bits import register_bits
 from robosmi.transformations.queries.value_flows import Flow, PortPlace
 from robosmi.transformations.queries.values import Value, Values
-from robosmi.typed import fresh
 
 
 @dataclass
@@ -43,9 +42,9 @@ class Port:
     origin: str
     element: ccode.Located
     pin: int | None
-    names: list[str] = fresh(list)
+    names: list[str] = field(default_factory=list)
     what: str = ""
-    uses: list[PinUse] = fresh(list)
+    uses: list[PinUse] = field(default_factory=list)
     conventional: platform.ConventionalPort | None = None
 
     @property
@@ -71,7 +70,7 @@ class FlowPorts:
     numbers: list[int]
     anything: bool
     values: list[list[Value]]
-    made: Mapping[int, Sequence[tuple[ccode.Call, Collection[int | None]]]] = fresh(dict)
+    made: Mapping[int, Sequence[tuple[ccode.Call, Collection[int | None]]]] = field(default_factory=dict)
 
     @property
     def moved(self) -> bool:
@@ -93,7 +92,7 @@ class ProgramPorts:
     ports: list[Port]
     flows: list[FlowPorts]
     anything: bool
-    unasked: list[Port] = fresh(list)
+    unasked: list[Port] = field(default_factory=list)
 
 
 def program_ports(views: Sequence[CodeView], flows: Sequence[Flow]) -> ProgramPorts:

@@ -9,11 +9,10 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from robosmi.transformations.queries.numbers import Number
-from robosmi.typed import fresh
 
 DEEP = 6000
 """Calls within calls for trees as deep as the parser's, several a level."""
@@ -96,7 +95,7 @@ class TypedExpression:
     operator: str = ""
     kind: NumberKind = _UNKNOWN
     converted: NumberKind = _UNKNOWN
-    children: list[TypedExpression] = fresh(list)
+    children: list[TypedExpression] = field(default_factory=list)
     places: tuple[TextPlace, ...] = ()
     inner: tuple[TextPlace, ...] = ()
     layers: tuple[TextPlace, ...] = ()

@@ -7,12 +7,11 @@ any key; the number of a set's things never matters.
 from __future__ import annotations
 
 from collections.abc import Hashable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.api_facts import PinParameter
-from robosmi.typed import fresh
 
 
 class PortPlace(NamedTuple):
@@ -75,12 +74,12 @@ class Flow:
         given: the other expressions and macros whose values come in, each with its file.
     """
 
-    places: list[PortPlace] = fresh(list)
-    arguments: list[PinArgument] = fresh(list)
-    kept: list[str] = fresh(list)
+    places: list[PortPlace] = field(default_factory=list)
+    arguments: list[PinArgument] = field(default_factory=list)
+    kept: list[str] = field(default_factory=list)
     computed: bool = False
-    calculated: list[tuple[ccode.SourceUnit, ccode.Located]] = fresh(list)
-    given: list[tuple[ccode.SourceUnit, ccode.Located]] = fresh(list)
+    calculated: list[tuple[ccode.SourceUnit, ccode.Located]] = field(default_factory=list)
+    given: list[tuple[ccode.SourceUnit, ccode.Located]] = field(default_factory=list)
 
 
 class Flows:

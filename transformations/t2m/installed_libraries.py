@@ -12,7 +12,7 @@ import os
 import re
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from robosmi import inputs
@@ -22,7 +22,6 @@ from robosmi.errors import SourceError
 from robosmi.recommend.words import chunks, words
 from robosmi.transformations.t2m.library_declarations import declarations
 from robosmi.transformations.t2m.library_rows import HeaderRow, LibraryRow
-from robosmi.typed import fresh
 
 HEADERS = (".h", ".hpp", ".hh")
 _MOST_HEADERS, _MOST_WORDS, _LARGEST, _LONGEST_NAME = 40, 700, 4_000_000, 200
@@ -50,8 +49,8 @@ class Found:
         skipped: path -> why it was left out.
     """
 
-    rows: list[LibraryRow] = fresh(list)
-    skipped: dict[str, str] = fresh(dict)
+    rows: list[LibraryRow] = field(default_factory=list)
+    skipped: dict[str, str] = field(default_factory=dict)
 
 
 def read_libraries(folder: Path) -> Found:

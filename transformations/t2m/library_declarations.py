@@ -8,7 +8,7 @@ declaration. Nothing here nests: open brackets and scopes are kept in lists.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from robosmi.transformations.knowledge.api_spelling import joined
@@ -22,7 +22,6 @@ from robosmi.transformations.knowledge.api_tokens import (
     closing_of,
     compiled,
 )
-from robosmi.typed import fresh
 
 _MOST_SCOPES = 64
 _CLASSES = ("class", "struct", "union")
@@ -42,8 +41,8 @@ class _Class:
     name: str
     kind: str
     bases: list[str]
-    constructors: list[str] = fresh(list)
-    methods: list[list[str]] = fresh(list)
+    constructors: list[str] = field(default_factory=list)
+    methods: list[list[str]] = field(default_factory=list)
 
 
 @dataclass
@@ -60,11 +59,11 @@ class _Scope:
 class _Scan:
     """What was found so far."""
 
-    classes: list[_Class] = fresh(list)
-    functions: list[list[str]] = fresh(list)
-    constants: dict[str, str] = fresh(dict)
-    enums: dict[str, list[str]] = fresh(dict)
-    scopes: list[_Scope] = fresh(list)
+    classes: list[_Class] = field(default_factory=list)
+    functions: list[list[str]] = field(default_factory=list)
+    constants: dict[str, str] = field(default_factory=dict)
+    enums: dict[str, list[str]] = field(default_factory=dict)
+    scopes: list[_Scope] = field(default_factory=list)
 
     def visible(self) -> bool:
         """Whether what stands here can be used from outside."""

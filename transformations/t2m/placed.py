@@ -6,12 +6,11 @@ The hardware model is made of them by `drawing.CircuitBuilder`.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from robosmi.transformations.knowledge.drawn_boards import DrawnBoard
 from robosmi.transformations.knowledge.part import Part
-from robosmi.typed import fresh
 
 
 class End(NamedTuple):
@@ -42,10 +41,10 @@ class Placed:
     identity: str
     part_id: str
     title: str = ""
-    properties: Mapping[str, str] = fresh(dict)
+    properties: Mapping[str, str] = field(default_factory=dict)
     used: Iterable[str] = ()
     mentioned: Iterable[str] = ()
-    names: Mapping[str, str] = fresh(dict)
+    names: Mapping[str, str] = field(default_factory=dict)
     line: int | None = None
     hint: str = ""
     symbol: bool = False

@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 from robosmi import inputs
@@ -22,7 +22,7 @@ from robosmi.transformations.knowledge.api_spelling import tidy
 from robosmi.transformations.knowledge.lexer import TYPE_WORDS, definition_parts, directive_parts, tokens
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import read_unit
-from robosmi.typed import distinct, fresh
+from robosmi.typed import distinct
 
 ENDINGS = (".h", ".hh", ".hpp")
 LARGEST = 4_000_000
@@ -44,10 +44,10 @@ class ApiFound:
         missing: headers that are included and are neither in the folder nor standard ones.
     """
 
-    headers: dict[str, HeaderContent] = fresh(dict)
-    paths: dict[str, str] = fresh(dict)
-    skipped: dict[str, str] = fresh(dict)
-    missing: list[str] = fresh(list)
+    headers: dict[str, HeaderContent] = field(default_factory=dict)
+    paths: dict[str, str] = field(default_factory=dict)
+    skipped: dict[str, str] = field(default_factory=dict)
+    missing: list[str] = field(default_factory=list)
 
 
 @dataclass
@@ -60,15 +60,15 @@ class _Declared:
     """
 
     kind: str = ""
-    includes: list[str] = fresh(list)
-    functions: dict[str, list[str]] = fresh(dict)
-    macros: dict[str, int] = fresh(dict)
-    vars: dict[str, str] = fresh(dict)
-    consts: set[str] = fresh(set)
-    types: dict[str, str] = fresh(dict)
-    registers: list[str] = fresh(list)
-    aliases: dict[str, str] = fresh(dict)
-    volatile: list[str] = fresh(list)
+    includes: list[str] = field(default_factory=list)
+    functions: dict[str, list[str]] = field(default_factory=dict)
+    macros: dict[str, int] = field(default_factory=dict)
+    vars: dict[str, str] = field(default_factory=dict)
+    consts: set[str] = field(default_factory=set)
+    types: dict[str, str] = field(default_factory=dict)
+    registers: list[str] = field(default_factory=list)
+    aliases: dict[str, str] = field(default_factory=dict)
+    volatile: list[str] = field(default_factory=list)
 
     def content(self, registers: Collection[str]) -> HeaderContent:
         """The header's entry, with those registers that it declares; what is empty is left out."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
 from pathlib import Path
 
@@ -24,7 +24,7 @@ from robosmi.transformations.knowledge.part_names import connector_kind
 from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.t2m.connectivity import Joined
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
-from robosmi.typed import distinct, fresh
+from robosmi.typed import distinct
 
 _CLOCK_PARTS = ("crystal", "resonator", "oscillator", "quartz", "xtal")
 _NET_NAMES = 3
@@ -62,9 +62,9 @@ class SchematicPart:
     value: str = ""
     description: str = ""
     tags: tuple[str, ...] = ()
-    pins: Mapping[str, str] = fresh(dict)
+    pins: Mapping[str, str] = field(default_factory=dict)
     count: int = 0
-    properties: Mapping[str, str] = fresh(dict)
+    properties: Mapping[str, str] = field(default_factory=dict)
     line: int | None = None
     power: bool = False
     defined: bool = True
@@ -75,7 +75,7 @@ class SchematicNet:
     """A net: its name in the drawing, and its pins. Nets that have a pin in common are one."""
 
     name: str
-    ends: list[End] = fresh(list)
+    ends: list[End] = field(default_factory=list)
 
 
 @dataclass(slots=True)
@@ -86,8 +86,8 @@ class Schematic:
     digest: str
     tool: str
     version: str = ""
-    parts: list[SchematicPart] = fresh(list)
-    nets: list[SchematicNet] = fresh(list)
+    parts: list[SchematicPart] = field(default_factory=list)
+    nets: list[SchematicNet] = field(default_factory=list)
     companions: Sequence[str] = ()
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -27,7 +27,7 @@ from robosmi.transformations.queries.port_flows import port_flows
 from robosmi.transformations.queries.ports import program_ports
 from robosmi.transformations.queries.split_wires import answering_pin, asking_pin
 from robosmi.transformations.verification.wired_devices import WiredDevice, wired_devices
-from robosmi.typed import distinct, fresh
+from robosmi.typed import distinct
 from robosmi.verify.tables import DataTable
 
 _FACTS = "simulation/devices.toml"
@@ -68,7 +68,7 @@ class BoundPort:
     pin: str = ""
     line: bool = False
     group: str = ""
-    settings: Mapping[str, Any] = fresh(dict)
+    settings: Mapping[str, Any] = field(default_factory=dict)
     shown: bool = False
     averaged: bool = False
     kinds: frozenset[str] = frozenset()

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from time import monotonic
 from typing import Any
@@ -19,7 +19,7 @@ from robosmi.transformations.verification.original_side import Place, SourceRuns
 from robosmi.transformations.verification.played_devices import CONSOLE, TYPING
 from robosmi.transformations.verification.port_devices import BoundPort, device_facts
 from robosmi.transformations.verification.scenario_goals import BESIDE, ENDS, GOALS, behaviour, beside, shown
-from robosmi.typed import distinct, fresh
+from robosmi.typed import distinct
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.scenario import POINTS, Points, Scenario
 
@@ -48,9 +48,9 @@ class FoundScenarios:
         tried: how many were run.
     """
 
-    scenarios: list[tuple[Scenario, SourceRuns]] = fresh(list)
+    scenarios: list[tuple[Scenario, SourceRuns]] = field(default_factory=list)
     racy: int = 0
-    racy_counts: list[bytes] = fresh(list)
+    racy_counts: list[bytes] = field(default_factory=list)
     least_racy: Scenario | None = None
     tried: int = 0
 
@@ -103,11 +103,11 @@ class _Search:
     until: float
     horizon: float = 0.0
     fruitless: int = 0
-    found: FoundScenarios = fresh(FoundScenarios)
-    reached_by: list[frozenset[Place]] = fresh(list)
-    only_racy: set[Place] = fresh(set)
+    found: FoundScenarios = field(default_factory=FoundScenarios)
+    reached_by: list[frozenset[Place]] = field(default_factory=list)
+    only_racy: set[Place] = field(default_factory=set)
     retried: int = 0
-    at_rest: dict[str, list[str]] = fresh(dict)
+    at_rest: dict[str, list[str]] = field(default_factory=dict)
 
     def try_signals(self, signals: Mapping[str, Mapping[str, Points]], also: frozenset[Place] = frozenset()) -> frozenset[Place]:
         """Run a scenario, keep it if it reaches what no other does and is not racy; what it reaches, and `also`."""

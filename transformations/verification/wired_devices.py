@@ -7,14 +7,14 @@ single port, which the functions that use it tell, are found by `port_devices`.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.pin_uses import pin_number, pin_values
 from robosmi.transformations.queries.values import Values
-from robosmi.typed import distinct, fresh
+from robosmi.typed import distinct
 from robosmi.verify.tables import DataTable
 
 
@@ -32,7 +32,7 @@ class WiredDevice:
 
     kind: str
     pins: Mapping[str, int]
-    settings: Mapping[str, Any] = fresh(dict)
+    settings: Mapping[str, Any] = field(default_factory=dict)
     closed_by: tuple[str, ...] = ()
 
 

@@ -9,12 +9,11 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from robosmi.transformations.knowledge.lexer import Token, tokens
 from robosmi.transformations.queries.typed import TextPlace
-from robosmi.typed import fresh
 
 MOST_TOKENS = 400_000
 """Tokens of an expanded text; what would become longer is left as it is."""
@@ -53,7 +52,7 @@ class Definition:
     unit: str
     offset: int
     variadic: bool = False
-    strings: set[str] = fresh(set)
+    strings: set[str] = field(default_factory=set)
 
 
 def definition(unit: str, data: bytes, start: int, end: int) -> Definition | None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from robosmi.transformations.knowledge.lexer import (
     KEYWORDS,
@@ -22,7 +22,6 @@ from robosmi.transformations.knowledge.lexer import (
     directive_parts,
 )
 from robosmi.transformations.knowledge.lexer import tokens as tokenise
-from robosmi.typed import fresh
 
 _OF_TYPES = TYPE_WORDS | QUALIFIERS | STORAGE_WORDS
 _WORDS = KEYWORDS | _OF_TYPES
@@ -43,8 +42,8 @@ class Foreseen:
         functions: names of functions that the text declares at file scope.
     """
 
-    undeclared: list[str] = fresh(list)
-    functions: set[str] = fresh(set)
+    undeclared: list[str] = field(default_factory=list)
+    functions: set[str] = field(default_factory=set)
 
 
 def foresee(tokens: Sequence[Token], known: Callable[[str], bool]) -> Foreseen | None:

@@ -8,14 +8,13 @@ function that is not void. A guess is a guess: the linkage says so.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import cursor_kinds, type_kinds
 from robosmi.transformations.t2m.c_source.clang import ClangLibrary, Type
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.tree import Node
-from robosmi.typed import fresh
 
 _POINTER, _RECORD, _FLOATING, _ARRAYS, _FUNCTIONS = (
     type_kinds.POINTER,
@@ -41,7 +40,7 @@ class Inferred:
 
     name: str
     returns: str = "void"
-    types: list[str] = fresh(list)
+    types: list[str] = field(default_factory=list)
     variadic: bool = False
 
     def signature(self) -> str:

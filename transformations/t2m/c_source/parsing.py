@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import clang, tree
@@ -29,7 +29,6 @@ from robosmi.transformations.t2m.c_source.mending import (
 )
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import ReadSource
-from robosmi.typed import fresh
 
 MAX_PARSES = 3
 _MISSING_DECLARATIONS = (
@@ -45,7 +44,7 @@ class Diagnostic:
     offset: int
     message: str
     severity: int
-    edits: list[Edit] = fresh(list)
+    edits: list[Edit] = field(default_factory=list)
 
     @property
     def syntax(self) -> bool:
@@ -85,7 +84,7 @@ class Parsed:
     prelude: Prelude
     parses: int
     reader: tree.TreeReader
-    cut: list[tuple[int, int]] = fresh(list)
+    cut: list[tuple[int, int]] = field(default_factory=list)
 
     def close(self) -> None:
         """Free the parser's memory; the nodes' cursors are dead afterwards."""

@@ -9,12 +9,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, TYPE_WORDS, Token
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.standard_names import STANDARD_NAMES
-from robosmi.typed import fresh
 
 _UNKNOWN = [
     re.compile(r"^unknown type name '(?P<name>\w+)'"),
@@ -50,15 +49,15 @@ class Prelude:
 
     platform: ApiIndex
     cxx: bool = False
-    types: dict[str, bool] = fresh(dict)
-    values: dict[str, str] = fresh(dict)
-    macros: set[str] = fresh(set)
-    standard: dict[str, str] = fresh(dict)
-    functions: dict[str, str] = fresh(dict)
-    members: dict[str, str] = fresh(dict)
-    always: list[str] = fresh(list)
-    in_std: dict[str, str] = fresh(dict)
-    _fixed: set[str] = fresh(set)
+    types: dict[str, bool] = field(default_factory=dict)
+    values: dict[str, str] = field(default_factory=dict)
+    macros: set[str] = field(default_factory=set)
+    standard: dict[str, str] = field(default_factory=dict)
+    functions: dict[str, str] = field(default_factory=dict)
+    members: dict[str, str] = field(default_factory=dict)
+    always: list[str] = field(default_factory=list)
+    in_std: dict[str, str] = field(default_factory=dict)
+    _fixed: set[str] = field(default_factory=set)
 
     def collect(self, messages: Iterable[str], tokens: list[Token], own_names: Callable[[], dict[str, str]]) -> bool:
         """Take over what the diagnostics complain about.

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import os
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
-from robosmi.typed import distinct, fresh
+from robosmi.typed import distinct
 
 ENDING = ".side"
 _SOURCES = (".c", ".cc", ".cpp", ".cxx")
@@ -33,10 +33,10 @@ class SideProject:
         findings: what was left out, and why.
     """
 
-    sources: list[str] = fresh(list)
-    include_dirs: list[str] = fresh(list)
-    defines: list[str] = fresh(list)
-    findings: list[Finding] = fresh(list)
+    sources: list[str] = field(default_factory=list)
+    include_dirs: list[str] = field(default_factory=list)
+    defines: list[str] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
 
 
 def project_beside(source: str) -> str:

@@ -12,14 +12,13 @@ import hashlib
 import os
 import re
 from bisect import bisect_right
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TypedDict
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.transformations.knowledge.lexer import Token, tokens
-from robosmi.typed import fresh
 
 _LINE_END = re.compile(rb"\n")
 MOST_TOKENS = 2_000_000
@@ -60,8 +59,8 @@ class ReadSource:
     encoding: str
     digest: str
     size: int
-    tokens: list[Token] = fresh(list)
-    _lines: list[int] = fresh(list)
+    tokens: list[Token] = field(default_factory=list)
+    _lines: list[int] = field(default_factory=list)
     _codec: str = "utf-8"
 
     @property

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from lxml import etree
@@ -19,7 +19,6 @@ from robosmi.errors import SourceError
 from robosmi.transformations.t2m.drawing_file import drawing_bytes
 from robosmi.transformations.t2m.eagle.library import EagleDevice, EagleLibraries
 from robosmi.transformations.t2m.guarded_xml import line_of, parse_xml
-from robosmi.typed import fresh
 
 MOST_PARTS = 20_000
 """Parts of a schematic, those of module instances counted with each; the largest public one has a few thousand."""
@@ -47,7 +46,7 @@ class EaglePart:
     attributes: dict[str, str]
     line: int
     found: EagleDevice | None
-    gates: set[str] = fresh(set)
+    gates: set[str] = field(default_factory=set)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,10 +76,10 @@ class EagleSchematic:
     path: str
     digest: str
     version: str
-    parts: list[EaglePart] = fresh(list)
-    nets: dict[str, list[PinRef]] = fresh(dict)
-    joined: list[tuple[str, str]] = fresh(list)
-    missing: list[tuple[str, int]] = fresh(list)
+    parts: list[EaglePart] = field(default_factory=list)
+    nets: dict[str, list[PinRef]] = field(default_factory=dict)
+    joined: list[tuple[str, str]] = field(default_factory=list)
+    missing: list[tuple[str, int]] = field(default_factory=list)
 
 
 def recognises(head: bytes) -> bool:

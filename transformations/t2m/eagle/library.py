@@ -7,12 +7,10 @@ gates, the gate is part of the connector's identity. What the parts are for is n
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from html import unescape
 
 from lxml import etree
-
-from robosmi.typed import fresh
 
 _TAG = re.compile(r"<[^<>]*>")
 _COUNTER = re.compile(r"@[^@]*$")
@@ -45,9 +43,9 @@ class EagleDevice:
 
     title: str
     description: str
-    pins: dict[tuple[str, str], EaglePin] = fresh(dict)
+    pins: dict[tuple[str, str], EaglePin] = field(default_factory=dict)
     pads: int = 0
-    addlevels: dict[str, str] = fresh(dict)
+    addlevels: dict[str, str] = field(default_factory=dict)
 
 
 class EagleLibraries:

@@ -10,14 +10,13 @@ from __future__ import annotations
 import hashlib
 import stat
 import zipfile
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.model import zip_archive
-from robosmi.typed import fresh
 
 MAX_ENTRIES = 2_000
 """Entries in an archive; the largest public sketch has under a hundred."""
@@ -44,8 +43,8 @@ class Container:
     digest: str
     sketch_name: str
     sketch: bytes
-    parts: list[tuple[str, bytes]] = fresh(list)
-    findings: list[Finding] = fresh(list)
+    parts: list[tuple[str, bytes]] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
 
 
 def recognises(head: bytes) -> bool:

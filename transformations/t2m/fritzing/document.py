@@ -7,14 +7,13 @@ are one node, is not told here.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from lxml import etree
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.guarded_xml import line_of, parse_xml
-from robosmi.typed import fresh
 
 VIEWS = ("breadboardView", "schematicView", "pcbView")
 """The views that hold connections, in the order in which they are believed."""
@@ -32,8 +31,8 @@ Edge = tuple[str, str, str]
 class View:
     """What an instance has in one view: connections, connectors mentioned, wire flags (None if not given) and colour."""
 
-    edges: list[Edge] = fresh(list)
-    connectors: list[str] = fresh(list)
+    edges: list[Edge] = field(default_factory=list)
+    connectors: list[str] = field(default_factory=list)
     flags: int | None = None
     color: str = ""
 
@@ -50,7 +49,7 @@ class Instance:
     properties: dict[str, str]
     local_names: dict[str, str]
     elements: dict[str, etree._Element]
-    read: dict[str, View] = fresh(dict)
+    read: dict[str, View] = field(default_factory=dict)
 
     def view(self, name: str) -> View:
         """What it has in the view of that name; an empty record where it is not in that view."""

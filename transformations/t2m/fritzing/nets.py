@@ -8,12 +8,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from robosmi.transformations.t2m.connectivity import Joined, Leaders, Node
 from robosmi.transformations.t2m.fritzing.document import Instance
-from robosmi.typed import fresh
 
 DERIVED = 8 | 16
 """Wire flags of old jumpers and of rats' nests: hints that Fritzing derives and does not conduct by (viewgeometry.h)."""
@@ -40,14 +39,14 @@ class ViewWiring:
     """
 
     view: str
-    joined: Joined = fresh(Joined)
-    used: dict[str, dict[str, None]] = fresh(dict)
-    wire_ends: dict[str, dict[tuple[str, str], None]] = fresh(dict)
-    wires: list[str] = fresh(list)
+    joined: Joined = field(default_factory=Joined)
+    used: dict[str, dict[str, None]] = field(default_factory=dict)
+    wire_ends: dict[str, dict[tuple[str, str], None]] = field(default_factory=dict)
+    wires: list[str] = field(default_factory=list)
     ignored_wires: int = 0
-    dangling: list[tuple[Instance, str]] = fresh(list)
-    lacking: dict[str, dict[str, None]] = fresh(dict)
-    too_big: list[Instance] = fresh(list)
+    dangling: list[tuple[Instance, str]] = field(default_factory=list)
+    lacking: dict[str, dict[str, None]] = field(default_factory=dict)
+    too_big: list[Instance] = field(default_factory=list)
 
 
 def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders, has: Has, twice: Collection[str] = ()) -> ViewWiring:

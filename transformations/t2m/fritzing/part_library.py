@@ -10,7 +10,7 @@ import html
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from lxml import etree
@@ -23,7 +23,6 @@ from robosmi.transformations.knowledge.part_names import names
 from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.t2m.fritzing.part_file import part_of
 from robosmi.transformations.t2m.guarded_xml import parse_xml
-from robosmi.typed import fresh
 
 DEFINITION = inputs.Kind("part definition", 16 * 1024 * 1024)
 """The largest public one has under one megabyte."""
@@ -36,8 +35,8 @@ _WORD = re.compile(r"[^\W_]{2,30}")
 class PartLibrary:
     """What was read: each part with the word counts of its description, and what was left out."""
 
-    parts: list[tuple[Part, Counter[str]]] = fresh(list)
-    findings: list[Finding] = fresh(list)
+    parts: list[tuple[Part, Counter[str]]] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
     repeated: int = 0
 
 

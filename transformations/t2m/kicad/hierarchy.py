@@ -7,7 +7,7 @@ symbols without a number (`U?`) are parts each. How a file is read is the busine
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import SourceError
@@ -25,7 +25,6 @@ from robosmi.transformations.t2m.kicad.sheet import (
     placed_at,
 )
 from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart
-from robosmi.typed import fresh
 
 MOST_SHEETS = 1_000
 """Sheets of a drawing, one drawn twice counted twice."""
@@ -42,8 +41,8 @@ class _Part:
     title: str
     symbol: SheetSymbol
     library: LibrarySymbol | None
-    nodes: list[tuple[str, Node]] = fresh(list)
-    units: set[int] = fresh(set)
+    nodes: list[tuple[str, Node]] = field(default_factory=list)
+    units: set[int] = field(default_factory=set)
 
 
 class Hierarchy:

@@ -7,10 +7,8 @@ net is told by `nets`.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
-
-from robosmi.typed import fresh
 
 MOST_SYMBOLS = 50_000
 """Symbols of a drawing; the largest public schematic has a few thousand."""
@@ -129,16 +127,16 @@ class Sheet:
     uuid: str = ""
     version: str = ""
     by_value: bool = True
-    wires: list[Wire] = fresh(list)
-    junctions: list[Point] = fresh(list)
-    buses: list[Wire] = fresh(list)
-    entries: list[Wire] = fresh(list)
-    aliases: dict[str, list[str]] = fresh(dict)
-    labels: list[Label] = fresh(list)
-    symbols: list[SheetSymbol] = fresh(list)
-    sheets: list[SubSheet] = fresh(list)
-    library: dict[str, LibrarySymbol] = fresh(dict)
-    instances: dict[str, tuple[str, int]] = fresh(dict)
+    wires: list[Wire] = field(default_factory=list)
+    junctions: list[Point] = field(default_factory=list)
+    buses: list[Wire] = field(default_factory=list)
+    entries: list[Wire] = field(default_factory=list)
+    aliases: dict[str, list[str]] = field(default_factory=dict)
+    labels: list[Label] = field(default_factory=list)
+    symbols: list[SheetSymbol] = field(default_factory=list)
+    sheets: list[SubSheet] = field(default_factory=list)
+    library: dict[str, LibrarySymbol] = field(default_factory=dict)
+    instances: dict[str, tuple[str, int]] = field(default_factory=dict)
 
 
 _ESCAPED = {

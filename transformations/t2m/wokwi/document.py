@@ -12,7 +12,7 @@ import json
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple, TypeAlias
 
@@ -20,7 +20,6 @@ from robosmi.data_text import json_at
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.drawing_file import drawing_bytes
-from robosmi.typed import fresh
 
 MOST_PARTS = 20_000
 """Parts, and connections, of a diagram; the largest public one has under a thousand."""
@@ -78,9 +77,9 @@ class Diagram:
     path: str
     digest: str
     version: str = ""
-    parts: list[DiagramPart] = fresh(list)
-    connections: list[Connection] = fresh(list)
-    left_out: list[tuple[str, int]] = fresh(list)
+    parts: list[DiagramPart] = field(default_factory=list)
+    connections: list[Connection] = field(default_factory=list)
+    left_out: list[tuple[str, int]] = field(default_factory=list)
 
 
 def recognises(head: bytes) -> bool:
