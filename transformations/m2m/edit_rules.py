@@ -13,6 +13,7 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.adapter_ranges import parameter_names
+from robosmi.transformations.m2m import compound_literals
 from robosmi.transformations.m2m.designated_lists import positional
 from robosmi.transformations.queries.own_headers import own_header
 from robosmi.transformations.queries.signature_text import nothing
@@ -235,9 +236,17 @@ def _define_local(element: ccode.Variable, choice: str, text: SourceText) -> lis
 
 
 def _define_extern(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    shared, constant = is_header(text.unit), _constant(element)
+    return _defined("extern " * _constant(element), element, choice, text)  # a constant of C++ is its file's own but for extern
+
+
+def _define_without_extern(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
+    return _defined("", element, choice, text)
+
+
+def _defined(before: str, element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
+    """The declaration of a variable as its definition, with a word before it."""
     found = re.compile(rb"\bextern\b\s*").search(text.data, element.startOffset, element.endOffset)
-    kept = "extern " * constant + "__attribute__((weak)) " * shared  # a constant of C++ is its file's own but for extern
+    kept = before + "__attribute__((weak)) " * is_header(text.unit)
     made = [(found.start(), found.end(), kept)] if found else []
     return made + _sized(element, choice, text)
 
@@ -321,6 +330,7 @@ RULES: dict[str, EditRule] = {
     "linkage-of-c": _branch_out,
     "open-size": _open_size,
     "positional": lambda element, choice, text: positional(element, text.data) or [],
+    compound_literals.RULE: lambda element, choice, text: compound_literals.replacements(element, choice, text.data),
     "convert": _convert,
     "convert-compound": _convert_compound,
     "empty-parentheses": _parentheses,
@@ -341,6 +351,7 @@ RULES: dict[str, EditRule] = {
     "assign-behind": _assign_behind,
     "take-out": _out,
     "define-extern": _define_extern,
+    "define-without-extern": _define_without_extern,
     "define-local": _define_local,
     "define-in-list": _sized,
     "define-behind": _define_behind,

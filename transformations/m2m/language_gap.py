@@ -14,6 +14,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind
 from robosmi.transformations.m2m import old_c, shared_names
+from robosmi.transformations.m2m.compound_literals import compound_literals
 from robosmi.transformations.m2m.designated_lists import positional
 from robosmi.transformations.m2m.source_assembler import assembler
 from robosmi.transformations.m2m.text_change import Change, Rule
@@ -271,14 +272,21 @@ def _fresh(wanted: str, taken: Collection[str]) -> str:
 
 def _designated(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """Lists whose values name elements of an array, or leave out members: C++ counts them."""
-    for variable in view.of_kind(ccode.Variable):
-        if variable.initializer is not None and positional(variable, data):
-            yield Change(variable, "positional", "", "C++ gives the values of a list in their order")
+    for holder in _list_holders(view):
+        if positional(holder, data):
+            yield Change(holder, "positional", "", "C++ gives the values of a list in their order")
+
+
+def _list_holders(view: CodeView) -> Iterator[ccode.Variable | ccode.Cast]:
+    """What has a list: variables with an initial value, and compound literals."""
+    yield from (variable for variable in view.of_kind(ccode.Variable) if variable.initializer is not None)
+    yield from (cast for cast in view.of_kind(ccode.Cast) if isinstance(cast.operand, ccode.InitializerList))
 
 
 RULES: tuple[Rule, ...] = (
     _tags,
     _designated,
+    compound_literals,
     _enumerations,
     _conversions,
     _comparisons,
@@ -291,6 +299,7 @@ TEXT_RULES = frozenset(
         "empty-parentheses",
         "parameters-behind",
         "positional",
+        "named-literal",
         "rename-tag",
         "implicit-int",
         "return-at-end",
@@ -298,6 +307,7 @@ TEXT_RULES = frozenset(
         "declare-static",
         "no-static",
         "define-extern",
+        "define-without-extern",
         "define-local",
         "define-in-list",
         "define-behind",
@@ -336,9 +346,7 @@ def _text_bytes(literal: str) -> int:
 
 
 def _unmended(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Located, str]]:
-    mended = [
-        (int(v.startOffset), int(v.endOffset)) for v in view.of_kind(ccode.Variable) if v.initializer and positional(v, data)
-    ]
+    mended = [(int(holder.startOffset), int(holder.endOffset)) for holder in _list_holders(view) if positional(holder, data)]
     for value in (*view.of_kind(ccode.UnknownExpression), *view.of_kind(ccode.InitializerList)):
         if any(start <= value.startOffset < end for start, end in mended):
             continue

@@ -125,6 +125,12 @@ def extern(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -
             yield Change(variable, rule if number == 0 else "define-in-list", names, "the program defines it nowhere")
 
 
+def _extern_in_c(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """The same in C, where a definition with a value is not called extern: compilers warn of it."""
+    for change in extern(view, data, functions):
+        yield change._replace(rule="define-without-extern") if change.rule == "define-extern" else change
+
+
 def _declared_together(variables: Iterable[ccode.Variable]) -> list[list[ccode.Variable]]:
     """Variables by the declaration that names them, in text order."""
     found: dict[tuple[int, int], list[ccode.Variable]] = {}
@@ -189,5 +195,5 @@ def _common(declaration: ccode.Declaration) -> bool:
 
 
 RULES: tuple[Rule, ...] = (tentative, common, shared, extern, constants_of_others, linkage)
-IN_C: tuple[Rule, ...] = (extern, common)
+IN_C: tuple[Rule, ...] = (_extern_in_c, common)
 """Of these the ones that C wants, too: nothing is common to files there by default any more."""

@@ -103,7 +103,7 @@ def of_use(use: ccode.TypeUse | None) -> ValueType | None:
     """The type that a declaration says; typedefs of the program are followed."""
     if use is None or not use.spelling:
         return None
-    made = parse(use.spelling, use.arrayDims or "")
+    made = parse(use.spelling, "" if "[" in use.spelling else use.arrayDims or "")  # a cast spells its sizes itself
     declaration = use.declaration
     if isinstance(declaration, ccode.Typedef):
         inner = of_use(declaration.aliased)

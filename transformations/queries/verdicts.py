@@ -233,7 +233,9 @@ class _Judge:
 
 IN_PLACE = "adapter-in-place"
 """The rule by which a function that the program declares and no file defines gets its body where it is declared."""
-UNDEFINED = frozenset({"define-extern", "define-local", "define-in-list", "define-behind", "left-undefined"})
+UNDEFINED = frozenset(
+    {"define-extern", "define-without-extern", "define-local", "define-in-list", "define-behind", "left-undefined"}
+)
 """Rules by which the declaration of a variable that no file defines became its definition, or stayed what it is."""
 _TO_DO = frozenset({"RS312", "RS321"})
 """Rules of warnings that leave something to be written: C that C++ refuses, code that needs a core of its own."""

@@ -39,3 +39,22 @@ def test_a_renamed_constant_keeps_its_name_when_its_port_moves(tmp_path: Path) -
     assert "<<<<" not in text
     assert "RS511" not in [f.rule for f in made.findings]
     assert [f.message for f in made.findings if f.rule == "RS512" and "different words" in f.message]
+
+
+def test_a_variable_of_a_structure_that_nobody_knows_keeps_its_type(tmp_path: Path) -> None:
+    """A regression: the first mention of the structure hid where the declaration begins, and int came before the name."""
+    source = tmp_path / "folder.c"
+    lines = ["struct dirent *entry;", "struct other const *last = 0;", "static struct third *kept;"]
+    source.write_text(f'#include "simpletools.h"\nint main() {{\n  {lines[0]}\n  {lines[1]}\n  {lines[2]}\n  pause(1);\n}}\n')
+    robosmi.migrate([source], tmp_path / "out")
+    text = (tmp_path / "out" / "folder" / "folder.ino").read_text()
+    assert [line for line in lines if line not in text] == []
+
+
+def test_a_constant_that_no_file_defines_is_not_extern_in_c(tmp_path: Path) -> None:
+    source = tmp_path / "limit.c"
+    source.write_text('#include "simpletools.h"\nextern const int limit;\nint main() { pause(limit); }\n')
+    robosmi.migrate([source], tmp_path / "c", target="avr-c")
+    assert "\nconst int32_t limit = {0};" in (tmp_path / "c" / "limit" / "limit.c").read_text()
+    robosmi.migrate([source], tmp_path / "cxx", target="uno")
+    assert "\nextern const int32_t limit = {0};" in (tmp_path / "cxx" / "limit" / "limit.ino").read_text()

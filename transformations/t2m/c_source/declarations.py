@@ -43,6 +43,8 @@ def group(context: UnitContext, nodes: Sequence[Node], start: int | None = None)
             node.kind in (cursor_kinds.STRUCT_DECL, cursor_kinds.UNION_DECL, cursor_kinds.CLASS_DECL, cursor_kinds.ENUM_DECL)
             and _only_named(context, node)
         ):
+            if start is not None and not made:
+                node.start = start  # the parser counts a record that is named here for the first time as the one before it
             element = _variable(context, node, start) if node.kind == cursor_kinds.VAR_DECL else builder(context, node)
             if starts[node.start] > 1 and isinstance(element, ccode.Variable):
                 element.shared = True

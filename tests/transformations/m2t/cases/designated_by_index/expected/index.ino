@@ -7,7 +7,7 @@
 
 struct config { int32_t pin; int32_t speed; };
 int32_t table[4] = { {}, {}, 5 };
-struct config left = { .speed = 24, .pin = 3 };
+struct config left = { 3, 24 };
 
 void setup() {
 }

@@ -1,0 +1,110 @@
+"""The values of a list in braces, with what names their places: tokens in, values and places out.
+
+How a list is written by position is decided in `designated_lists` and `reordered_lists`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.lexer import Token
+from robosmi.transformations.queries.expression_type import ValueType
+
+MOST = 256
+"""Elements in a row that are left out and still written as `{}`."""
+
+
+class ListValue(NamedTuple):
+    """A value of a list: the tokens of its designator (none for most), and those of its own."""
+
+    designator: Sequence[Token]
+    value: Sequence[Token]
+
+
+class UnknownList(Exception):
+    """The list cannot be written by position."""
+
+
+def constants_of(variable: ccode.Variable | ccode.Cast) -> Mapping[str, int]:
+    """Numbers that names stand for: enumerators, and macros that are a number."""
+    element = variable.eContainer()
+    while element is not None and not isinstance(element, ccode.SourceUnit):
+        element = element.eContainer()
+    units = element.program.units if element is not None and element.program is not None else ()
+    found: dict[str, int] = {}
+    for unit in units:
+        for declared in unit.declarations:
+            if isinstance(declared, ccode.Enumeration):
+                found |= {str(literal.name): int(literal.value) for literal in declared.literals}
+        for macro in unit.macros:
+            value = _integer(str(macro.body or "").strip("() ")) if not macro.functionLike else None
+            if value is not None:
+                found[str(macro.name)] = value
+    return found
+
+
+def _integer(text: str) -> int | None:
+    """The value of an integer literal of C, None for any other text."""
+    digits = text.rstrip("uUlL")
+    try:
+        return int(digits, 8 if digits.isdecimal() and len(digits) > 1 and digits[0] == "0" else 0)
+    except ValueError:
+        return None
+
+
+def is_record(kind: ValueType | None) -> bool:
+    """Whether a type is a structure or union, and no pointer to one."""
+    return kind is not None and kind.depth == 0 and isinstance(kind.declaration, ccode.Record)
+
+
+def values_of(words: Sequence[Token]) -> list[ListValue]:
+    """The values of a list, from the tokens between its braces.
+
+    Raises:
+        UnknownList: a designator has no value behind it.
+    """
+    parts: list[list[Token]] = [[]]
+    depth = 0
+    for word in words:
+        depth += (word[3] in ("(", "[", "{")) - (word[3] in (")", "]", "}"))
+        if word[3] == "," and depth == 0:
+            parts.append([])
+        else:
+            parts[-1].append(word)
+    found = []
+    for part in parts:
+        if not part:
+            continue
+        behind = _behind_designator(part)
+        found.append(ListValue(part[:behind], part[behind:]))
+    if any(not each.value for each in found):
+        raise UnknownList
+    return found
+
+
+def _behind_designator(part: Sequence[Token]) -> int:
+    """How many tokens a designator takes, with its `=`; 0 for a value without one."""
+    if part[0][3] not in ("[", "."):
+        return 0
+    equals = next((number for number, word in enumerate(part) if word[3] == "="), 0)
+    return equals + 1 if equals else 0
+
+
+def index_value(text: str, constants: Mapping[str, int]) -> int:
+    """The value of an index: numbers and names of numbers, added and subtracted.
+
+    Raises:
+        UnknownList: it has something else in it.
+    """
+    total, sign = 0, 1
+    for word in text.replace("+", " + ").replace("-", " - ").split():
+        if word in "+-":
+            sign = 1 if word == "+" else -1
+            continue
+        value = constants.get(word, _integer(word) if word[0].isdigit() else None)
+        if value is None:
+            raise UnknownList
+        total, sign = total + sign * value, 1
+    return total

@@ -1,0 +1,167 @@
+"""Initial values whose designators stand in another order than their places, as lists in the order of the places.
+
+Such a list is written anew as a whole: designators in a row (`.at.x`, `[1][0]`), places given twice, of which the last counts,
+and comments beside their values. Refused is what is calculated or called in such a list, because changes within it would be
+lost, and members of unions but the first. Lists in order are `designated_lists`'.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.lexer import Token
+from robosmi.transformations.m2m.list_values import MOST, ListValue, UnknownList, index_value, is_record, values_of
+from robosmi.transformations.queries.expression_type import ValueType, element_type, of_use
+
+_SIGNS = frozenset(["-", "&"])
+_PLAIN = frozenset(["{", "}", "(", ")", ",", ".", "[", "]", "=", "..."])
+_BEFORE_A_SIGN = frozenset(["=", ",", "{", "("])
+
+
+@dataclass
+class _Slot:
+    """What comes to a place: a text, or places within it."""
+
+    text: str = ""
+    inner: dict[int, _Slot] | None = None
+    comments: list[str] = field(default_factory=list)
+
+    def shown(self) -> str:
+        """The value as it is written."""
+        value = self.text or ("{}" if self.inner is None else "{" + ", ".join(_in_order(self.inner)) + "}")
+        return " ".join([value, *self.comments])
+
+
+def _in_order(slots: Mapping[int, _Slot]) -> Iterator[str]:
+    places = range(max(slots, default=-1) + 1)
+    return (slots[place].shown() if place in slots else "{}" for place in places)
+
+
+def reordered(words: Sequence[Token], kind: ValueType | None, constants: Mapping[str, int], data: bytes) -> str:
+    """A list in braces as one by position.
+
+    Args:
+        words: its tokens with both braces, and the comments.
+        kind: what it gives values to.
+        constants: numbers that names stand for.
+        data: the bytes of its unit.
+
+    Raises:
+        UnknownList: it cannot be written by position.
+    """
+    plain = [word for word in words if word[0] != "comment"]
+    _calculates_nothing(plain)
+    filled = _Filler(constants, data, [word for word in words if word[0] == "comment"])
+    slots = filled.places_of(plain, kind)
+    between = data[plain[0][2] : plain[1][1]].decode("latin-1")
+    if "\n" not in between:
+        return "{ " + ", ".join(_in_order(slots)) + " }"
+    indent = between[between.rindex("\n") :]
+    behind = data[plain[-2][2] : plain[-1][1]].decode("latin-1")
+    return "{" + indent + f",{indent}".join(_in_order(slots)) + (behind[behind.rindex("\n") :] if "\n" in behind else " ") + "}"
+
+
+def _calculates_nothing(words: Sequence[Token]) -> None:
+    """Refuse what a change within the list might have to keep on the source's width."""
+    inside = 0  # of a designator
+    for place, (kind, _, _, text) in enumerate(words):
+        before = words[place - 1] if place else words[0]
+        inside += (text == "[") - (text == "]")
+        sign = text in _SIGNS and before[3] in _BEFORE_A_SIGN
+        called = text == "(" and before[0] == "name" and before[3] != "sizeof"
+        if not inside and (called or (kind == "punct" and text not in _PLAIN and not sign)):
+            raise UnknownList
+
+
+@dataclass
+class _Filler:
+    """Puts values to their places."""
+
+    constants: Mapping[str, int]
+    data: bytes
+    comments: list[Token]
+
+    def places_of(self, words: Sequence[Token], kind: ValueType | None) -> dict[int, _Slot]:
+        """The places of a list, from its tokens with both braces."""
+        slots: dict[int, _Slot] = {}
+        position, chained = 0, False
+        for each in values_of(words[1:-1]):
+            if not each.designator:
+                if chained:
+                    raise UnknownList
+                steps = [(position, position)]
+            else:
+                steps = list(self._steps(each.designator, kind))
+                chained = len(steps) > 1
+            self._put(slots, steps, kind, each)
+            position = steps[0][1] + 1
+        return slots
+
+    def _put(self, slots: dict[int, _Slot], steps: Sequence[tuple[int, int]], kind: ValueType | None, each: ListValue) -> None:
+        first, last = steps[0]
+        if first < 0 or last - first > MOST or first - max(slots, default=-1) > MOST:
+            raise UnknownList
+        for place in range(first, last + 1):
+            within = _part(kind, place)
+            if len(steps) > 1:
+                slot = slots.setdefault(place, _Slot(inner={}))
+                if slot.inner is None:
+                    raise UnknownList
+                self._put(slot.inner, steps[1:], within, each)
+            elif each.value[0][3] == "{":
+                slots[place] = _Slot(inner=self.places_of(each.value, within), comments=self._beside(each))
+            else:
+                if _has_parts(within) and each.value[0][3] != "(" and not each.value[0][3].startswith('"'):
+                    raise UnknownList  # braces may have been left out
+                text = self.data[each.value[0][1] : each.value[-1][2]].decode("utf-8", "replace")
+                slots[place] = _Slot(text, comments=self._beside(each))
+
+    def _beside(self, each: ListValue) -> list[str]:
+        """The comments that stand behind a value on its line."""
+        found = []
+        for comment in self.comments:
+            between = self.data[each.value[-1][2] : comment[1]]
+            if comment[1] >= each.value[-1][2] and b"\n" not in between and not between.strip(b" \t,"):
+                text = comment[3].removeprefix("//") if comment[3].startswith("//") else comment[3][2:-2]
+                found.append(f"/* {text.strip()} */")
+        return found
+
+    def _steps(self, designator: Sequence[Token], kind: ValueType | None) -> Iterator[tuple[int, int]]:
+        """The first and last place of each part of a designator."""
+        texts = [word[3] for word in designator[:-1]]
+        while texts:
+            if texts[0] == ".":
+                names = [member.name for member in _members(kind)]
+                if texts[1] not in names:
+                    raise UnknownList
+                first = last = names.index(texts[1])
+                texts = texts[2:]
+            else:
+                close = texts.index("]") if "]" in texts else 0
+                low, dots, high = " ".join(texts[1:close]).partition("...")
+                first = index_value(low, self.constants)
+                last = index_value(high, self.constants) if dots else first
+                texts = texts[close + 1 :]
+            yield first, last
+            kind = _part(kind, first)
+
+
+def _members(kind: ValueType | None) -> Sequence[ccode.Field]:
+    declared = kind.declaration if kind is not None and is_record(kind) else None
+    return list(declared.fields) if isinstance(declared, ccode.Record) else []
+
+
+def _part(kind: ValueType | None, place: int) -> ValueType | None:
+    """The type of a place within another type; members of a union but the first are refused."""
+    declared = kind.declaration if kind is not None and is_record(kind) else None
+    if not isinstance(declared, ccode.Record):
+        return element_type(kind)
+    if place >= len(declared.fields) or (place and declared.recordKind.name == "unionType"):
+        raise UnknownList
+    return of_use(declared.fields[place].valueType)
+
+
+def _has_parts(kind: ValueType | None) -> bool:
+    return kind is None or is_record(kind) or bool(kind.dimensions)
