@@ -163,9 +163,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
             signal.signal(signal.SIGINT, signal.SIG_IGN)
         streams.complain("robosmi: interrupted")
         return 128 + (_received[0] if _received else signal.SIGINT)
-    except BrokenPipeError:
-        streams.let_go(sys.stdout)
-        return 0
     except SystemExit:  # of --help and --version
         raise
     except BaseException as error:  # a person's rule may raise what is no Exception
@@ -234,8 +231,8 @@ def _failed(error: RobosmiError, command: str, as_json: bool, started: float, sa
         }  # fmt: skip
         try:
             _print_json(document)
-        except (SourceError, BrokenPipeError):
-            streams.let_go(sys.stdout)  # the message below has to do
+        except SourceError:
+            pass  # the message below has to do
     place = f"{error.location}: " if error.location else ""
     streams.complain(terminal(f"robosmi: error: {place}{error.message}"))
     if error.fix:

@@ -41,16 +41,21 @@ class Shown(io.TextIOBase):
         self._stream = sys.stderr
 
     def write(self, text: str) -> int:
-        """Write a text with escapes for what would act on a terminal."""
-        self._stream.write(terminal_lines(text))
+        """Write a text with escapes for what would act on a terminal; a reader that has gone is no error."""
+        try:
+            self._stream.write(terminal_lines(text))
+        except BrokenPipeError:
+            let_go(self._stream)
         return len(text)
 
 
 def say(text: str) -> None:
-    """Write the result of a command to standard output, all of it.
+    """Write the result of a command to standard output, all of it, or as much as is read.
+
+    A reader that has closed its pipe, as `head` does, is no error: the rest goes nowhere, and what the command has found out,
+    its exit code too, stays as it is.
 
     Raises:
-        BrokenPipeError: nobody reads it any more.
         SourceError: it cannot be written.
     """
     fix = "give it a file, a pipe or a terminal that can be written to"
@@ -60,7 +65,7 @@ def say(text: str) -> None:
         print(text)
         sys.stdout.flush()
     except BrokenPipeError:
-        raise
+        let_go(sys.stdout)
     except (OSError, ValueError) as error:
         let_go(sys.stdout)
         cause = error.strerror if isinstance(error, OSError) and error.strerror else str(error)

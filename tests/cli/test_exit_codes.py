@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -152,6 +154,41 @@ def test_a_reader_that_closes_the_pipe_is_no_error(line_follower: Path) -> None:
     done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.startswith("{")
+
+
+@pytest.mark.parametrize(
+    ("words", "code"),
+    [
+        (["analyse", "line_follower.c", "--fail-on", "info"], 1),
+        (["analyse", "line_follower.c", "--fail-on", "info", "--json"], 1),
+        (["analyse", "--nothing", "--json"], 2),
+        (["verify", ".", "--json"], 3),
+        (["analyse", "--help"], 0),
+    ],
+)
+def test_a_closed_pipe_keeps_the_exit_code(words: list[str], code: int, line_follower: Path) -> None:
+    read, write = os.pipe()
+    os.close(read)
+    try:
+        done = subprocess.run(
+            [sys.executable, "-m", "robosmi", *words], stdout=write, stderr=subprocess.PIPE, text=True, check=False,
+            cwd=line_follower.parent,
+        )  # fmt: skip
+    finally:
+        os.close(write)
+    assert done.returncode == code
+    assert "Traceback" not in done.stderr
+    assert "ipe" not in done.stderr
+
+
+def test_a_pipe_that_breaks_within_a_command_is_not_taken_for_success(monkeypatch: pytest.MonkeyPatch) -> None:
+    def broken(_: object) -> NoReturn:
+        raise BrokenPipeError(errno.EPIPE, "Broken pipe")
+
+    monkeypatch.setattr(doctor, "run", broken)
+    outcome = run("doctor")
+    assert outcome.code == 3
+    assert "Broken pipe" in outcome.err
 
 
 def test_dry_run_says_the_same_and_writes_nothing(line_follower: Path, tmp_path: Path) -> None:
