@@ -111,6 +111,8 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
 def own_boards(project: Path | None = None) -> list[Finding]:
     """What a core that is installed contradicts of boards that are not built in (RS810).
 
+    Where a package that robosmi needs cannot be loaded, which `tools` tells, no board is looked at.
+
     Args:
         project: the project folder; the current folder if None.
 
@@ -119,6 +121,8 @@ def own_boards(project: Path | None = None) -> list[Finding]:
         SourceError: found data that names programs is not trusted.
     """
     found: list[Finding] = []
+    if not all(_package(name, *facts).found for name, facts in PACKAGES.items()):
+        return found
     with acting(project):
         for toolchain in load_toolchains(project):
             boards = [each for each in load_boards(toolchain.platform, project) if each.file and not _built_in(each)]
