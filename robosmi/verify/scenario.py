@@ -31,9 +31,9 @@ Points = tuple[tuple[float, Any], ...]
 LONGEST_MS = 600_000.0
 """The longest scenario: ten minutes of simulated time."""
 POINTS = "points"
+"""The setting of a device that a signal without further names is."""
 LARGEST = 1e12
 """The largest number that a signal takes; infinite ones and those that are none are larger than any."""
-"""The setting of a device that a signal without further names is."""
 _KEYS = ("name", "horizon_ms", "signals")
 
 
@@ -92,7 +92,7 @@ def read_scenario(path: Path, origin: str = "given") -> Scenario:
         raise _wrong(path, "'name' must be a text, and 'signals' a table", 'write name = "..." and [signals]')
     read = {
         component: {
-            setting: _points(path, f"{component}.{setting}" if isinstance(told, dict) else component, points)
+            setting: _points(path, f"{component}.{setting}" if isinstance(told, dict) else component, points, horizon)
             for setting, points in (told if isinstance(told, dict) else {POINTS: told}).items()
         }
         for component, told in signals.items()
@@ -100,7 +100,7 @@ def read_scenario(path: Path, origin: str = "given") -> Scenario:
     return Scenario(name, float(horizon), read, origin, path)
 
 
-def _points(path: Path, name: str, told: Any) -> Points:
+def _points(path: Path, name: str, told: Any, horizon_ms: float) -> Points:
     fix = "write pairs of milliseconds and a value: [[0, 300], [500, 1700]]"
     if not isinstance(told, Sequence) or isinstance(told, str) or not told:
         raise _wrong(path, f"the signal '{name}' is no list of points", fix)
@@ -113,6 +113,9 @@ def _points(path: Path, name: str, told: Any) -> Points:
             raise _wrong(path, message, "sort its points by time")
         if pair[0] > LONGEST_MS or not _is_possible(pair[1]):
             raise _wrong(path, f"the signal '{name}' has {pair!r}, which no robot meets", fix)
+        if pair[0] > horizon_ms:
+            message = f"the signal '{name}' has {pair!r}, which is later than the scenario's end at {horizon_ms:g} ms"
+            raise _wrong(path, message, "make horizon_ms larger, or take the point out")
         points.append((float(pair[0]), _value(pair[1])))
     return tuple(points)
 

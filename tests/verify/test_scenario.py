@@ -48,6 +48,8 @@ def test_a_scenario_is_read(tmp_path: Path) -> None:
         ("[[0, 300], [500, 1700.5]]", "[[500, 300], [0, 1]]", "the signal 'QTI left' goes back in time, from 500 to 0 ms"),
         ("[500, 1700.5]", "[1e308, 3]", "which no robot meets"),
         ("[500, 1700.5]", "[500, inf]", "which no robot meets"),
+        ("[500, 1700.5]", "[4000.5, 3]", r"'QTI left' has \[4000.5, 3\], which is later than the scenario's end at 4000 ms"),
+        ("horizon_ms = 4000", "horizon_ms = 900", "the signal 'DHT22.celsius' has .* end at 900 ms"),
         ("[500, 1700.5]", "[500, nan]", "which no robot meets"),
         ("[500, 1700.5]", "[500, 99999999999999999999999]", "which no robot meets"),
         ("[500, 1700.5]", "[500, true]", "which no robot meets"),
@@ -67,13 +69,19 @@ def test_what_means_nothing_is_refused_with_its_place(old: str, new: str, messag
     assert refused.value.fix
 
 
+def test_the_last_point_may_be_at_the_end(tmp_path: Path) -> None:
+    path = tmp_path / "a.toml"
+    path.write_text(TEXT.replace("horizon_ms = 4000", "horizon_ms = 1000"))
+    assert read_scenario(path).signals["DHT22"]["celsius"][-1] == (1000.0, -2.5)
+
+
 def test_a_missing_file_is_an_error(tmp_path: Path) -> None:
     with pytest.raises(SourceError, match="the scenario cannot be read: No such file"):
         read_scenario(tmp_path / "no.toml")
 
 
 _VALUE = st.none() | st.integers(-9999, 9999) | st.text(max_size=8).filter(lambda t: t != "none") | st.just([1, 2])
-_POINTS = st.lists(st.tuples(st.integers(0, 9999).map(float), _VALUE), min_size=1, max_size=4).map(
+_POINTS = st.lists(st.tuples(st.integers(0, 999).map(float), _VALUE), min_size=1, max_size=4).map(
     lambda points: tuple(sorted(points, key=lambda point: point[0]))
 )
 _NAME = st.text(min_size=1, max_size=12)
@@ -81,7 +89,7 @@ Signals = dict[str, dict[str, tuple[tuple[float, object], ...]]]
 
 
 @settings(max_examples=80)
-@given(_NAME, st.floats(0.001, 600_000), st.dictionaries(_NAME, _POINTS.map(lambda p: {"points": p}), max_size=4))
+@given(_NAME, st.floats(1000, 600_000), st.dictionaries(_NAME, _POINTS.map(lambda p: {"points": p}), max_size=4))
 def test_a_text_is_read_back_as_the_same_scenario(
     tmp_path_factory: pytest.TempPathFactory,
     name: str,

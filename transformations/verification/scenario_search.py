@@ -178,8 +178,7 @@ class _Search:
             sides = [round(value, 1) for value in beside(end, facts)]
             values += sides
             there: Place = (BESIDE, each.name, each.setting, round(end))
-            points = tuple((at * max(each.hold_ms, self.horizon / 4), value) for at, value in enumerate([*sides, sides[0]]))
-            self.try_signals({each.name: {each.setting: points}}, frozenset([there]))
+            self.try_signals({each.name: {each.setting: _in_turn(each, [*sides, sides[0]], self.horizon)}}, frozenset([there]))
         return replace(each, values=tuple(values))
 
     def _probe(self, each: _Input, value: float) -> frozenset[Place]:
@@ -192,6 +191,12 @@ class _Search:
 def _constant(each: _Input, value: Any) -> dict[str, dict[str, Points]]:
     """Signals in which one input shows one value all the time; what happens once comes when the program has begun."""
     return {each.name: {each.setting: ((_TEXT_MS if each.happens else 0.0, value),)}}
+
+
+def _in_turn(each: _Input, values: Sequence[Any], horizon: float) -> Points:
+    """A signal that shows values one after the other, each for as long as the input keeps one, as far as the horizon goes."""
+    step = max(each.hold_ms, horizon / 4)
+    return tuple((at * step, value) for at, value in enumerate(values) if at * step < horizon)
 
 
 def _together(inputs: Sequence[_Input], number: int) -> dict[str, dict[str, Points]]:

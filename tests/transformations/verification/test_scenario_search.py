@@ -8,7 +8,7 @@ import pytest
 
 from robosmi.transformations.verification.port_devices import device_facts
 from robosmi.transformations.verification.scenario_goals import NEGATIVE, behaviour
-from robosmi.transformations.verification.scenario_search import _constant, _Input, _random_signals
+from robosmi.transformations.verification.scenario_search import _constant, _in_turn, _Input, _random_signals
 from robosmi.verify.original_run import OriginalRun
 from robosmi.verify.simulation import ConsoleByte, PinTrace
 
@@ -26,6 +26,15 @@ def test_levels_hold_from_the_begin_and_texts_are_sent_once() -> None:
     assert _constant(LAMP, 1) == {"LAMP": {"points": ((0.0, 1),)}}
     assert _constant(LINE, "a") == {"RX": {"points": ((900.0, "a"),)}}
     assert any(_random_signals([LAMP], 6000.0, random.Random(seed))["LAMP"]["points"][0][0] == 0 for seed in range(20))
+
+
+@pytest.mark.parametrize("horizon", [3_000.0, 6_000.0, 12_000.0, 24_000.0])
+def test_what_is_shown_in_turn_is_shown_before_the_end(horizon: float) -> None:
+    thermometer = _Input("DHT", "celsius", (-5, 21, 80), 3000.0, "dht22", (-40, 80))
+    times = [at_ms for at_ms, _ in _in_turn(thermometer, [20, 21, 20], horizon)]
+    assert times[0] == 0
+    assert max(times) < horizon
+    assert horizon < 12_000 or len(times) == 3
 
 
 def test_what_a_device_can_give_at_the_least_and_at_the_most_are_further_values() -> None:
