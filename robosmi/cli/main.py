@@ -15,6 +15,7 @@ import signal
 import sys
 import time
 from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -229,10 +230,8 @@ def _failed(error: RobosmiError, command: str, as_json: bool, started: float, sa
             "schema": "robosmi/1", "command": command, "ok": False, "result": None, "findings": [finding.to_json()], "tasks": [],
             "artifacts": [], "timings": {"total_s": round(time.perf_counter() - started, 6)},
         }  # fmt: skip
-        try:
+        with suppress(SourceError):  # the message below has to do
             _print_json(document)
-        except SourceError:
-            pass  # the message below has to do
     place = f"{error.location}: " if error.location else ""
     streams.complain(terminal(f"robosmi: error: {place}{error.message}"))
     if error.fix:
