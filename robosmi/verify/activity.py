@@ -92,17 +92,18 @@ IDLE = ActivityEvent(0.0, LEVEL, (0,))
 """What every pin does before the program does anything there, and what one does that is let go."""
 
 
-def activity(trace: PinTrace, pin: str, sight: Sight = SIGHTS[0]) -> list[ActivityEvent]:
+def activity(trace: PinTrace, pin: str, sight: Sight = SIGHTS[0], pulses: Sequence[Pulse] | None = None) -> list[ActivityEvent]:
     """What happens at a pin, by time; it begins with `IDLE`, and no event says the same as the one before.
 
     Args:
         trace: what was seen.
         pin: label of the pin.
         sight: one of `SIGHTS`.
+        pulses: those of the pin, where they are known already.
     """
     runs: list[list[Pulse]] = []
     unclear: list[bool] = []
-    for pulse in pulses_of(trace, pin):
+    for pulse in pulses_of(trace, pin) if pulses is None else pulses:
         pause = pulse.begin - runs[-1][-1].end if runs else math.inf
         near = sight.pause_us / _CLEAR <= pause <= sight.pause_us * _CLEAR
         if pause < sight.pause_us:

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from operator import itemgetter
 from typing import Any, ClassVar, TypeVar
 
-from robosmi.errors import UsageError
+from robosmi.errors import UsageError, VerificationError
 from robosmi.plugins import content, registry
 from robosmi.verify.simulation import ConsoleByte, DeviceEvent, DeviceUse, PinChange, PinTrace, Wave
 
@@ -22,6 +22,8 @@ Seen = TypeVar("Seen", PinChange, Wave, ConsoleByte, DeviceEvent)
 
 Level = int | str
 """How the program drives a pin: 0, 1, `z` (an input) or `p` (an input with its pull-up on)."""
+MOST_CHANGES = 2_000_000
+"""So often a program changes its pins in a run at most: each change takes about 130 bytes, and as many again on the way."""
 
 
 class Bench(ABC):
@@ -100,6 +102,8 @@ class Bench(ABC):
         """Note that the program drives a pin differently from now on, and tell the devices at it."""
         if self.driven[pin] == level:
             return
+        if len(self.changes) >= MOST_CHANGES:
+            raise VerificationError(f"the program changes its pins more than {MOST_CHANGES:,} times", fix="simulate less time")
         self.driven[pin] = level
         self.changes.append(PinChange(self.now, pin, level))
         for device in self._at_pin.get(pin, ()):

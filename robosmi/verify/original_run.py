@@ -36,7 +36,8 @@ _PIN, _WAVE, _CONSOLE, _SYNC, _BUS_START, _BUS_WRITE, _BUS_READ, _BUS_STOP, _END
 _GO, _LEVEL, _VOLTAGE, _TYPED = range(4)
 _LET_GO = 2
 _NEVER = (1 << 62) - 1
-_MOST_RECORDS = 5_000_000
+_MOST_RECORDS = 1_000_000
+"""So much happens in a run at most: a trace of it takes 150 MB, and telling of it a few seconds."""
 _TOGETHER_US = 45_000.0
 """Cores that print within this time print together: by so much a line may be later in another run (see `comparison`)."""
 

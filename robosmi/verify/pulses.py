@@ -6,9 +6,9 @@ What they tell of what a program does, beside servos' frames and levels, is `act
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from statistics import median
+from typing import NamedTuple
 
 from robosmi.verify.simulation import PinTrace
 
@@ -26,8 +26,7 @@ _FAST_AHEAD = 20
 _STRETCHED = 2.2
 
 
-@dataclass(frozen=True)
-class Pulse:
+class Pulse(NamedTuple):
     """A time in which a pin is high, or in which a timer makes a wave there (`hz` above 0)."""
 
     begin: float
@@ -58,7 +57,7 @@ def pulses_of(trace: PinTrace, pin: str) -> list[Pulse]:
             up = None
     if up is not None:
         high.append(Pulse(up, trace.simulated_us))
-    outside = [p for p in high if not any(w.begin <= p.begin < w.end for w in waves)]
+    outside = [p for p in high if not any(w.begin <= p.begin < w.end for w in waves)] if waves else high
     return sorted([*(p for p in waves if p.end > p.begin), *outside], key=lambda pulse: pulse.begin)
 
 

@@ -43,7 +43,7 @@ def judged(
     """What the two sides have in common in a scenario.
 
     A difference comes first; then a crash of the migrated program that the original does not share, which is a difference, too;
-    then what makes that nothing can be decided. After a crash nothing is compared.
+    then what makes that nothing can be decided. After a crash nothing is compared, nor where a run of the original was given up.
 
     Args:
         scenario: what happened.
@@ -53,6 +53,8 @@ def judged(
         one_thread: whether one thread of the source does all that is seen, so that the order of near events is its own.
     """
     nominal = runs.nominal
+    if runs.given_up:
+        return ScenarioVerdict(scenario, NOT_DECIDABLE, (), scenario.horizon_ms, _given_up(runs))
     crashed_ms = trace.simulated_us / 1000 if trace.state == "crashed" else None
     horizon_ms = scenario.horizon_ms if crashed_ms is None else min(scenario.horizon_ms, crashed_ms)
     if nominal.status not in SETTLED:
@@ -129,6 +131,12 @@ def _crashes_by(runs: SourceRuns, at_ms: float) -> bool:
     """Whether the original, as it is or with other costs, has come to no good end until about then: it may be its own fault."""
     latest_ms = at_ms + _SAME_MS + RESONATOR * at_ms
     return any(run.status not in SETTLED and run.trace.simulated_us / 1000 <= latest_ms for run in (runs.nominal, *runs.varied))
+
+
+def _given_up(runs: SourceRuns) -> str:
+    """Why a scenario of which a run of the original was given up decides nothing."""
+    varied = "" if runs.nominal.status == runs.given_up else ", when its steps cost a little more or less"
+    return f"the original did not run to its end{varied} ({_UNSETTLED[runs.given_up]})"
 
 
 def _doubt(scenario: Scenario, runs: SourceRuns, racy: Sequence[str], crashed_ms: float | None) -> str:

@@ -8,16 +8,18 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from time import monotonic
 from typing import Any
 
 from robosmi.transformations.verification.played_devices import devices_at, played
 from robosmi.transformations.verification.port_devices import BoundPort, device_facts
-from robosmi.verify.activity import IDLE, LINE, SIGHTS, WAVE, ActivityEvent, Sight, activity, console_lines, merged, text_lines
+from robosmi.verify.activity import IDLE, LINE, SIGHTS, WAVE, ActivityEvent, activity, console_lines, merged, text_lines
 from robosmi.verify.comparison import NOT_EXERCISED, RACY, SAME, ChannelComparison, compare
 from robosmi.verify.driven_lines import held_levels
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_coverage import coverage
 from robosmi.verify.original_run import OriginalRun, Variation, run_original
+from robosmi.verify.pulses import pulses_of
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace
 
@@ -28,6 +30,8 @@ Place = tuple[str | int, ...]
 """File and line of a line of the source, file, line and number of a branch, or `channel` and the name of a channel."""
 SETTLED = ("running", "finished")
 """Status of a run that came to its end by itself."""
+LIMITS = ("time limit", "output limit")
+"""Status of a run that was given up."""
 
 _LINE_PART = 0.025
 """Serial lines may be off by so much: an AVR at 16 MHz is 2.1 % too fast at 115200 baud."""
@@ -57,11 +61,15 @@ class SourceRuns:
         nominal: the run that is compared.
         varied: the others.
         channels: name of each channel -> for each of `SIGHTS` its events in the nominal run, then in each varied run.
+        given_up: the status of the run at which a limit was reached; there are no runs after it. Empty if there was none.
+
+    What varied runs do at the pins is in `channels` alone: their traces are empty.
     """
 
     nominal: OriginalRun
     varied: tuple[OriginalRun, ...]
     channels: dict[str, list[list[list[ActivityEvent]]]]
+    given_up: str = ""
 
     @property
     def racy_channels(self) -> list[str]:
@@ -82,7 +90,7 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
         ports: the ports.
         target: whether the trace is the target's.
     """
-    found = {port.title: [_at_port(trace, port, target, sight) for sight in SIGHTS] for port in ports if port.watched}
+    found = {port.title: _at_port(trace, port, target) for port in ports if port.watched}
     for port in ports:
         if port.target and device_facts().get(port.device, {}).get("driven"):
             found[f"{port.title}{DRIVEN}"] = [held_levels(trace, port.target if target else port.source)]
@@ -98,12 +106,14 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
     return found
 
 
-def _at_port(trace: PinTrace, port: BoundPort, target: bool, sight: Sight) -> list[ActivityEvent]:
-    """What the program does at a port; where it stands for a voltage, the frequency of a wave is left out."""
-    seen = activity(trace, port.target if target else port.source, sight)
+def _at_port(trace: PinTrace, port: BoundPort, target: bool) -> list[list[ActivityEvent]]:
+    """What the program does at a port, for each sight; where it stands for a voltage, the frequency of a wave is left out."""
+    pin = port.target if target else port.source
+    pulses = pulses_of(trace, pin)
+    seen = [activity(trace, pin, sight, pulses) for sight in SIGHTS]
     if not port.averaged:
         return seen
-    return merged([replace(e, value=(0.0, e.value[1])) if e.kind == WAVE else e for e in seen])
+    return [merged([replace(e, value=(0.0, e.value[1])) if e.kind == WAVE else e for e in events]) for events in seen]
 
 
 def _told(trace: PinTrace, number: int, facts: Mapping[str, Any], measures: bool) -> list[ActivityEvent]:
@@ -177,22 +187,29 @@ def run_varied(
         ports: the ports.
         scenario: what happens.
         nominal: its nominal run.
-        limit_s: seconds of this machine's time for each run.
+        limit_s: seconds of this machine's time for all of them.
         until_racy: whether no further runs are wanted when the source differs from itself on a channel; other channels could not
             be compared well then.
     """
     devices = played(ports, scenario, target=False)
-    varied: list[OriginalRun] = []
+    until = monotonic() + limit_s
     seen = [channel_events(nominal.trace, ports, target=False)]
-    for variation in _FACTORS:
+    runs = SourceRuns(nominal, (), _by_channel(seen), nominal.status if nominal.status in LIMITS else "")
+    for variation in _FACTORS if not runs.given_up else ():
         moved = moved_devices(devices, random.Random(variation.seed)) if variation.noise else devices
-        varied.append(run_original(program, scenario.horizon_ms * 1000, moved, variation, limit_s))
-        seen.append(channel_events(varied[-1].trace, ports, target=False))
-        channels = {name: [list(runs) for runs in zip(*(each[name] for each in seen), strict=True)] for name in seen[0]}
-        runs = SourceRuns(nominal, tuple(varied), channels)
+        run = run_original(program, scenario.horizon_ms * 1000, moved, variation, max(0.0, until - monotonic()))
+        if run.status in LIMITS:
+            return replace(runs, given_up=run.status)
+        seen.append(channel_events(run.trace, ports, target=False))
+        emptied = replace(run, trace=replace(run.trace, changes=(), waves=(), console=(), device_events=()))
+        runs = SourceRuns(nominal, (*runs.varied, emptied), _by_channel(seen))
         if until_racy and runs.racy_channels:
             break
     return runs
+
+
+def _by_channel(seen: Sequence[Mapping[str, list[list[ActivityEvent]]]]) -> dict[str, list[list[list[ActivityEvent]]]]:
+    return {name: [list(runs) for runs in zip(*(each[name] for each in seen), strict=True)] for name in seen[0]}
 
 
 def moved_devices(devices: Sequence[DeviceUse], chance: random.Random) -> list[DeviceUse]:

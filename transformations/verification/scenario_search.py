@@ -15,12 +15,13 @@ from time import monotonic
 from typing import Any
 
 from robosmi.doing import doing
-from robosmi.transformations.verification.original_side import Place, SourceRuns, places_reached, run_source, run_varied
+from robosmi.transformations.verification.original_side import LIMITS, Place, SourceRuns, places_reached, run_source, run_varied
 from robosmi.transformations.verification.played_devices import CONSOLE, TYPING
 from robosmi.transformations.verification.port_devices import BoundPort, device_facts
 from robosmi.transformations.verification.scenario_goals import BESIDE, ENDS, GOALS, behaviour, beside, shown
 from robosmi.typed import distinct
 from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.original_run import OriginalRun
 from robosmi.verify.scenario import POINTS, Points, Scenario
 
 _HORIZONS_MS = (3_000.0, 6_000.0, 12_000.0, 24_000.0)
@@ -44,14 +45,14 @@ class FoundScenarios:
         scenarios: those to verify with, each with its runs of the source.
         racy: how many were dropped because the source differs from itself.
         racy_counts: what dropped ones left, for the branches that only they reach.
-        least_racy: the first dropped one, in which least happens.
+        least_racy: the first dropped one, in which least happens, with its nominal run.
         tried: how many were run.
     """
 
     scenarios: list[tuple[Scenario, SourceRuns]] = field(default_factory=list)
     racy: int = 0
     racy_counts: list[bytes] = field(default_factory=list)
-    least_racy: Scenario | None = None
+    least_racy: tuple[Scenario, OriginalRun] | None = None
     tried: int = 0
 
 
@@ -130,8 +131,12 @@ class _Search:
         if not first and places <= self.seen | self.only_racy and not self._worth_another(places):
             return places
         runs = run_varied(self.program, self.ports, scenario, run, until_racy=True)
-        if runs.racy_channels:
-            found.least_racy = found.least_racy or scenario
+        if runs.given_up and not first:
+            return places
+        if runs.given_up:  # others would be, too
+            self.until = monotonic()
+        elif runs.racy_channels:
+            found.least_racy = found.least_racy or (scenario, run)
             found.racy += 1
             found.racy_counts.append(run.counts)
             self.only_racy |= places - self.seen
@@ -182,7 +187,9 @@ class _Search:
         return replace(each, values=tuple(values))
 
     def _probe(self, each: _Input, value: float) -> frozenset[Place]:
-        """What a short run reaches in which an input shows one value."""
+        """What a short run reaches in which an input shows one value; nothing when the search is over."""
+        if monotonic() >= self.until:
+            return frozenset()
         lasts = _PROBE_MS + (each.hold_ms if each.hold_ms > 1000 else 0)
         scenario = Scenario("probe", min(self.horizon, lasts), _constant(each, value))
         return places_reached(self.program, run_source(self.program, self.ports, scenario), self.ports)
@@ -208,17 +215,24 @@ def _together(inputs: Sequence[_Input], number: int) -> dict[str, dict[str, Poin
 
 
 def _horizon(program: OriginalProgram, ports: Sequence[BoundPort], until: float) -> float:
-    """How long scenarios last: until a program whose inputs rest has come wherever it comes by itself, and as long again."""
+    """How long scenarios last: until a program whose inputs rest has come wherever it comes by itself, and as long again.
+
+    A horizon at which its run is given up is too long.
+    """
     before: frozenset[Place] | None = None
+    reached = 0.0
     for horizon in _HORIZONS_MS:
         if before is not None and monotonic() >= until:
             return horizon
         run = run_source(program, ports, Scenario("rest", horizon))
+        if run.status in LIMITS:
+            return reached or horizon
+        reached = horizon
         places = places_reached(program, run, ports)
         if places == before or run.status == "finished":
             return horizon
         before = places
-    return _HORIZONS_MS[-1]
+    return reached
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from robosmi.transformations.verification.judging import judged, why_nothing_was_compared
@@ -71,6 +73,14 @@ def test_why_an_original_did_not_run_to_its_end(status: str, cause: str, said: s
     told = judged(SCENARIO, original(trace, status=status, cause=cause), trace, [], one_thread=True)
     assert told.verdict == "not-decidable"
     assert said in told.reason
+
+
+@pytest.mark.parametrize(("status", "varied"), [("running", ", when its steps cost a little more or less"), ("time limit", "")])
+def test_where_a_run_was_given_up_nothing_is_compared(status: str, varied: str) -> None:
+    runs = replace(original(printed((100, "left")), status=status), given_up="time limit")
+    told = judged(SCENARIO, runs, printed((100, "night")), [], one_thread=True)
+    assert (told.verdict, told.channels) == ("not-decidable", ())
+    assert told.reason.startswith(f"the original did not run to its end{varied} (it takes more time of this machine")
 
 
 def test_only_an_open_port_is_advised_to_be_bound() -> None:

@@ -1,0 +1,62 @@
+"""Programs whose runs are given up: how long scenarios last then, what the search keeps, and that traces are bounded."""
+
+from __future__ import annotations
+
+from time import monotonic
+
+import pytest
+
+from robosmi.errors import VerificationError
+from robosmi.transformations.verification import original_side
+from robosmi.transformations.verification.original_side import run_source, run_varied
+from robosmi.transformations.verification.port_devices import BoundPort
+from robosmi.transformations.verification.scenario_search import _horizon, search
+from robosmi.verify import bench, original_run
+from robosmi.verify.scenario import Scenario
+from tests.host_model.bench import built, run
+from tests.tools import require_tools
+
+BLINK = (
+    "#include <simpletools.h>\nint n;\n"
+    "int main() { while (1) { if (n++ > 2000) n = 0; high(3); pause(1); low(3); pause(1); } }"
+)  # fmt: skip
+PORTS = [BoundPort("P3", "P3", "D3")]
+
+
+@pytest.fixture(autouse=True)
+def _tools() -> None:
+    require_tools("gcc", "gcov", "objcopy")
+
+
+def test_scenarios_are_no_longer_than_can_be_recorded(monkeypatch: pytest.MonkeyPatch) -> None:
+    with built(BLINK) as program:
+        assert _horizon(program, PORTS, monotonic() + 60) > 3000.0
+        monkeypatch.setattr(original_run, "_MOST_RECORDS", 4_000)
+        assert _horizon(program, PORTS, monotonic() + 60) == 3000.0
+
+
+def test_the_search_keeps_what_tells_why_and_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(original_run, "_MOST_RECORDS", 100)
+    with built(BLINK) as program:
+        found = search(program, PORTS, [], False, 1)
+    assert [runs.given_up for _, runs in found.scenarios] == ["output limit"]
+    assert (found.tried, found.racy) == (1, 0)
+
+
+def test_varied_runs_share_their_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    scenario = Scenario("s", 300.0)
+    with built(BLINK) as program:
+        nominal = run_source(program, PORTS, scenario)
+        whole = run_varied(program, PORTS, scenario, nominal)
+        assert (whole.given_up, len(whole.varied)) == ("", 5)
+        assert not any(each.trace.changes for each in whole.varied)
+        times = iter([0.0, 1.0, 2.0, 3.0, 99.0, 99.0])
+        monkeypatch.setattr(original_side, "monotonic", lambda: next(times))
+        part = run_varied(program, PORTS, scenario, nominal, limit_s=60.0)
+    assert (part.given_up, len(part.varied)) == ("time limit", 3)
+
+
+def test_changes_of_pins_are_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(bench, "MOST_CHANGES", 50)
+    with pytest.raises(VerificationError, match="changes its pins more than 50 times"):
+        run(BLINK, 1000)
