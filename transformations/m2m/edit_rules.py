@@ -15,6 +15,7 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.adapter_ranges import parameter_names
 from robosmi.transformations.m2m import compound_literals
 from robosmi.transformations.m2m.designated_lists import positional
+from robosmi.transformations.m2m.old_c import WORDS
 from robosmi.transformations.queries.own_headers import own_header
 from robosmi.transformations.queries.signature_text import nothing
 from robosmi.transformations.queries.source_text import SourceText, inside, is_header
@@ -219,6 +220,11 @@ def _assign_behind(variable: ccode.Variable, choice: str, text: SourceText) -> l
     return [(place, place, f"; {choice}")]
 
 
+def _words_of_c(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    first, end = int(element.startOffset), int(element.endOffset)
+    return [(start, stop, WORDS[name]) for start, stop, name in name_tokens(text.data) if first <= start < end and name in WORDS]
+
+
 def _implicit_int(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
     place = element.startOffset + int(choice)
     return [(place, place, "int ")]
@@ -337,6 +343,7 @@ RULES: dict[str, EditRule] = {
     "parameters-behind": _parameters_behind,
     "return-at-end": _return_at_end,
     "implicit-int": _implicit_int,
+    "words-of-c": _words_of_c,
     "declare-only": _insert("extern "),
     "declare-static": _static("extern "),
     "no-static": _static(""),

@@ -23,7 +23,6 @@ from robosmi.transformations.queries.expression_type import (
     FunctionType,
     ValueType,
     expectations,
-    of_use,
     type_of,
 )
 from robosmi.transformations.queries.numbers import COMPARISONS
@@ -314,6 +313,7 @@ TEXT_RULES = frozenset(
         "left-undefined",
         "share",
         "share-one",
+        "words-of-c",
         "zero-value",
     }
 )
@@ -360,7 +360,3 @@ def _unmended(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Located, str]
         use = variable.valueType if isinstance(variable, ccode.Variable) else None
         if use is not None and use.arrayDims.strip("[] ") == str(_text_bytes(literal.text)) and use.pointerDepth == 0:
             yield literal, "the array has no room for the zero byte at the end of its text"
-    for variable in view.of_kind(ccode.Variable):
-        kind = of_use(variable.valueType)
-        if kind is not None and "restrict" in kind.spelling:
-            yield variable, "'restrict' is no word of C++"

@@ -17,6 +17,7 @@ from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType, declared_with_others, type_of
 from robosmi.transformations.queries.main_program import exits
 from robosmi.transformations.queries.signature_text import declare, nothing
+from robosmi.transformations.queries.tokens import name_tokens
 
 _QUALIFIERS = re.compile(r"(?:\b(?:static|const|volatile|extern|register|auto|inline)\b|\s)*")
 
@@ -200,5 +201,37 @@ def sizes_of_parameters(view: CodeView, data: bytes, functions: Mapping[str, Fun
             yield Change(parameter, "open-size", "", "C++ wants a constant there")
 
 
-RULES = (empty_lists, parameters_behind, implicit_int, missing_returns, returns, jumped_over, zero_constants, sizes_of_parameters)
+WORDS = {
+    "restrict": "__restrict",
+    "_Noreturn": "__attribute__((noreturn))",
+    "_Static_assert": "static_assert",
+    "_Alignas": "alignas",
+    "_Alignof": "alignof",
+}
+"""Words of C99 and C11 -> what C++ or its GNU compilers call the same."""
+
+
+def words_of_c(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """Declarations with words of C that C++ has by other names."""
+    if not any(word.encode() in data for word in WORDS):
+        return
+    found = [start for start, _, name in name_tokens(data) if name in WORDS]
+    for declared in view.unit.declarations:
+        divided = isinstance(declared, ccode.Function) and declared.name == "main"
+        element = declared.body if divided and isinstance(declared, ccode.Function) else declared
+        if element is not None and any(element.startOffset <= start < element.endOffset for start in found):
+            yield Change(element, "words-of-c", "", "C++ has another word for it")
+
+
+RULES = (
+    empty_lists,
+    parameters_behind,
+    implicit_int,
+    missing_returns,
+    returns,
+    jumped_over,
+    zero_constants,
+    sizes_of_parameters,
+    words_of_c,
+)
 """The rules, by which of them comes first in a function's text."""
