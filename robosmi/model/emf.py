@@ -8,9 +8,10 @@ and `xmi_writer`, ids are `fragments`'.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import ModelError
 from robosmi.model.driver import FeatureValue, Kind, ModelElement, Node
@@ -22,6 +23,10 @@ from robosmi.model.metamodel import Metamodel, Packages, TypedModel
 from robosmi.model.pyecore_internals import own_resource_of, set_own_resource
 from robosmi.model.resource import Home, Watch
 from robosmi.model.structure import contents, root_of, walk
+
+if TYPE_CHECKING:
+    from robosmi.model.open_files import OpenFiles
+    from robosmi.model.xmi_document import Document
 
 
 class EmfModel(TypedModel):
@@ -57,13 +62,21 @@ class EmfModel(TypedModel):
             self.add(root)
 
     @classmethod
-    def load(cls, path: str | Path, metamodel: Packages | str | Path | None = None, name: str | None = None) -> EmfModel:
+    def load(
+        cls,
+        path: str | Path,
+        metamodel: Packages | str | Path | None = None,
+        name: str | None = None,
+        *,
+        open_files: OpenFiles | None = None,
+    ) -> EmfModel:
         """Read an XMI file; what it refers to in other files is read with it and belongs to models of their own.
 
         Args:
             path: the file; an .ecore file is a model whose types are Ecore's (`EClass`, `EReference`).
-            metamodel: a `Metamodel`, packages, or an .ecore file; the built-in metamodels if None.
+            metamodel: a `Metamodel`, packages, or an .ecore file; the built-in metamodels if None, which are known beside others.
             name: what `M!Book` calls it; the file's name without its ending if None.
+            open_files: the files of a session, whose elements are referred to as they are; the model becomes one of them.
 
         Raises:
             SourceError: a file cannot be read as XMI.
@@ -76,16 +89,25 @@ class EmfModel(TypedModel):
         if isinstance(metamodel, (str, Path)):
             used = Metamodel.load(metamodel)
         else:
-            used = Metamodel.of(built_in() if metamodel is None else metamodel)
-        documents = read_documents(file, used)
-        if not documents:  # the file is a metamodel
+            known = open_files.packages() if open_files is not None else built_in()
+            used = Metamodel.of(known if metamodel is None else metamodel)
+        place = Path(os.path.realpath(file))
+        roots = open_files.roots(place, used) if open_files is not None else None
+        documents: dict[Path, Document] = {}
+        if roots is None:
+            documents = read_documents(file, used, opened=open_files.documents(place) if open_files is not None else None)
+        if roots is None and not documents:  # the file is a metamodel
             packages = Metamodel.packages_of(file)
             for element in (one for package in packages for one in walk(package)):
                 as_data(element)
             return cls(packages, Metamodel.ecore(), name or file.stem, file)
-        roots = next(iter(documents.values())).roots
+        if roots is None:
+            roots = next(iter(documents.values())).roots
         packages = [*dict.fromkeys(_outermost(root.eClass.ePackage) for root in roots), *used.epackages]
-        return cls(roots, Metamodel(dict.fromkeys(packages)), name or file.stem, file)
+        model = cls(roots, Metamodel(dict.fromkeys(packages)), name or file.stem, file)
+        if open_files is not None:
+            open_files.add(place, model, documents)
+        return model
 
     def save(self, path: str | Path | None = None, others: dict[str, Any] | None = None) -> None:
         """Write the model as XMI, whole or not at all.
@@ -269,6 +291,8 @@ def _outermost(package: EPackage) -> EPackage:
     return package
 
 
-def open_xmi(path: Path, name: str | None = None, metamodel: Packages | str | Path | None = None) -> EmfModel:
+def open_xmi(
+    path: Path, name: str | None = None, metamodel: Packages | str | Path | None = None, open_files: OpenFiles | None = None
+) -> EmfModel:
     """Open an XMI file; see `EmfModel.load`."""
-    return EmfModel.load(path, metamodel, name)
+    return EmfModel.load(path, metamodel, name, open_files=open_files)

@@ -16,6 +16,8 @@ from robosmi.model.pyecore_internals import is_element
 
 BUILT_IN = ("ccode", "hardware", "platform", "trace", "migration")
 """The names of the built-in metamodels, each a package of `robosmi.metamodels`."""
+OWN_NAMESPACES = "http://robosmi.org/"
+"""How the namespaces of all built-in metamodels begin."""
 
 
 class Metamodels:

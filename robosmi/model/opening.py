@@ -52,10 +52,16 @@ def open_model(path: str | Path, driver: str | None = None, name: str | None = N
         ModelError: it contradicts its metamodel.
     """
     file = Path(path)
-    return _driver(file, driver)(file, name, **options)
+    return driver_of(file, driver)(file, name, **options)
 
 
-def _driver(file: Path, driver: str | None) -> Callable[..., Model]:
+def driver_of(file: Path, driver: str | None = None) -> Callable[..., Model]:
+    """What opens a file: by the driver's name, else by the file.
+
+    Raises:
+        UsageError: there is no such driver.
+        SourceError: no driver takes the file, or it cannot be read.
+    """
     offered = registry().entries.get("driver", {})
     if driver is not None:
         target = offered.get(driver) or _DRIVERS.get(driver)

@@ -4,7 +4,8 @@
     old, new = s.open_model("old.xmi", metamodel="library.ecore"), s.open_model("new.xmi", metamodel="library.ecore")
     old.Book is new.Book                # elements may go from one to the other, and rules are about both
 
-In EMF's words it is a resource set with its registry of packages. `Metamodel.load` alone makes classes anew at each call, and
+In EMF's words it is a resource set with its registry of packages: a reference from one file to another leads to the elements of
+the model that is open, whichever of the two was opened first. `Metamodel.load` alone makes classes anew at each call, and
 nothing is shared by the whole process. How a file finds its driver is `opening`'s business.
 """
 
@@ -21,9 +22,11 @@ from robosmi.errors import ModelError
 from robosmi.model.driver import Model
 from robosmi.model.ecore_classes import PackageMaker
 from robosmi.model.ecore_loader import MetamodelReader
+from robosmi.model.emf import open_xmi
 from robosmi.model.files import read_input
 from robosmi.model.metamodel import Metamodel
-from robosmi.model.opening import open_model
+from robosmi.model.open_files import OpenFiles
+from robosmi.model.opening import driver_of
 
 Paths = str | Path | Sequence[str | Path]
 
@@ -32,13 +35,15 @@ class Session:
     """Metamodels by their files, and models that were opened with them.
 
     Two files with one namespace and different content are two versions of a metamodel, as a migration needs them: each model has
-    the one that it was opened with.
+    the one that it was opened with. A file that is opened a second time is read a second time, with all that it refers to;
+    references of files that are opened later lead to the last model of it.
     """
 
     def __init__(self) -> None:
         self._reader = MetamodelReader()
         self._maker = PackageMaker()
         self._digests: dict[Path, str] = {}
+        self._files = OpenFiles()
 
     def __repr__(self) -> str:
         names = ", ".join(path.name for path in self._digests) or "no metamodels yet"
@@ -78,7 +83,7 @@ class Session:
             path: the file, or the folder with tables.
             driver: the driver's name; found by the file if None.
             name: what `M!Book` calls the model; the file's name without its ending if None.
-            metamodel: .ecore files, of XMI; the built-in metamodels if none.
+            metamodel: .ecore files, of XMI; the built-in metamodels and those of the models that are open if none.
             options: what the driver takes besides.
 
         Raises:
@@ -87,7 +92,10 @@ class Session:
         files = [metamodel] if isinstance(metamodel, (str, Path)) else list(metamodel)
         if files:
             options["metamodel"] = self.metamodel(*files)
-        return open_model(path, driver, name, **options)
+        opened = driver_of(Path(path), driver)
+        if opened is open_xmi:
+            options["open_files"] = self._files
+        return opened(Path(path), name, **options)
 
     def changed(self) -> Path | None:
         """An .ecore file that is no longer what this session read, or None."""

@@ -9,19 +9,22 @@ from __future__ import annotations
 import os
 import re
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from urllib.parse import unquote
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, RobosmiError, SourceError
 from robosmi.model.lean import collector_at_rest
-from robosmi.model.metamodels import Metamodels
+from robosmi.model.metamodels import OWN_NAMESPACES, Metamodels, built_in
 from robosmi.model.pyecore_internals import is_value
 from robosmi.model.xmi_document import Document, ForeignRoot, Unreadable
 from robosmi.model.xmi_links import XmiLinker, resolve
 from robosmi.model.xmi_parser import parse
 from robosmi.model.xmi_plan import Plans
+
+if TYPE_CHECKING:
+    from robosmi.model.open_files import OpenDocuments
 
 __all__ = ["DamagedModelError", "Document", "UnreadableModelError", "read_documents", "read_models", "resolve"]
 _SHOWN = 20
@@ -82,7 +85,12 @@ def read_models(path: Path, metamodels: Metamodels, *, inside: Path | None = Non
 
 
 def read_documents(
-    path: Path, metamodels: Metamodels, *, bounds: bool = True, inside: Path | None = None
+    path: Path,
+    metamodels: Metamodels,
+    *,
+    bounds: bool = True,
+    inside: Path | None = None,
+    opened: OpenDocuments | None = None,
 ) -> dict[Path, Document]:
     """Read a model file and those that it refers to, whatever the number of their roots.
 
@@ -93,17 +101,18 @@ def read_documents(
         metamodels: the metamodels the files may use; a file may name others by xsi:schemaLocation, for this read only.
         bounds: whether an element that lacks a required value, or has more than allowed, is a problem.
         inside: the folder that no file is read outside of, after links are resolved; None for any.
+        opened: files that are open: a reference to one leads to its elements; None for none.
 
     Returns:
         Absolute path -> document with `roots` and `ids`; the given file comes first. Metamodel files that were referred to
-        are not in it.
+        and open files are not in it.
 
     Raises:
         UnreadableModelError: a file is missing, is no XML or no XMI.
         DamagedModelError: a file contradicts its metamodel, or a reference leads nowhere. Both list all problems.
     """
     with collector_at_rest():
-        reader = _Reader(metamodels, inside)
+        reader = _Reader(metamodels, inside, opened)
         reader.open(Path(os.path.realpath(path)), None)
         reader.link()
         if bounds:
@@ -116,8 +125,9 @@ def read_documents(
 
 
 class _Reader:
-    def __init__(self, metamodels: Metamodels, inside: Path | None) -> None:
+    def __init__(self, metamodels: Metamodels, inside: Path | None, opened: OpenDocuments | None) -> None:
         self.metamodels = metamodels
+        self.opened = opened
         self.inside = os.path.realpath(inside) if inside is not None else None
         self.plans = Plans()
         self.documents: dict[Path, Document] = {}
@@ -184,9 +194,10 @@ class _Reader:
         return document
 
     def package(self, uri: Any) -> Any:
-        """The package of a namespace, or None."""
+        """The package of a namespace, or None; the built-in metamodels are known beside those that were given."""
         found = self.metamodels.get(uri)
-        return found if found is not None else self.packages.get(uri)
+        found = found if found is not None else self.packages.get(uri)
+        return built_in().get(uri) if found is None and str(uri).startswith(OWN_NAMESPACES) else found
 
     def locate(self, path: Path, text: str) -> None:
         """Load the metamodels that a file names by xsi:schemaLocation, as far as they are files and not known."""
@@ -236,6 +247,9 @@ class _Reader:
         while linked < len(self.documents):
             document = list(self.documents.values())[linked]
             linked += 1
+            if self.opened is not None:
+                files = (self._local(document.path, uri.partition("#")[0]) for _, _, uri, *_ in document.parts)
+                self.opened.leave(file for file in files if file is not None)
             linker.link(document)
         linker.finish()
 
@@ -251,7 +265,7 @@ class _Reader:
         if found is None:
             path = self._local(document.path, uri)
             if path is not None:
-                found = self.open(path, location)
+                found = (self.opened.get(path) if self.opened is not None else None) or self.open(path, location)
             else:
                 self.problems.append((location, f"'{uri}' is no file and no known metamodel"))
         self._opened[key] = found

@@ -8,8 +8,11 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from robosmi.model.driver import is_element
-from robosmi.model.ecore import DynamicEObject
+from robosmi.errors import ModelError
+from robosmi.model.driver import Model, is_element
+from robosmi.model.ecore import DynamicEObject, EObject
+from robosmi.model.pyecore_internals import own_resource_of
+from robosmi.model.structure import root_of
 from robosmi.query.values import key
 
 if TYPE_CHECKING:
@@ -62,6 +65,7 @@ class Trace:
         self._by_source: dict[Hashable, list[Link]] = {}
         self._by_target: dict[int, list[Link]] = {}
         self._indexed = 0
+        self._of_other_copies: _OtherCopies | None = None
 
     def add(self, rule: str, source: Item, targets: list[Any]) -> Link:
         """Record that a rule made the targets from the one source."""
@@ -98,16 +102,30 @@ class Trace:
             self.link(link.rule, link.step, link.sources, link.targets)
 
     def links_from(self, source: Item) -> list[Link]:
-        """The links of a source, in order; do not change the list."""
-        return self._by_source.get(key(source) if source.__class__ in _BY_VALUE else source, [])
+        """The links of a source, in order; do not change the list.
+
+        Raises:
+            ModelError: the trace is a stored one, and of another copy of the source's model.
+        """
+        found = self._by_source.get(key(source) if source.__class__ in _BY_VALUE else source)
+        if found is None and self._of_other_copies is not None:
+            self._of_other_copies.refuse(source)
+        return found or []
 
     def links_to(self, target: Node) -> list[Link]:
-        """The links that made a target, in order; do not change the list."""
+        """The links that made a target, in order; do not change the list.
+
+        Raises:
+            ModelError: the trace is a stored one, and of another copy of the target's model.
+        """
         for link in self.links[self._indexed :]:
             for made in link.targets:
                 self._by_target.setdefault(id(made), []).append(link)
         self._indexed = len(self.links)
-        return self._by_target.get(id(target), [])
+        found = self._by_target.get(id(target))
+        if found is None and self._of_other_copies is not None:
+            self._of_other_copies.refuse(target)
+        return found or []
 
     def equivalents(self, source: Item) -> list[Any]:
         """Everything that was made from a source, in the order it was made."""
@@ -146,13 +164,66 @@ class Trace:
         return trace.Trace(links=links)
 
     @classmethod
-    def of_model(cls, model: trace.Trace | DynamicEObject) -> Trace:
-        """A trace model, read from a file perhaps, to be looked up both ways."""
+    def of_model(cls, model: trace.Trace | DynamicEObject | Model) -> Trace:
+        """A trace model, read from a file perhaps, to be looked up both ways.
+
+        Args:
+            model: its root element, or the model with it. A file is opened in the `Session` of the models that it is about, or
+                the elements of the trace are others than theirs.
+
+        Raises:
+            ModelError: the model has no trace as its root.
+        """
         made = cls()
-        for link in model.links:
+        made._of_other_copies = _OtherCopies(made.links)
+        for link in _root(model).links:
             made.link(link.rule, link.step, link.sources, link.targets)
         return made
 
 
 def _elements(values: Iterable[Any]) -> list[Any]:
     return [v for v in values if is_element(v) and hasattr(v, "eClass")]
+
+
+class _OtherCopies:
+    """Whose models a stored trace is about, so that a question about another copy of one is not answered by "nothing".
+
+    Args:
+        links: the links of the trace.
+    """
+
+    def __init__(self, links: list[Link]) -> None:
+        self.links = links
+        self._counted = -1
+        self._models: dict[int, str] = {}
+
+    def refuse(self, element: Item) -> None:
+        """Refuse an element of a model that none of the trace's elements is in, although one has a model of its kind.
+
+        Raises:
+            ModelError: it is so.
+        """
+        if not isinstance(element, EObject) or (asked := own_resource_of(root_of(element))) is None:
+            return
+        if self._counted != len(self.links):
+            self._counted = len(self.links)
+            ends = (one for link in self.links for one in (*link.sources, *link.targets) if isinstance(one, EObject))
+            self._models = {id(own_resource_of(root) or root): _kind(root) for one in ends for root in [root_of(one)]}
+        if id(asked) not in self._models and _kind(root_of(element)) in self._models.values():
+            raise ModelError(
+                f"the trace is about other models than that of {element!r}, or about another copy of it",
+                fix="open the models and then the trace in one Session: session.open_model(file)",
+            )
+
+
+def _kind(root: EObject) -> str:
+    return f"{root.eClass.ePackage.nsURI}#{root.eClass.name}"
+
+
+def _root(model: trace.Trace | DynamicEObject | Model) -> trace.Trace | DynamicEObject:
+    if not isinstance(model, Model):
+        return model
+    found = [one for one in model.all_contents() if isinstance(one, DynamicEObject) and one.eClass.name == "Trace"]
+    if len(found) != 1:
+        raise ModelError(f"the model has {len(found)} traces, not one", fix="give the element: Trace.of_model(element)")
+    return found[0]

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import shutil
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from robosmi.errors import ModelError, RobosmiError
-from robosmi.model import Session
+from robosmi.model import Session, save_model
 from robosmi.model.emf import EmfModel
 from robosmi.model.metamodel import Metamodel
 from robosmi.query import ModelView
-from robosmi.transform import ETL, Flock
+from robosmi.transform import ETL, Flock, Trace
 
 EPSILON = Path(__file__).parents[1] / "epsilon"
 LIBRARY = EPSILON / "eol" / "library.ecore"
+GRAPH = EPSILON / "cases" / "models" / "graph.ecore"
 GARDEN = Path(__file__).parent / "metamodels" / "garden.ecore"
 COMMON = Path(__file__).parent / "metamodels" / "common.ecore"
 
@@ -122,3 +124,63 @@ def test_after_a_wrong_file_the_session_is_as_before(tmp_path: Path) -> None:
     wrong.write_text(text)
     assert s.metamodel(wrong).names() == Metamodel.load(COMMON).names()
     assert s.metamodel(LIBRARY).find("Book") is book
+
+
+def stored_trace(folder: Path) -> None:
+    """A library, a graph made of it and the trace of that, in files."""
+    s = Session()
+    shutil.copy(EPSILON / "eol" / "library.xmi", folder)
+    library = s.open_model(folder / "library.xmi", metamodel=LIBRARY)
+    graph = EmfModel((), s.metamodel(GRAPH), "G")
+    t = ETL(library, graph)
+
+    @t.rule(library.Author, to=graph.Node)
+    def Author2Node(a: Any, n: Any) -> None:
+        n.label = a.name
+
+    t.run()
+    graph.save(folder / "graph.xmi")
+    files = {"library.xmi": list(ModelView(library).Library.all), "graph.xmi": list(graph.roots)}
+    save_model(t.trace.to_model(), folder / "trace.xmi", files)
+
+
+@pytest.mark.parametrize("order", [("library", "graph", "trace"), ("trace", "graph", "library"), ("library", "trace", "graph")])
+def test_a_stored_trace_is_about_the_models_that_are_open(order: tuple[str, ...], tmp_path: Path) -> None:
+    stored_trace(tmp_path)
+    s = Session()
+    opened = {name: ModelView(s.open_model(tmp_path / f"{name}.xmi", metamodel=[LIBRARY, GRAPH])) for name in order}
+    found = Trace.of_model(opened["trace"])
+    ada, node = opened["library"].Author.all.first(), opened["graph"].Node.all.first()
+    assert found.origins(node) == [ada]
+    assert found.equivalents(ada) == [node]
+    assert found.equivalents(opened["library"].Book.all.first()) == []
+
+
+def test_the_metamodels_of_open_models_need_not_be_given_again(tmp_path: Path) -> None:
+    stored_trace(tmp_path)
+    s = Session()
+    library = s.open_model(tmp_path / "library.xmi", metamodel=LIBRARY)
+    graph = s.open_model(tmp_path / "graph.xmi", metamodel=GRAPH)
+    found = Trace.of_model(s.open_model(tmp_path / "trace.xmi"))
+    assert [found.origins(n)[0].name for n in graph.Node.all] == [a.name for a in library.Author.all]
+
+
+def test_a_trace_of_other_copies_says_so(tmp_path: Path) -> None:
+    stored_trace(tmp_path)
+    graph = Session().open_model(tmp_path / "graph.xmi", metamodel=GRAPH)
+    found = Trace.of_model(EmfModel.load(tmp_path / "trace.xmi", Metamodel.load(LIBRARY, GRAPH)))
+    with pytest.raises(ModelError, match=r"other copy.*\n.*in one Session"):
+        found.origins(graph.Node.all[0])
+    with pytest.raises(ModelError, match="0 traces"):
+        Trace.of_model(graph)
+
+
+def test_a_file_that_is_opened_twice_or_has_changed_is_read_anew(tmp_path: Path) -> None:
+    stored_trace(tmp_path)
+    s = Session()
+    s.open_model(tmp_path / "trace.xmi", metamodel=[LIBRARY, GRAPH])
+    text = (tmp_path / "graph.xmi").read_text()
+    (tmp_path / "graph.xmi").write_text(text.replace("Ada", "Eve"))
+    first, second = (s.open_model(tmp_path / "graph.xmi", metamodel=GRAPH) for _ in range(2))
+    assert [m.Node.all[0].label for m in (first, second)] == ["Eve", "Eve"]
+    assert first.Node.all[0] is not second.Node.all[0]

@@ -1,0 +1,95 @@
+"""The model files that belong together in a session: a reference to one of them leads to the elements that are there already.
+
+What EMF's resource set does by loading each file once. Which file finds which driver is `opening`'s business, and how a reference
+is resolved `xmi_links`'.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from robosmi import inputs
+from robosmi.model.ecore import DynamicEObject, Package
+from robosmi.model.features import as_package
+from robosmi.model.fragments import own_id
+from robosmi.model.metamodels import Metamodels, built_in
+from robosmi.model.xmi_document import Document
+
+if TYPE_CHECKING:
+    from robosmi.model.emf import EmfModel
+
+
+class OpenFiles:
+    """The open models and the files that were read with them, by their absolute paths."""
+
+    def __init__(self) -> None:
+        self._models: dict[Path, EmfModel] = {}
+        self._read: dict[Path, tuple[Document, str]] = {}
+
+    def documents(self, path: Path) -> OpenDocuments:
+        """What a file that is opened now may refer to; nothing when it is open already, as it is then read a second time."""
+        return OpenDocuments(self if path not in self._models else OpenFiles())
+
+    def packages(self) -> Metamodels:
+        """The built-in metamodels, and those of the models that are open."""
+        own: list[Package] = [package for model in self._models.values() for package in model.packages]
+        return Metamodels([*dict.fromkeys([*reversed(own), *built_in().packages])])
+
+    def roots(self, path: Path, known: Metamodels) -> list[DynamicEObject] | None:
+        """The root elements of a file that was read with another one and is to be a model now, or None to read it."""
+        if path in self._models or path not in self._read or (found := self._document(path)) is None:
+            return None
+        packages = [(root.eClass.ePackage, known.get(root.eClass.ePackage.nsURI)) for root in found.roots]
+        return found.roots if all(own is not None and as_package(own) is package for package, own in packages) else None
+
+    def add(self, path: Path, model: EmfModel, documents: Mapping[Path, Document]) -> None:
+        """Note a model and the files that were read with it."""
+        self._models[path] = model
+        self._read.pop(path, None)
+        for place, document in documents.items():
+            if place not in self._models:
+                self._read[place] = document, _digest(place)
+
+    def find(self, path: Path) -> Document | None:
+        """The elements of a file that is open, as they are now, or None."""
+        if (model := self._models.get(path)) is None:
+            return self._document(path)
+        ids = {own: element for element in model.all_contents() if (own := own_id(element)) is not None}
+        return Document(path, model.roots, ids)
+
+    def _document(self, path: Path) -> Document | None:
+        """What was read of a file, as long as the file is the same."""
+        document, digest = self._read.get(path, (None, ""))
+        return document if document is not None and _digest(path) == digest else None
+
+
+class OpenDocuments:
+    """Files that are open, for one file that is read.
+
+    Args:
+        files: the open files.
+    """
+
+    def __init__(self, files: OpenFiles | None = None) -> None:
+        self._files = files if files is not None else OpenFiles()
+        self._found: dict[Path, Document | None] = {}
+
+    def get(self, path: Path) -> Document | None:
+        """The elements of an open file, or None."""
+        if path not in self._found:
+            self._found[path] = self._files.find(path)
+        return self._found[path]
+
+    def leave(self, paths: Iterable[Path]) -> None:
+        """Let files be read anew: of those that are to be contained, since an element of an open model stays where it is."""
+        self._found |= dict.fromkeys(paths)
+
+
+def _digest(path: Path) -> str:
+    try:
+        return hashlib.sha256(inputs.read_bytes(path, inputs.MODEL)).hexdigest()
+    except OSError:
+        return ""
