@@ -360,3 +360,5 @@ def _unmended(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Located, str]
         use = variable.valueType if isinstance(variable, ccode.Variable) else None
         if use is not None and use.arrayDims.strip("[] ") == str(_text_bytes(literal.text)) and use.pointerDepth == 0:
             yield literal, "the array has no room for the zero byte at the end of its text"
+    for variable in old_c.jumped_over_for_good(view):
+        yield variable, "a jump leads over an initial value, which C++ refuses"

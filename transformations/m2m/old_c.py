@@ -124,17 +124,30 @@ def returns(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) 
 
 def jumped_over(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """A jump over a local's initial value: the value becomes an assignment, which may be jumped over."""
+    for variable in _over(view):
+        if _assignable(variable):
+            yield Change(variable, "assign-behind", variable.name, "C++ jumps over no initial value")
+
+
+def jumped_over_for_good(view: CodeView) -> Iterator[ccode.Variable]:
+    """Locals with an initial value that is jumped over and that nothing assigns: arrays, constants, one of several names."""
+    return (variable for variable in _over(view) if not _assignable(variable) and variable.storage.name != "staticStorage")
+
+
+def _assignable(variable: ccode.Variable) -> bool:
+    use = variable.valueType
+    plain = use is not None and not use.arrayDims and "(" not in use.spelling and not use.constant
+    return plain and not declared_with_others(variable) and variable.storage.name != "staticStorage"
+
+
+def _over(view: CodeView) -> Iterator[ccode.Variable]:
+    """Locals with an initial value that is jumped over."""
     jumps = _Jumps(view)
     for statement in view.of_kind(ccode.DeclarationStatement):
         scope, function = statement.eContainer(), ancestor_of_kind(statement, ccode.Function)
         initialised = [d for d in statement.declarations if isinstance(d, ccode.Variable) and d.initializer is not None]
-        if function is None or not initialised or not jumps.over(statement, scope, function):
-            continue
-        for variable in initialised:
-            use = variable.valueType
-            plain = use is not None and not use.arrayDims and "(" not in use.spelling and not use.constant
-            if plain and not declared_with_others(variable) and variable.storage.name != "staticStorage":
-                yield Change(variable, "assign-behind", variable.name, "C++ jumps over no initial value")
+        if function is not None and initialised and jumps.over(statement, scope, function):
+            yield from initialised
 
 
 class _Jumps:

@@ -58,3 +58,13 @@ def test_a_constant_that_no_file_defines_is_not_extern_in_c(tmp_path: Path) -> N
     assert "\nconst int32_t limit = {0};" in (tmp_path / "c" / "limit" / "limit.c").read_text()
     robosmi.migrate([source], tmp_path / "cxx", target="uno")
     assert "\nextern const int32_t limit = {0};" in (tmp_path / "cxx" / "limit" / "limit.ino").read_text()
+
+
+def test_a_jump_over_a_value_that_cannot_be_assigned_is_said(tmp_path: Path) -> None:
+    source = tmp_path / "jump.c"
+    source.write_text(
+        '#include "simpletools.h"\nvoid f(int n) {\n  if (n) goto out;\n  int one = 1;\n  int list[2] = { one, 2 };\n'
+        "  pause(list[1]);\nout:\n  return;\n}\nint main() { f(1); }\n"
+    )
+    made = robosmi.migrate([source], tmp_path / "out")
+    assert [f.location.line for f in made.findings if f.rule == "RS312" and f.location is not None] == [5]
