@@ -102,6 +102,20 @@ void loop() {{}}
     assert told[10:] == pytest.approx([49, 88], abs=1)
 
 
+@proves(*d("getTicks", "speed", "ramp"))
+def ticks_count_from_the_first_call_that_drives(uno: Uno) -> None:
+    program = f"""{SAY}
+void ticks() {{ int left, right; drive_getTicks(&left, &right); say(left); say(right); }}
+void setup() {{ Serial.begin(115200); ticks(); delay(300); ticks(); drive_ramp(20, 40); delay(1000); drive_speed(0, 0);
+  delay(500); ticks(); }}
+void loop() {{}}
+"""
+    trace = replace(uno, ports=PORTS).run(program, d("getTicks", "speed", "ramp"), 2600, WHEELS)
+    told = [int(each) for each in trace.text.split()]
+    assert told[:4] == [0, 0, 0, 0]
+    assert told[4:] == pytest.approx([22, 43], abs=5)
+
+
 @proves(*d("setAcceleration", "setMaxVelocity", "getTicksCalc"))
 def drives_accelerate_as_they_are_told(uno: Uno) -> None:
     program = f"""{SAY}

@@ -61,7 +61,7 @@ inline int16_t drive_pulse(int16_t speed) {  // microseconds beyond neutral
 
 //# helper wheels
 //#   stack: 100
-//#   ram: 66
+//#   ram: 68
 struct Wheel {
   volatile int32_t speed256;      // ticks/s, in 1/256
   volatile int16_t target;        // ticks/s
@@ -89,6 +89,7 @@ struct Wheel {
   }
 };
 static Wheel wheels[2];
+static void (*drive_counts)();  // what begins to count encoder ticks when the drive starts, where the program asks for them
 
 //# helper drive_pins
 //#   port: left_servo = abdrive.left_servo 12 digital out servo
@@ -156,6 +157,7 @@ inline void drive_start() {  // as long as the library takes for the start of it
     slot->own = true;
     slot->start(servo_us(drive_pins[side], 0, 1500));
   }
+  if (drive_counts) drive_counts();
   do_each_frame(drive_frame);
   drive_wait_frames(7);
 }
@@ -167,7 +169,6 @@ inline void drive_start() {  // as long as the library takes for the start of it
 //#   fidelity: a change of level is a tick when it is seen twice, as there; levels are read 976 times a second, there 800 times
 //#   ram: 3
 static uint8_t drive_encoder_pins[2] = {left_encoder, right_encoder};
-static bool drive_encoders_on;
 
 inline void drive_sample() {
   for (auto &wheel : wheels) {
@@ -182,8 +183,6 @@ inline void drive_sample() {
 }
 
 inline void drive_watch_encoders() {
-  if (drive_encoders_on) return;
-  drive_encoders_on = true;
   for (uint8_t side = 0; side < 2; side++) {
     Wheel &wheel = wheels[side];
     wheel.encoder = drive_encoder_pins[side];
@@ -196,6 +195,11 @@ inline void drive_watch_encoders() {
   }
   sample_in_background(drive_sample);
 }
+
+struct DriveCounts {
+  DriveCounts() { drive_counts = drive_watch_encoders; }
+};
+static DriveCounts drive_counts_from_its_start;
 
 //# adapter drive_speed
 //#   for: void drive_speed(int left, int right)
@@ -270,9 +274,9 @@ inline void drive_ramp(int32_t left, int32_t right) {
 //#   kind: semantic
 //#   needs: drive_encoders wheels
 //#   role: encoder
-//#   fidelity: ticks since the start, counted up or down by the sense in which the wheel was driven last, as there
+//#   fidelity: ticks since the first call that drives, and 0 before it, counted up or down by the sense in which the wheel was driven last,
+//#   fidelity: as there
 template <class Int> inline void drive_getTicks(Int *left, Int *right) {
-  drive_watch_encoders();
   uint8_t old = SREG;
   cli();
   *left = wheels[0].ticks;
@@ -340,7 +344,6 @@ inline bool drive_on_the_way() {
 inline void drive_goto(int32_t distLeft, int32_t distRight) {
   int32_t way[2] = {distLeft, distRight}, most = max(abs(distLeft), abs(distRight));
   drive_start();
-  drive_watch_encoders();
   drive_speed(0, 0);
   uint8_t old = SREG;
   cli();
@@ -436,7 +439,7 @@ inline void drive_servoPins(int32_t servoPinLeft, int32_t servoPinRight) {
 //#   needs: drive_encoders
 //#   pin: encPinLeft digital in encoder
 //#   pin: encPinRight digital in encoder
-//#   fidelity: for the first use of the encoders after the call
+//#   fidelity: for the first start of the drive after the call
 //#   limit: not kept for the next start of the program, as the library keeps it in EEPROM
 inline void drive_encoderPins(int32_t encPinLeft, int32_t encPinRight) {
   drive_encoder_pins[0] = encPinLeft;
