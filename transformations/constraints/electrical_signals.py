@@ -48,8 +48,8 @@ def DriversAreApart(n: hardware.Net) -> bool | Fail:
 
 @devices.critique(
     id="RS256", location=drawing,
-    advice="put a resistor of 10 kilo-ohms from the pin to the other supply, "
-    "or let the sketch set INPUT_PULLUP where it leads to ground",
+    advice="put a resistor of 10 kilo-ohms from the pin to the other supply: a pull-up that the sketch sets does not stay, "
+    "since the program's functions that read the pin take it away, as there",
 )  # fmt: skip
 def IsHeldWhileOpen(c: hardware.Component) -> bool | Fail:
     """A pin that a contact ties to a supply has a level while the contact is open."""
