@@ -82,6 +82,27 @@ def used_symbols(
     return dict(sorted(found.items()))
 
 
+def standard_values(views: Sequence[CodeView], target: TargetFacts) -> Iterable[tuple[str, str, list[ccode.NameReference]]]:
+    """Values of standard headers that the program uses: the name, its header and its uses; a target may have them with others.
+
+    Args:
+        views: a view of each unit.
+        target: the target.
+    """
+    own = _own(views)
+    for view in views:
+        uses: dict[str, list[ccode.NameReference]] = {m.name: [] for m in view.unit.macroUses if m.macro is None}
+        for reference in view.of_kind(ccode.NameReference):
+            if isinstance(reference.target, ccode.ExternalSymbol):
+                uses.setdefault(str(reference.name), []).append(reference)
+        for macro in view.own_macros.values():
+            uses |= {word: uses.get(word, []) for word in _WORD.findall(str(macro.body or ""))}
+        for name, references in uses.items():
+            entry = view.resolve(name) if name not in own else None
+            if entry is not None and entry.kind != "function" and entry.header in target.standard_headers:
+                yield name, str(entry.header), references
+
+
 def size_names(views: Sequence[CodeView]) -> set[str]:
     """Names in the sizes of arrays that nothing in the program declares: the model has sizes as text."""
     written = {w for v in views for t in v.of_kind(ccode.TypeUse) for w in _WORD.findall(t.arrayDims or "")}

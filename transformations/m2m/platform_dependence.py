@@ -39,6 +39,7 @@ from robosmi.transformations.m2m.placeholders import (
     size_names,
     symbol_use,
     type_uses,
+    standard_values,
     used_symbols,
     wanted_types,
 )
@@ -110,6 +111,9 @@ def partition(
     names = target.names
     called = called_functions(views, target, names, choice.adapts)
     used = used_symbols(views, called, target, names)
+    used |= {
+        name: uses for name, header, uses in standard_values(views, target) if choice.declare(name, header, VALUES) is not None
+    }
     includes = [i.header for u in program.units for i in u.includes]
     words = words_of(sources[u.path] for u in program.units)
     result.source = api.to_model([*called, *used], includes, words, [v.includes for v in views])

@@ -227,3 +227,12 @@ def test_long_and_int_are_one_type_where_the_text_has_the_widths_of_the_source(t
     text = declared + 'int main() { while (1) print("%d", pulse_in(3, 1)); }\n'
     use = uses(planned(tmp_path, text, widths=widths))["pulse_in"]
     assert (use.adapter is not None) is filled
+
+
+@pytest.mark.parametrize("use", ["clock() / CLOCKS_PER_SEC", "IN_SECONDS(clock())"])
+def test_values_of_standard_headers_that_adapters_have_are_those_of_the_source(use: str, tmp_path: Path) -> None:
+    text = "#include <time.h>\n#define IN_SECONDS(t) ((t) / CLOCKS_PER_SEC)\n"
+    text += f"int main() {{ int seconds = 0; while (1) seconds = {use}; }}\n"
+    (value,) = (symbol for symbol in planned(tmp_path, text).plan.symbolUses if symbol.name == "CLOCKS_PER_SEC")
+    assert value.adapter is not None
+    assert "80000000" in str(value.adapter.text)
