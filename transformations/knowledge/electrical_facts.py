@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from fnmatch import fnmatchcase, translate
 from functools import cache
 from pathlib import Path
@@ -54,6 +54,7 @@ class DeviceFacts:
         isolated: whether it needs no common ground.
         tone: whether it is sounded with the function of that name.
         rest: the level of its signals, low or high, at which it does nothing; empty for none.
+        rest_when: a property of the part, its value, and `rest` of a part whose property has it; empty for none.
         bench: how it is tried alone on the bench; empty where its role says it.
     """
 
@@ -75,6 +76,7 @@ class DeviceFacts:
     isolated: bool = False
     tone: bool = False
     rest: str = ""
+    rest_when: tuple[str, ...] = ()
     bench: str = ""
 
 
@@ -142,7 +144,12 @@ class Electrical:
 
     def facts(self, component: hardware.Component) -> DeviceFacts | None:
         """What is known of a component, or None: of the first file that knows it."""
-        return next((found for file in self._files if (found := file.find(component)) is not None), None)
+        found = next((found for file in self._files if (found := file.find(component)) is not None), None)
+        if found is None or not found.rest_when:
+            return found
+        name, value, rest = found.rest_when
+        has_it = any(p.name == name and p.value.strip().lower() == value for p in component.properties)
+        return replace(found, rest=rest) if has_it else found
 
     def meanings(self, name: str) -> tuple[str, ...]:
         """What a connector's name says (`sda`, `output`; the keys of `[names]`), each once."""
@@ -215,6 +222,8 @@ def _is_right(key: str, value: Any) -> bool:
         return isinstance(listed, list) and all(one in _WORDS[key] for one in listed)
     if key in _TYPES:
         return isinstance(value, _TYPES[key])
+    if key == "rest_when" and (not isinstance(value, list) or len(value) != 3 or value[2] not in _WORDS["rest"]):
+        return False
     kind = int if key == "i2c" else str
     return isinstance(value, list) and all(isinstance(v, kind) for v in value)
 

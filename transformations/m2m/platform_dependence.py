@@ -37,9 +37,9 @@ from robosmi.transformations.m2m.language_gap import changes
 from robosmi.transformations.m2m.placeholders import (
     implied_headers,
     size_names,
+    standard_values,
     symbol_use,
     type_uses,
-    standard_values,
     used_symbols,
     wanted_types,
 )

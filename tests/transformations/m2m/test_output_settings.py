@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -177,3 +178,19 @@ def test_a_stored_plan_has_them(tmp_path: Path) -> None:
     assert again == (out / "robot" / "adapters.h").read_text()
     assert "{9, 1480, 0, 0}," in again
     assert "static const int16_t servo_speeds_1[] = {-200, 1300, 0, 1510, 200, 1650};" in again
+
+
+@pytest.mark.parametrize(("attributes", "level"), [({}, "LOW"), ({"transistor": "npn"}, "LOW"), ({"transistor": "pnp"}, "HIGH")])
+def test_the_transistor_of_a_drawn_relay_says_at_which_level_it_is_off(
+    attributes: dict[str, str], level: str, tmp_path: Path
+) -> None:
+    program, drawing = tmp_path / "pump.c", tmp_path / "diagram.json"
+    program.write_text(
+        '#include "simpletools.h"\n#define RELAY 9\nint main() { while (1) { high(RELAY); pause(500); low(RELAY); } }\n'
+    )
+    parts = [{"type": "wokwi-arduino-uno", "id": "uno"}, {"type": "wokwi-relay-module", "id": "relay1", "attrs": attributes}]
+    wires = [[f"uno:{pin}", f"relay1:{name}", "", []] for pin, name in (("7", "IN"), ("5V", "VCC"), ("GND.2", "GND"))]
+    drawing.write_text(json.dumps({"version": 1, "parts": parts, "connections": wires}))
+    made = robosmi.migrate([program], tmp_path / "out", hardware=drawing)
+    sketch = next(text for name, text in made.contents.items() if name.endswith(".ino")).decode()
+    assert f"digitalWrite(relay1WriteP1, {level});" in sketch
