@@ -31,6 +31,8 @@ from robosmi.model.lean import collector_at_rest
 from robosmi.model.recovery import at_work
 from robosmi.query.erl import Given, RuleBlocks, as_model, called, failed, place_of
 from robosmi.query.own_operations import called_for
+from robosmi.query.settings import Settings
+from robosmi.query.verdicts import guarded
 
 if TYPE_CHECKING:
     from typing import Protocol, TypeVar
@@ -50,7 +52,7 @@ RECORD = ".robosmi/generated"
 """Where the last texts are kept below the output folder, unless said otherwise."""
 
 
-class Gen:
+class Gen(Settings):
     """A generation: rules and templates that make the files of a folder.
 
     Args:
@@ -89,6 +91,7 @@ class Gen:
         self.rules: list[GenerationRule] = []
         self._record = Record(self.folder, RECORD if keep is True else keep) if keep else None
         self._staging = self._fresh()
+        self.settle(Gen)
 
     def give(self, values: Mapping[str, Any] | None = None, filters: Mapping[str, Function] | None = None) -> None:
         """Give the templates further values and filters, before the first is rendered: for functions that add rules to a `Gen`.
@@ -261,7 +264,7 @@ class Gen:
         try:
             for element in rule.elements(self.models):
                 part = "guard"
-                if not rule.applies_to_all and not value_of(rule.guard, element):
+                if not rule.applies_to_all and not guarded(value_of(rule.guard, element)):
                     continue
                 if rule.pre is not None:
                     part = "pre block"

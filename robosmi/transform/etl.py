@@ -14,6 +14,7 @@ from robosmi.model.driver import Model, TypeHandle
 from robosmi.model.ordering import post_order
 from robosmi.query.collections import Q
 from robosmi.query.erl import Given, RuleBlocks, as_model, called, run_over
+from robosmi.query.settings import Settings
 from robosmi.query.values import collection_kind
 from robosmi.transform.assignment import assign
 from robosmi.transform.rule import Rule, bind, declare
@@ -29,7 +30,7 @@ R = TypeVar("R")
 SCHEDULES = ("auto", "match", "demand")
 
 
-class ETL:
+class ETL(Settings):
     """A transformation.
 
     Args:
@@ -60,6 +61,7 @@ class ETL:
         self.warnings: list[str] = []
         self._included: list[ETL] = []
         self._running: Schedule | None = None
+        self.settle(ETL)
 
     @property
     def schedule(self) -> str:

@@ -19,7 +19,9 @@ from robosmi.model.pyecore_internals import set_xmi_id, xmi_id_of
 from robosmi.model.structure import feature_names
 from robosmi.query.collections import Q
 from robosmi.query.erl import RuleBlocks, as_model, failed, run_over, technology
+from robosmi.query.settings import Settings
 from robosmi.query.values import collection_kind
+from robosmi.query.verdicts import guarded
 from robosmi.transform.assignment import assign
 from robosmi.transform.conservative_copy import ConservativeCopy, restore_order
 
@@ -71,7 +73,7 @@ class MigrateRule:
     body: AnyFunction | None = None
 
 
-class Flock:
+class Flock(Settings):
     """A migration.
 
     Args:
@@ -104,6 +106,7 @@ class Flock:
         self._mappings: list[Mapping] = []
         self._rules: list[MigrateRule] = []
         self._equivalents: dict[int, tuple[EObject, EObject | None]] = {}
+        self.settle(Flock)
 
     def retype(self, original: Kind, evolved: Kind, *, when: AnyFunction | None = None, strict: bool = False) -> None:
         """Elements of a type become elements of another (Flock `retype A to B when: ...`); the first mapping that fits counts."""
@@ -309,7 +312,7 @@ class Flock:
         if guard is None:
             return True
         try:
-            return bool(guard(element))
+            return guarded(guard(element))
         except (Exception, SystemExit) as error:
             raise failed(error, f"the guard of '{what}'", guard, element, [self.original]) from error
 

@@ -19,6 +19,7 @@ from robosmi.errors import InternalError, RuleError, did_you_mean
 from robosmi.model.driver import Model, TypeHandle, class_of
 from robosmi.model.ordering import post_order
 from robosmi.query.erl import RuleType, arity, called, failed, place_of, type_name
+from robosmi.query.verdicts import guarded
 
 if TYPE_CHECKING:
     from robosmi.functions import Function, NamedFunction
@@ -209,7 +210,7 @@ class BoundRule:
         if self.guard is None and not self.own_bases:
             return True
         try:
-            satisfied = self.guard is None or bool(self.guard(source))
+            satisfied = self.guard is None or guarded(self.guard(source))
         except (RuleError, InternalError):
             raise
         except (Exception, SystemExit) as error:

@@ -13,7 +13,8 @@ from typing import Any
 from robosmi.errors import InternalError, RuleError, UsageError, did_you_mean
 from robosmi.model.driver import Model
 from robosmi.query.deep import LEVELS, in_thread
-from robosmi.query.erl import RuleType, called, code_of, failed, told
+from robosmi.query.erl import RuleType, called, failed, told
+from robosmi.query.verdicts import guarded, verdict_of
 from robosmi.validate.constraint import Constraint, Context, Fail
 from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
 
@@ -42,15 +43,21 @@ class _State:
         """What the check says of an element.
 
         Raises:
-            UsageError: it says a text. `return holds or "message"` would satisfy the constraint, since a text is true.
+            UsageError: it says a text, a collection or what else is no verdict. `return holds or "message"` would satisfy the
+                constraint, since a text is true, and so would `return holds, "message"`.
         """
         verdict = self.check(element)
-        if isinstance(verdict, str):
-            raise UsageError(
-                f"it gives the text {verdict!r}, which does not say whether the constraint holds",
-                fix='write `return holds or Fail("message")`; compare a text that is to be there, `return b.name != ""`',
-            )
-        return verdict
+        if verdict is True or verdict is False:
+            return verdict
+        return verdict_of(
+            verdict,
+            "whether the constraint holds",
+            'write `return holds or Fail("message")`; compare what is to be there (`b.name != ""`); call what is a method',
+        )
+
+    def applies(self, element: Any) -> bool:
+        """Whether the guard, if there is one, lets the constraint be evaluated."""
+        return self.guard is None or guarded(self.guard(element))
 
     def answer(self, element: Any) -> bool | None:
         """What is remembered of an element; None if it must be evaluated."""
@@ -115,7 +122,7 @@ class Evaluation:
             return
         for element in elements:
             try:
-                included = context.guard(element)
+                included = guarded(context.guard(element))
             except (Exception, SystemExit) as error:
                 raise failed(error, f"the guard of the context {context.name}", context.guard, element, self.models) from error
             if included:
@@ -127,7 +134,7 @@ class Evaluation:
             for state in states:
                 try:
                     if state.recorded:
-                        if state.guard is not None and not state.guard(element):
+                        if not state.applies(element):
                             continue
                         if state.answer(element) is not None:
                             continue  # its failure was reported when it was asked for
@@ -149,12 +156,11 @@ class Evaluation:
 
     def _failed(self, error: BaseException, state: _State, element: Any) -> Exception:
         constraint, raised = state.constraint, error.__traceback__ and error.__traceback__.tb_next
-        guard = code_of(constraint.guard) if constraint.guard is not None else None
         frames = []
         while raised is not None:
             frames.append(raised.tb_frame.f_code)
             raised = raised.tb_next
-        in_guard = guard is not None and guard in frames[:2]
+        in_guard = _State.applies.__code__ in frames
         function = constraint.guard if in_guard and constraint.guard is not None else constraint.check
         what = f"the {'guard' if in_guard else 'check'} of {constraint.name}"
         return failed(error, what, function, element, self.models)
@@ -216,7 +222,7 @@ class Evaluation:
             self._asked.pop((state, element), None)
 
     def _ask(self, state: _State, element: Any) -> bool:
-        if state.guard is not None and not state.guard(element):
+        if not state.applies(element):
             state.asked()
             return False
         verdict = state.verdict(element)

@@ -13,6 +13,7 @@ from robosmi.diagnostics import Location, Severity
 from robosmi.model.driver import Model, TypeHandle
 from robosmi.model.ordering import post_order
 from robosmi.query.erl import Given, RuleBlocks, as_model, run_over
+from robosmi.query.settings import Settings
 from robosmi.validate.constraint import Constraint, Context, E, Fix, R
 from robosmi.validate.evaluation import Evaluation
 from robosmi.validate.findings import Applied, OfferedFix, Unsatisfied, Validation
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from robosmi.query.decorating import Decorator
 
 
-class EVL:
+class EVL(Settings):
     """Constraints on models.
 
     Args:
@@ -44,6 +45,7 @@ class EVL:
         self._critiques: Context[Any] = Context(None)
         self._included: list[EVL] = []
         self._evaluation: Evaluation | None = None
+        self.settle(EVL)
 
     @overload
     def context(

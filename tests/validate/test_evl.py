@@ -10,7 +10,9 @@ import pytest
 
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import RuleError, UsageError
+from robosmi.generate import Gen
 from robosmi.model.driver import UnknownTypeError
+from robosmi.transform import ETL, Flock
 from robosmi.validate import EVL, Fail, Fix
 from tests.library import empty, library
 
@@ -47,6 +49,71 @@ def test_a_check_that_gives_a_text_is_refused(ask: bool) -> None:
         book.constraint(name="Asks")(lambda b: v.satisfies(b, "Dear"))
     with pytest.raises(RuleError, match=r"the check of Dear fails for .*: it gives the text 'Propellers costs .*\n.*Fail\("):
         v.run()
+
+
+def generating(b: Any) -> Any:
+    yield b.price < 0
+
+
+async def waiting(b: Any) -> Any:
+    return b.price < 0
+
+
+NO_VERDICTS = [
+    (lambda b: (b.price < 0, "too dear"), "a plain tuple"),
+    (lambda b: b.price < 0 or ["too dear"], "a plain list"),
+    (lambda b: {"price": b.price}, "a plain dict"),
+    (lambda b: lambda: False, "the function '<lambda>', which was not called"),
+    (lambda b: b.name.isupper, "the function 'isupper', which was not called"),
+    (generating, "a generator"),
+    (waiting, "a coroutine"),
+]
+
+
+@pytest.mark.parametrize(("check", "given"), NO_VERDICTS)
+def test_what_is_true_of_every_element_is_no_verdict(check: Any, given: str) -> None:
+    L = library()
+    v = EVL(L)
+    v.context(L.Book).constraint(name="Dear")(check)
+    with pytest.raises(RuleError, match=f"the check of Dear fails for .*: it gives {given}"):
+        v.run()
+
+
+@pytest.mark.parametrize(("guard", "given"), [*NO_VERDICTS, (lambda b: "no", "the text 'no'")])
+def test_a_guard_gives_a_verdict_too(guard: Any, given: str) -> None:
+    L = library()
+    for options in ({"context": guard}, {"constraint": guard}):
+        v = EVL(L)
+        v.context(L.Book, guard=options.get("context")).constraint(name="Dear", guard=options.get("constraint"))(lambda b: True)
+        with pytest.raises(RuleError, match=f"the guard of .*: it gives {given}"):
+            v.run()
+    G = empty("graph", "G")
+    t = ETL(L, G)
+    t.rule(L.Book, to=G.Node, name="Book2Node", guard=guard)(lambda b, n: None)
+    with pytest.raises(RuleError, match=f"the guard of the rule Book2Node fails for .*: it gives {given}"):
+        t.run()
+    f = Flock(L, empty("graph", "N"), lenient=True)
+    f.delete("Book", when=guard)
+    with pytest.raises(RuleError, match=f"the guard of 'delete Book' fails for .*: it gives {given}"):
+        f.run()
+
+
+@pytest.mark.parametrize(
+    ("module", "wrong", "right"),
+    [(ETL, "shedule", "schedule"), (Flock, "kep_order", "keep_order"), (Flock, "lenint", "lenient"), (EVL, "contxts", "contexts"),
+     (Gen, "ruls", "rules")],
+)  # fmt: skip
+def test_a_misspelt_setting_is_refused_with_the_nearest_name(module: Any, wrong: str, right: str) -> None:
+    made = module(library(), empty("graph", "G")) if module is not Gen else Gen()
+    with pytest.raises(UsageError, match=f"has no setting '{wrong}' .did you mean '{right}'"):
+        setattr(made, wrong, "match")
+    setattr(made, right, getattr(made, right))
+
+    class Own(module):  # type: ignore[misc]
+        """With an attribute of its own."""
+
+    own = Own(library(), empty("graph", "G")) if module is not Gen else Own()
+    own.seen = 1
 
 
 def test_constraints_without_a_model_run_over_any() -> None:

@@ -1,0 +1,55 @@
+"""What checks and guards may answer: truth values, not something that is only true because it is there.
+
+A text, a list or tuple that was just made, a function that was not called and a generator are true of every element, whatever
+their author meant. Collections of a model and of EOL are verdicts: whether they hold something depends on the model.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Iterator
+from typing import TypeVar
+
+from robosmi.errors import UsageError
+
+T = TypeVar("T")
+
+
+def verdict_of(answer: T, says: str, fix: str) -> T:
+    """What a check or guard answered, if it is a verdict: a truth value, `Fail`, a number, an element, None, or a collection of a
+    model or of EOL (whether it holds something).
+
+    Args:
+        answer: what the function gave.
+        says: what it is to say, "whether the rule applies".
+        fix: what to write instead.
+
+    Raises:
+        UsageError: it is a text, a plain Python collection, a function, a generator or a coroutine.
+    """
+    if answer is True or answer is False or answer is None:
+        return answer
+    if isinstance(answer, (str, bytes)):
+        given = f"the text {answer!r}"
+    elif inspect.iscoroutine(answer):
+        answer.close()  # or Python warns that nobody waits for it
+        given = "a coroutine (it is an `async def`)"
+    elif isinstance(answer, Iterator):
+        given = "a generator or another iterator (it has a `yield`?)"
+    elif type(answer) in (list, tuple, dict, set, frozenset):
+        given = f"a plain {type(answer).__name__}"
+    elif inspect.isroutine(answer):
+        given = f"the function {getattr(answer, '__name__', answer)!r}, which was not called"
+    else:
+        return answer
+    raise UsageError(f"it gives {given}, which does not say {says}", fix=fix)
+
+
+def guarded(answer: object) -> bool:
+    """Whether a guard says that its rule or constraint applies.
+
+    Raises:
+        UsageError: its answer says neither, as of `verdict_of`.
+    """
+    fix = 'write a comparison (`x.name != ""`, `len(x.books) > 0`), and call what is a method'
+    return bool(verdict_of(answer, "whether the guard holds", fix))
