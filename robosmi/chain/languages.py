@@ -8,7 +8,7 @@ A function gets the language's object first, then the models by their names: `co
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -17,11 +17,14 @@ from robosmi import inputs
 from robosmi.chain.steps import Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.generate import Gen
+from robosmi.generate.places import free_name
 from robosmi.model import save_model
 from robosmi.model.driver import Model
 from robosmi.model.emf import EmfModel
+from robosmi.model.files import write_atomic
 from robosmi.model.metamodel import Metamodel
 from robosmi.model.session import Session
+from robosmi.model.xml_comments import comments_lost, told
 from robosmi.query import ModelView
 from robosmi.query.erl import owner_of, technology
 from robosmi.transform import ETL, Flock
@@ -43,6 +46,7 @@ class Doing:
         made: names of those that another step makes; the rest was loaded from what a person wrote.
         session: in which metamodels are the same for all steps.
         dry_run, keep, fix: the options of the run.
+        rewritten: is told of each file of a person's model that a fix has changed, in a few words.
     """
 
     folder: Path
@@ -53,6 +57,7 @@ class Doing:
     dry_run: bool
     keep: bool
     fix: Choice | None = None
+    rewritten: list[str] = field(default_factory=list)
 
 
 def load(step: Step, doing: Doing) -> tuple[StepResult, Model]:
@@ -111,10 +116,28 @@ def _mend(result: StepResult, found: Validation, doing: Doing, fix: Choice) -> l
                                 fix=applied.error.fix))  # fmt: skip
     for name, model in loaded.items():
         if _stored(model) != before[name]:
-            model.save()
+            said += _store(model, doing)
             result.saved.append(name)
             result.written.append(relative(Path(str(model.path)), doing.folder))
     return said
+
+
+def _store(model: Model, doing: Doing) -> list[Finding]:
+    """Write a person's model anew; a file with comments, which no model holds, is kept beside it, and that is said."""
+    path = Path(str(model.path))
+    old = inputs.read_bytes(path, inputs.MODEL) if path.is_file() else b""
+    lost = comments_lost(old, _stored(model))
+    name = relative(path, doing.folder)
+    if not lost:
+        model.save()
+        doing.rewritten.append(f"'{name}'")
+        return []
+    kept = free_name(path.parent, f"{path.name}.orig")
+    write_atomic(path.parent / kept, old)
+    model.save()
+    doing.rewritten.append(f"'{name}' (what it held is in '{kept}')")
+    place = Location(str(path), lost[0])
+    return [Finding("RS524", Severity.warning, told(lost, kept), place, fix="keep such notes outside of the models")]
 
 
 def _stored(model: Model) -> bytes:

@@ -105,6 +105,7 @@ class ChainRun:
         self.models: dict[str, Any] = {}
         self.content: dict[str, str] = {}
         self.stopped: set[str] = set()
+        self.rewritten: list[str] = []
         self._told = 0
         self._session: Session | None = None
 
@@ -152,6 +153,7 @@ class ChainRun:
         """
         begun = time.perf_counter()
         self.stopped.clear()
+        self.rewritten.clear()
         self._renew()
         results = []
         known = {step.name for step in self.ordered}
@@ -166,6 +168,10 @@ class ChainRun:
                     result = self.step(step)
                     result.seconds = time.perf_counter() - start
                     results.append(result)
+        except RobosmiError as error:
+            if self.rewritten:
+                error.message += f"; fixes of a step before it had changed {', '.join(self.rewritten)}, which stays"
+            raise
         finally:
             if not self.dry_run:
                 self.state.save()  # of what was done, also where a later step fails
@@ -295,7 +301,7 @@ class ChainRun:
         from robosmi.chain.languages import Doing
 
         made = frozenset(name for name in models if self.makers[name].kind != "load")
-        return Doing(self.folder, models, files, made, self.session, self.dry_run, self.keep, self.fix)
+        return Doing(self.folder, models, files, made, self.session, self.dry_run, self.keep, self.fix, self.rewritten)
 
     @property
     def session(self) -> Session:

@@ -24,3 +24,20 @@ def comments(data: bytes) -> list[tuple[int, str]]:
     with suppress(expat.ExpatError, LookupError, ValueError):
         parser.Parse(data, True)
     return found
+
+
+def comments_lost(old: bytes, new: bytes) -> list[int]:
+    """The lines of a file with comments and processing instructions that the new one has no more."""
+    staying = {text for _, text in comments(new)}
+    return [line for line, text in comments(old) if text not in staying]
+
+
+def told(lost: list[int], kept: str) -> str:
+    """What a finding says of comments that were lost.
+
+    Args:
+        lost: their lines.
+        kept: the name of the file that holds what the old one held.
+    """
+    number = f"{len(lost)} comments are" if len(lost) > 1 else "a comment is"
+    return f"{number} not in the file any more: a model holds none; the old file is kept as {kept}"

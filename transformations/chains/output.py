@@ -30,7 +30,8 @@ from robosmi.metamodels import migration, trace
 from robosmi.model.commit import update
 from robosmi.model.elsewhere import Elsewhere
 from robosmi.model.recovery import at_work, look_only
-from robosmi.model.xml_comments import comments
+from robosmi.model.xml_comments import comments_lost
+from robosmi.model.xml_comments import told as told_of_comments
 from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.recommend.history import History, HistoryEntry
@@ -299,15 +300,13 @@ def _with_comments(
     """The models that are written anew and had comments of a person, under the names that they are kept by."""
     old: dict[str, bytes] = {}
     for name, data in inputs.items():
-        staying = {text for _, text in comments(contents.get(name, b""))}
-        lost = [line for line, text in comments(data or b"") if text not in staying]
+        lost = comments_lost(data or b"", contents.get(name, b""))
         if data is None or not lost or name not in contents:
             continue
         beside = free_name(output, f"{name}.orig")
         old[beside] = data
-        number = f"{len(lost)} comments are" if len(lost) > 1 else "a comment is"
-        message = f"{number} not in the file any more: a model holds none; the old file is kept as {Path(beside).name}"
         place = Location(str(output / name), lost[0])
+        message = told_of_comments(lost, Path(beside).name)
         findings.append(Finding("RS524", Severity.warning, message, place, fix="keep such notes outside of the models"))
     return old
 
