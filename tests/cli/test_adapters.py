@@ -343,3 +343,42 @@ def test_adapters_may_lie_elsewhere_in_the_project_by_a_link(project: Path) -> N
     (project / "adapters").symlink_to("shared")
     assert run("adapters", "save", project / "out", "--as", "project").code == 0
     assert (project / "shared" / "s3.cpp").is_file()
+
+
+GLOW = """//# header glow.h
+
+//# adapter glow_pulses
+//#   for: int glow_pulses(int pin, int count)
+//#   kind: oneToOne
+//#   pin: pin digital out
+inline int32_t glow_pulses(int32_t pin, int32_t count) {
+  digitalWrite(pin, count & 1);
+  return count;
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("begin", "call"),
+    [
+        ('#include "glow.h"\n', "glow_pulses(9, 3);"),
+        ('#include "glow.h"\n', "int (*f)(int, int) = glow_pulses; f(9, 3);"),
+        ("int glow_pulses(int pin, int count);\nint stick = 9;\n", "glow_pulses(stick, 3);"),
+        ("", "glow_pulses(9, 3);"),
+        ('#include "propeller.h"\n', "setpin(9, 1);"),
+    ],
+    ids=["header", "pointer", "declared", "unknown", "platform"],
+)
+def test_a_declared_pin_of_an_adapter_is_a_port_of_the_program(begin: str, call: str, project: Path) -> None:
+    (project / "glow.h").write_text("int glow_pulses(int pin, int count);\n")
+    (project / "adapters").mkdir()
+    (project / "adapters" / "glow.cpp").write_text(GLOW)
+    (project / "stick.c").write_text(f'#include "simpletools.h"\n{begin}int main() {{ {call} }}\n')
+    (project / "w.csv").write_text("pin,part,title\nD9,Servo,arm\nD4,Red LED,lamp\n")
+    given = ("migrate", project / "stick.c", "--hardware", project / "w.csv", "-o", project / "out", "--library", "arm=none")
+    assert run(*given).code == 0
+    sketch = project / "out" / "stick" / "stick.ino"
+    assert re.search(r"\((255|port\(9\))|stick\s*=\s*255", sketch.read_text())
+    assert not re.search(r"(glow_pulses|setpin|f)\(9|stick\s*=\s*9", sketch.read_text())
+    assert run(*given, "--bind", "P9=D4").code == 0
+    assert re.search(r"\((lampWriteP1|port\(9\))|stick\s*=\s*lampWriteP1", sketch.read_text())

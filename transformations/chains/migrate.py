@@ -43,6 +43,7 @@ from robosmi.transformations.chains.widths import FIX, KEEP, widened
 from robosmi.transformations.constraints.code_rules import move_findings
 from robosmi.transformations.constraints.electrical_plan import plan_faults
 from robosmi.transformations.constraints.plan_ports import port_faults
+from robosmi.transformations.knowledge.adapter_pins import AdapterPins
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import TargetFacts, target_facts
 from robosmi.transformations.m2m.adapter_choice import adapter_choice
@@ -74,8 +75,8 @@ def migration_chain() -> Chain:
     chain = Chain(None, "migrate")
     chain.given(*GIVEN, bench=False, stored=None)
     chain.call(settings, makes="settings", step="read the project file")
-    chain.call(source_api, makes="api", step="look up the source platform")
     chain.call(target, makes="target", step="look up the target")
+    chain.call(source_api, makes="api", step="look up the source platform")
     chain.call(program_files, makes="program_files", step="find the program's files")
     chain.call(program, makes="program", step="read the program")
     chain.call(drawing, makes="drawing", step="read the drawing")
@@ -100,15 +101,16 @@ def settings(files: Sequence[str | Path], project: Project | None) -> Project:
     return project if project is not None else project_of(Path(files[0]))
 
 
-def source_api(source_platform: str | None, settings: Project) -> ApiIndex:
-    """What is known of the platform that the program was written for.
+def source_api(source_platform: str | None, settings: Project, target: TargetFacts) -> ApiIndex:
+    """What is known of the platform that the program was written for, with the pins that adapters of the target declare.
 
     Raises:
         UsageError: there is no such platform.
     """
     name = source_platform or settings.source_platform or defaults()["migrate"]["source_platform"]
     check_source_platform(name)
-    return ApiIndex.load(name)
+    api = ApiIndex.load(name)
+    return api.adapted(AdapterPins(adapter_files_of(settings, target, api)))
 
 
 def target(target_name: str | None, settings: Project) -> TargetFacts:

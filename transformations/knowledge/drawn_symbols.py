@@ -60,7 +60,7 @@ def labelled_pins(table: DataTable, connectors: Mapping[str, str]) -> dict[str, 
     """Connector -> label of the board's pin, for connectors whose names say one."""
     pins = table.tables("pins")
     labels = {pin.text("label") for pin in pins}
-    aliases = {alias: pin.text("label") for pin in pins for alias in pin.texts("aliases")}
+    aliases = {alias: pin.text("label") for pin in pins for alias in pin.texts("aliases", ())}
     found = ((connector, _label(name, labels, aliases)) for connector, name in connectors.items())
     return {connector: label for connector, label in found if label}
 
@@ -68,9 +68,12 @@ def labelled_pins(table: DataTable, connectors: Mapping[str, str]) -> dict[str, 
 def _label(name: str, labels: set[str], aliases: Mapping[str, str]) -> str:
     text = _COUNTED.sub("", _OVERLINE.sub("", name).strip())
     words = [word for word in re.split(r"[/ _()]", text) if word]
-    if text.upper() in aliases:
-        return aliases[text.upper()]
+    own = {label.upper(): label for label in labels}
+    for known in (own, aliases):  # as the board's file has it, before what other boards call so
+        if text.upper() in known:
+            return known[text.upper()]
     label = normalised_label(text) or (normalised_label(words[0]) if words else "")
     if label not in labels:
         label = aliases.get(label, "")
-    return label or next((aliases[word.upper()] for word in words if word.upper() in aliases), "")
+    known = {**aliases, **own}
+    return label or next((known[word.upper()] for word in words if word.upper() in known), "")

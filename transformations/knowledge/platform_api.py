@@ -11,13 +11,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING
 
-from robosmi import resources
 from robosmi.transformations.knowledge.api_data import FunctionMeaning, PlatformSettings
 from robosmi.transformations.knowledge.api_facts import HEADER_KINDS, ApiEntry, ApiFacts, PinFacts
-from robosmi.transformations.knowledge.platform_folder import facts_of, forget_folders
+from robosmi.transformations.knowledge.platform_folder import facts_of, forget_folders, platform_folder
 
 if TYPE_CHECKING:
     from robosmi.metamodels import platform as pf
+    from robosmi.transformations.knowledge.adapter_pins import AdapterPins
 
 _PORTS = 32
 """So many ports where the platform does not say it: the bits of a word."""
@@ -28,10 +28,11 @@ class ApiIndex:
 
     Args:
         facts: what is known of it.
+        adapters: of the target, which tell the pins of functions of which the facts tell none.
     """
 
-    def __init__(self, facts: ApiFacts) -> None:
-        self._facts = facts
+    def __init__(self, facts: ApiFacts, adapters: AdapterPins | None = None) -> None:
+        self._facts, self._adapters = facts, adapters
         self._headers, self._entries = facts.headers, facts.entries
         self._closures: dict[tuple[str, ...], tuple[str, ...]] = {}
         self._declared: dict[str, set[str]] = {}
@@ -43,7 +44,7 @@ class ApiIndex:
         Raises:
             PlatformDataError: the repository has no such platform, or its data is damaged.
         """
-        return _load(str(resources.find("platform_repo", name)))
+        return _load(str(platform_folder(name)))
 
     @staticmethod
     def of(model: pf.Platform) -> ApiIndex:
@@ -51,6 +52,10 @@ class ApiIndex:
         from robosmi.transformations.knowledge.stored_platform import StoredFacts  # a migration from sources reads no model
 
         return ApiIndex(StoredFacts(model))
+
+    def adapted(self, adapters: AdapterPins) -> ApiIndex:
+        """The same platform, with what adapters of a target tell of the pins of its functions."""
+        return ApiIndex(self._facts, adapters)
 
     @property
     def name(self) -> str:
@@ -169,8 +174,9 @@ class ApiIndex:
         return f"{entry.detail} {name}".strip()
 
     def pins(self, function: str, header: str) -> PinFacts | None:
-        """Pins of a function as the header declares it, or None where nothing is known."""
-        return self._facts.pins.get((function, header))
+        """Pins of a function as the header declares it, of its adapter where the platform tells none; None where nobody does."""
+        known = self._facts.pins.get((function, header))
+        return known if known is not None or self._adapters is None else self._adapters.of(function, header)
 
     def meaning(self, function: str) -> FunctionMeaning:
         """What is known of a function: parameters, blocking, startsCog."""

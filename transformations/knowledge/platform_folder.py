@@ -151,6 +151,18 @@ class _Entries(Mapping[str, Sequence[ApiEntry]]):
         return len(self._where)
 
 
+def platform_folder(name: str) -> Path:
+    """The folder with the settings of a platform; others of its name may add files to it, and count for those alone.
+
+    Args:
+        name: the platform.
+
+    Raises:
+        PlatformDataError: there is none of that name.
+    """
+    return resources.find("platform_repo", f"{name}/platform.toml").parent
+
+
 def facts_of(folder: str) -> FolderFacts:
     """The facts of a folder, read once a process."""
     return _facts_of(folder)
@@ -174,7 +186,7 @@ def _other(name: str | None, folder: Path) -> FolderFacts | None:
     """
     if not name:
         return None
-    place = resources.find("platform_repo", name)
+    place = platform_folder(name)
     pending, seen = [place], {place}
     while pending:
         current = pending.pop()
@@ -182,7 +194,7 @@ def _other(name: str | None, folder: Path) -> FolderFacts | None:
             fix = f"correct `like` or `standard` in {folder / 'platform.toml'}"
             raise PlatformDataError(f"the platform '{folder.name}' builds on itself", fix=fix)
         settings = _toml(current / "platform.toml")
-        further = {resources.find("platform_repo", str(settings[key])) for key in ("like", "standard") if settings.get(key)}
+        further = {platform_folder(str(settings[key])) for key in ("like", "standard") if settings.get(key)}
         pending += further - seen
         seen |= further
     return _facts_of(str(place))

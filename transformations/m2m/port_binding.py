@@ -281,7 +281,7 @@ def _arguments(port: Port, found: ProgramPorts) -> list[PinArgument]:
 
 
 def _pins(function: str, api: ApiIndex) -> list[PinParameter]:
-    facts = [api.pins(function, entry.header) for entry in api.entries(function)]
+    facts = [api.pins(function, entry.header) for entry in api.entries(function)] or [api.pins(function, "")]
     return [parameter for one in facts if one is not None for parameter in one.parameters]
 
 

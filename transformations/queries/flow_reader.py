@@ -328,15 +328,15 @@ class FlowReader:
             self.flows.keep(key, f"it is the end of a range in '{pin.function}'")
 
     def pins(self, name: str, view: CodeView) -> Sequence[PinParameter]:
-        """The parameters of a function of the platform that are pins; none for any other function."""
+        """The parameters of a function that are pins for the platform or for its adapter; none for any other function."""
         if view.defined(name):
             return ()
         function = view.called().get(name)
-        if function is not None and function.entry is not None:
+        if function is not None and (function.entry is not None or function.calls):
             facts = view.api.pins(name, function.header)
         else:
             entry = view.resolve(name)
-            facts = view.api.pins(name, entry.header) if entry is not None else None
+            facts = view.api.pins(name, entry.header if entry is not None else "")
         return facts.parameters if facts is not None else ()
 
     def _macro_arguments(self, view: CodeView) -> None:

@@ -81,7 +81,7 @@ def pin_uses_of(view: CodeView, views: Iterable[CodeView]) -> list[PinUse]:
     values = view.values
     called = {name for v in views for name in v.called()}
     found: dict[tuple[str, int | None, str, int], PinUse] = {}
-    for function in view.functions_of("platform", "posix"):
+    for function in [*view.functions_of("platform", "posix"), *view.unknown()]:
         facts = view.api.pins(function.name, function.header)
         if facts is None:
             continue

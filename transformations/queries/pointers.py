@@ -23,7 +23,8 @@ def pointed_functions(
             elif isinstance(target, ccode.ExternalSymbol | ccode.Function | None) and not view.defined(str(reference.name)):
                 name = str(reference.name)
                 entry = view.resolve(name)
-                facts = view.api.pins(name, entry.header) if entry is not None else None
+                header = entry.header if entry is not None else str(target.header or "") if target is not None else None
+                facts = view.api.pins(name, header) if header is not None else None
                 if facts is not None and facts.parameters:
                     platform.append((reference, view))
     return platform, own

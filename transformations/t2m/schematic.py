@@ -16,7 +16,7 @@ from pathlib import Path
 from robosmi.diagnostics import Severity
 from robosmi.errors import did_you_mean
 from robosmi.metamodels import hardware
-from robosmi.transformations.knowledge.drawn_boards import DrawnBoard
+from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, drawn_board
 from robosmi.transformations.knowledge.drawn_chips import chip_named, drawn_chip, port_of
 from robosmi.transformations.knowledge.drawn_symbols import LEAST_PINS, drawn_symbol
 from robosmi.transformations.knowledge.part import Part, PartConnector
@@ -179,6 +179,8 @@ class _Making:
 
     def _board(self, part: SchematicPart) -> DrawnBoard | None:
         texts = (part.value, part.symbol)  # a library called `arduino` has other parts too
+        if (told := drawn_board(part.listed_as or part.symbol, self.builder.tool, self.project)) is not None:
+            return told
         pins = part.pins if part.defined else {pin: pin for pin in self.used.get(part.identity, ())}
         if (board := drawn_symbol(texts, pins, self.project, least=LEAST_PINS if part.defined else 0)) is not None:
             return board

@@ -7,7 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from robosmi import resources
 from robosmi.transformations.knowledge.api_facts import ApiEntry
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platform_folder import FolderFacts
 
 HEADERS = {
@@ -52,3 +54,9 @@ def test_an_unknown_name_has_none(facts: FolderFacts) -> None:
     assert "nothing" not in facts.entries
     assert set(facts.entries) == {"go", "both", "__builtin_x", "LIMIT", "count", "ON", "motor"}
     assert facts.registers == {"R1"}
+
+
+def test_a_folder_that_adds_to_a_platform_does_not_hide_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "platform_repo" / "propeller").mkdir(parents=True)
+    monkeypatch.setenv("ROBOSMI_PATH", str(tmp_path))
+    assert ApiIndex.load("propeller").origin == str(resources.built_in("platform_repo") / "propeller")
