@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import dis
 import importlib
+import os
 import traceback
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -27,11 +28,11 @@ ADDING = ("constraints",)
 
 
 class BrokenPlugin(NamedTuple):
-    """A plug-in that cannot be loaded, so that what it offers is not there.
+    """A plug-in, or something that it offers, that cannot be loaded, so that it is not there.
 
     Attributes:
         distribution: the installed package, with its version.
-        entry_point: the entry point's value, `module:function`.
+        entry_point: what cannot be loaded: the entry point's value or an offer, `module:attribute`, or a folder of data.
         cause: what was raised.
     """
 
@@ -59,6 +60,7 @@ class Registry:
             parts, and its `defaults.toml`, which says which endings its readers take.
         broken: plug-ins that cannot be loaded.
         providers: `module:attribute` -> the plug-in's distribution; what is built in has none.
+        plugins: the distributions of the plug-ins that were loaded.
     """
 
     entries: dict[str, dict[str, str]] = field(default_factory=dict)
@@ -66,6 +68,7 @@ class Registry:
     data: list[str] = field(default_factory=list)
     broken: list[BrokenPlugin] = field(default_factory=list)
     providers: dict[str, str] = field(default_factory=dict)
+    plugins: set[str] = field(default_factory=set)
 
     def add(self, kind: str, name: str, target: str) -> None:
         """Offer content. A later entry of the same kind and name replaces an earlier one; constraints add up.
@@ -85,7 +88,7 @@ class Registry:
         """Offer a folder of data; it counts before the built-in data and behind the user's own.
 
         Args:
-            folder: absolute path; what is not there is passed over.
+            folder: absolute path; one that is not there is passed over with a warning.
         """
         self.data.append(folder)
 
@@ -113,11 +116,31 @@ class Registry:
     def all(self, kind: str, name: str) -> list[tuple[Any, str]]:
         """Everything of that kind and name, each with the distribution that offers it (empty for what is built in).
 
+        What is a plug-in's and cannot be imported is left out, and from then on among `broken`.
+
         Raises:
-            MissingToolError: something is a plug-in's and cannot be imported.
             InternalError: something is built in and cannot be imported.
         """
-        return [(self._load(target), self.providers.get(target, "")) for target in self.targets(kind, name)]
+        targets = [target for target in self.targets(kind, name) if self._there(target)]
+        return [(self._load(target), self.providers.get(target, "")) for target in targets]
+
+    def check(self) -> None:
+        """Import everything that plug-ins offer; what cannot be imported is among `broken` then."""
+        for target in self.providers:
+            self._there(target)
+
+    def _there(self, target: str) -> bool:
+        """Whether an offer can be imported; that of a plug-in which cannot be is put to `broken`, once."""
+        distribution = self.providers.get(target, "")
+        if not distribution:
+            return True
+        try:
+            self._load(target)
+        except MissingToolError as error:
+            if not any(each.entry_point == target for each in self.broken):
+                self.broken.append(BrokenPlugin(distribution, target, f"{type(error.__cause__).__name__}: {error.__cause__}"))
+            return False
+        return True
 
     def targets(self, kind: str, name: str) -> list[str]:
         """`module:attribute` of everything of that kind and name, in the order in which it was offered."""
@@ -144,6 +167,13 @@ class Registry:
                     if distribution:
                         self.providers[target] = distribution
         self.data += other.data
+        if distribution:
+            self.plugins.add(distribution)
+            self.broken += [
+                BrokenPlugin(distribution, folder, "there is no such folder of data")
+                for folder in other.data
+                if not os.path.isdir(folder)
+            ]
 
     def _load(self, target: str) -> Any:
         distribution = self.providers.get(target, "")

@@ -141,7 +141,8 @@ def _built_in(board: Board) -> bool:
 def _plugins() -> Iterator[ToolStatus]:
     """Those that cannot be loaded are missing, others are there."""
     known = registry()
-    for name in sorted({*known.providers.values()}):
+    known.check()
+    for name in sorted(known.plugins):
         distribution, _, version = name.partition(" ")
         yield ToolStatus(distribution, "plug-in", distribution, version or "unknown", None)
     for plugin in known.broken:

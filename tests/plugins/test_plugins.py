@@ -10,6 +10,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 PROGRAM = HERE.parent / "targets" / "program" / "beacon.c"
@@ -135,3 +137,36 @@ def test_without_the_plug_in_nobody_knows_its_files(tmp_path: Path) -> None:
     outcome = run("hardware", tmp_path / "wired.beacon")
     assert outcome.code == 3
     assert "no drawing reader takes a '.beacon' file" in outcome.err
+
+
+@pytest.mark.parametrize("given", ["gives nothing", "gives texts"])
+def test_a_reader_that_gives_no_circuit_is_a_fault_of_its_plug_in(given: str, tmp_path: Path) -> None:
+    (tmp_path / "robot.failing").write_text("x")
+    path = installed(tmp_path, "checks")
+    (finding,) = command("hardware", tmp_path / "robot.failing", path=path, code=3, CHECKS_PLUGIN=given)["findings"]
+    assert finding["message"].startswith("the drawing reader of the plug-in checks 2.1 gives ")
+    assert finding["fix"].startswith("report it to the authors of checks: ")
+    assert finding["location"]["path"].endswith("robot.failing")
+
+
+def test_constraints_that_are_not_there_are_named_and_the_others_run(tmp_path: Path) -> None:
+    path = installed(tmp_path, "checks")
+    plan, _ = stored_plan(tmp_path, path)
+    document = command("check", plan, path=path, CHECKS_PLUGIN="dangling")
+    (finding,) = [finding for finding in document["findings"] if finding["rule"] == "RS908"]
+    assert "checks 2.1" in finding["message"]
+    assert "checks_plugin:nothing" in finding["message"]
+    assert [finding["rule"] for finding in document["findings"] if finding["rule"] == "CH001"]
+    tools = [
+        tool for tool in command("doctor", path=path, CHECKS_PLUGIN="dangling")["result"]["tools"] if "checks" in tool["name"]
+    ]
+    assert [tool["found"] is None for tool in tools] == [False, True]
+    assert "checks_plugin:nothing" in str(tools[1])
+
+
+def test_a_folder_of_data_that_is_not_there_is_said_and_its_plug_in_listed(tmp_path: Path) -> None:
+    path = installed(tmp_path, "beacon")
+    (path / "beacon_plugin.py").write_text("def register(registry):\n    registry.add_data('/nowhere/at/all')\n")
+    tools = [tool for tool in command("doctor", path=path)["result"]["tools"] if "beacon" in tool["name"]]
+    assert [tool["found"] is None for tool in tools] == [False, True]
+    assert "/nowhere/at/all" in str(tools[1])

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from robosmi import resources
 from robosmi.diagnostics import Finding, Location
-from robosmi.errors import SourceError, UsageError, did_you_mean
+from robosmi.errors import RuleError, SourceError, UsageError, did_you_mean
+from robosmi.plugins import registry
 from robosmi.transformations.chains.readers import DRAWING, reader_for
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.described_circuit import describe
@@ -94,9 +95,10 @@ def read_drawing(path: Path, roles: Mapping[str, str], board_name: str | None = 
     Raises:
         SourceError: it cannot be read.
         UsageError: a role or component does not exist.
+        RuleError: its reader gives something else than a circuit and findings.
     """
-    circuit: hardware.Circuit
-    circuit, findings = reader_for(path, DRAWING)(path, roles=roles, board=board_name)
+    reader = reader_for(path, DRAWING)
+    circuit, findings = _read(reader(path, roles=roles, board=board_name), reader, path)
     describe(circuit)
     models: dict[str, platform.Board] = {}
     for board in boards(circuit):
@@ -104,3 +106,22 @@ def read_drawing(path: Path, roles: Mapping[str, str], board_name: str | None = 
             models[board.elementId] = load_board(board.boardName)
     connections, odd = map_connectors(circuit, models)
     return Drawing(circuit, models, connections, [*findings, *odd])
+
+
+def _read(made: object, reader: object, path: Path) -> tuple[hardware.Circuit, list[Finding]]:
+    """What a reader of drawings gave, if it is what a reader has to give."""
+    from robosmi.metamodels import hardware  # programs without a drawing need none
+
+    match made:
+        case (hardware.Circuit() as circuit, [*given]):
+            findings = [each for each in given if isinstance(each, Finding)]
+            if len(findings) == len(given):
+                return circuit, findings
+    module = str(getattr(reader, "__module__", ""))
+    owner = registry().provider(module)
+    whose = f"the plug-in {owner}" if owner else module
+    raise RuleError(
+        f"the drawing reader of {whose} gives {made!r:.60}, not a circuit and its findings",
+        location=Location(str(path)),
+        fix=f"report it to the authors of {owner.partition(' ')[0] or module}: it has to return (Circuit, list of Finding)",
+    )

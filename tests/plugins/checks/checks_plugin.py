@@ -7,13 +7,15 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from robosmi.metamodels import migration
+from robosmi.metamodels import hardware, migration
 from robosmi.plugins import Registry
 from robosmi.validate import EVL
 
 plan = EVL()
 plans = plan.context(migration.MigrationPlan)
 taken = EVL()
+WRONG: dict[str, Any] = {"gives nothing": None, "gives texts": (hardware.Circuit(name="robot"), ["oops"])}
+"""Value of CHECKS_PLUGIN -> what the reader gives then."""
 
 
 def register(registry: Registry) -> None:
@@ -25,6 +27,8 @@ def register(registry: Registry) -> None:
     registry.add_data(str(Path(__file__).parent / "data"))
     if os.environ.get("CHECKS_PLUGIN") == "taken":
         registry.add("constraints", "migration", "checks_plugin:taken")
+    if os.environ.get("CHECKS_PLUGIN") == "dangling":
+        registry.add("constraints", "migration", "checks_plugin:nothing")
 
 
 @plans.critique(id="CH001", advice="call it otherwise")
@@ -43,4 +47,6 @@ def read_circuit(path: Path, project: Any = None, roles: Any = None, board: Any 
     """Ends with an exception whatever it is given, or ends the program."""
     if os.environ.get("CHECKS_PLUGIN") == "exits":
         sys.exit(0)
+    if os.environ.get("CHECKS_PLUGIN") in WRONG:
+        return WRONG[os.environ["CHECKS_PLUGIN"]]
     return dict[str, Any]()["wiring"]

@@ -1,4 +1,4 @@
-"""Boards of a person's own in schematics: pins without aliases, labels of their own, parts that a board's file names by their ids."""
+"""Boards of one's own in schematics: pins without aliases, labels of their own, parts that a board's file names by ids."""
 
 from __future__ import annotations
 
