@@ -118,14 +118,16 @@ def activity(trace: PinTrace, pin: str, sight: Sight = SIGHTS[0], pulses: Sequen
     found: list[ActivityEvent] = []
     for run, doubtful in zip(runs, unclear, strict=True):
         if not (drives_servo and len(run) == 1 and _is_servo_pulse(run[0])):  # a single frame moves nothing
-            events = _run(run, _until(trace), sight)
+            events = _run(run, _until(trace, pin), sight)
             found += [replace(event, unclear=True) for event in events] if doubtful else events
     return merged([IDLE, *found])
 
 
-def _until(trace: PinTrace) -> float:
-    """The instant after which nothing is known: the end of the run, unless the program has ended by itself."""
-    return math.inf if trace.state == "done" else trace.simulated_us
+def _until(trace: PinTrace, pin: str = "") -> float:
+    """The instant after which nothing is known: the end of the run, but of a program that has ended and left the pin low."""
+    levels = trace.levels(pin)
+    left_high = bool(levels) and levels[-1][1] == 1
+    return math.inf if trace.state == "done" and not left_high else trace.simulated_us
 
 
 def merged(events: Sequence[ActivityEvent]) -> list[ActivityEvent]:

@@ -97,6 +97,13 @@ def test_a_program_that_has_ended_will_not_go_on() -> None:
     assert console_lines(replace(ended, state="running")) == []
 
 
+def test_a_pin_that_a_program_leaves_high_when_it_ends_stays_high() -> None:
+    left = replace(trace([(1000.0, 1)]), state="done", simulated_us=1_001_000.0)
+    assert said(left) == [(0, "low"), (1, "high")]
+    let_go = replace(trace([(1000.0, 1), (1_001_000.0, 0)]), state="done", simulated_us=1_001_000.0)
+    assert said(let_go) == [(0, "low"), (1, "high"), (1001, "low")]
+
+
 def test_pulses_of_no_steady_period_are_a_burst_of_so_many() -> None:
     edges: list[tuple[float, int]] = []
     at = 100_000.0
