@@ -47,7 +47,7 @@ def toml_of(text: str | bytes) -> dict[str, Any]:
         ValueError: it is no TOML (`tomllib.TOMLDecodeError`), is nested too deeply, or has a number or a key that is too long.
     """
     with _readable_errors():
-        text = text if isinstance(text, str) else text.decode("utf-8")
+        text = (text if isinstance(text, str) else text.decode("utf-8")).removeprefix("\ufeff")  # some editors write a mark
         if any(line.count(".") >= MOST_PARTS for line in text.split("\n")) and _parts(text) > MOST_PARTS:
             raise ValueError(f"a key in it has more than {MOST_PARTS} parts")
         return tomllib.loads(text)

@@ -21,6 +21,7 @@ def test_a_text_that_cannot_be_read_is_a_value_error(read: Callable[[str], Any],
 
 def test_what_can_be_read_is() -> None:
     assert toml_of(b"a = [1, 2]") == {"a": [1, 2]}
+    assert toml_of(b"\xef\xbb\xbfa = 1") == toml_of("\ufeffa = 1") == {"a": 1}
     assert json_of('{"a": [1, 2]}') == {"a": [1, 2]}
 
 

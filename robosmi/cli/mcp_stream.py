@@ -14,7 +14,7 @@ from anyio import EndOfStream
 from mcp.server import MCPServer
 from mcp.server.stdio import stdio_server
 from mcp.shared.message import SessionMessage
-from mcp_types import INVALID_REQUEST, PARSE_ERROR, ErrorData, JSONRPCError
+from mcp_types import INVALID_REQUEST, PARSE_ERROR, ErrorData, JSONRPCError, JSONRPCNotification
 from pydantic import ValidationError
 
 from robosmi.data_text import Json, json_of
@@ -62,9 +62,12 @@ class Answered:
 
     async def receive(self) -> Item:
         """The next message; EndOfStream behind the last."""
-        while isinstance(item := await self._incoming.receive(), Exception):
-            await self._outgoing.send(SessionMessage(answer_to(item)))
-        return item
+        while True:
+            item = await self._incoming.receive()
+            if isinstance(item, SessionMessage) and not _is_lost_request(item):
+                return item
+            answer = answer_to(item) if isinstance(item, Exception) else _NO_IDENTITY
+            await self._outgoing.send(SessionMessage(answer))
 
     async def aclose(self) -> None:
         """Read no more."""
@@ -84,6 +87,21 @@ class Answered:
 
     async def __aexit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
         await self.aclose()
+
+
+_NO_IDENTITY = JSONRPCError(
+    jsonrpc="2.0",
+    id=None,
+    error=ErrorData(
+        code=INVALID_REQUEST, message="the request has no id that can be answered: give a text or a whole number as its id"
+    ),
+)
+
+
+def _is_lost_request(item: SessionMessage) -> bool:
+    """Whether a message is a request that the package took for a notification, as its id is neither a text nor a whole number."""
+    message = item.message
+    return isinstance(message, JSONRPCNotification) and not message.method.startswith("notifications/")
 
 
 def answer_to(error: Exception) -> JSONRPCError:

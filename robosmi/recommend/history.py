@@ -12,12 +12,13 @@ import os
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
+from decimal import Decimal
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from robosmi import resources
 from robosmi.errors import RobosmiError, UsageError
-from robosmi.recommend.history_database import Collision, Database, Statements, Values, database
+from robosmi.recommend.history_database import Collision, Database, Statements, Values, database, unusable
 from robosmi.recommend.ranking import Choices
 from robosmi.recommend.words import models
 
@@ -25,6 +26,8 @@ _KEY = "part_id = :part_id AND title = :title AND library = :library AND version
 _LATER = "last_used = CASE WHEN last_used < :last_used THEN :last_used ELSE last_used END"
 _INSERT = "INSERT INTO {table} VALUES (:part_id, :title, :library, :version, :target, :component, :count, :last_used)"
 _TRIES = 20
+_SHOWN = 40  # characters of a value that does not belong where it is
+_Row = tuple[Sequence[str], int]
 
 
 @dataclass(frozen=True, order=True)
@@ -116,7 +119,7 @@ class History:
         sql = (
             "SELECT library, target, SUM(count) FROM {table} WHERE part_id = :part_id AND title = :title GROUP BY library, target"
         )
-        return _counted(self._database.read(sql, {"part_id": part_id, "title": title}), among)
+        return _counted(self._read(sql, {"part_id": part_id, "title": title}), among)
 
     def choices_for_model(self, model: str, among: Targets | None = None) -> dict[str, int]:
         """How often each library was chosen for parts whose title has this model number; most often first, then by name.
@@ -125,13 +128,28 @@ class History:
             model: the model number, lower case, letters and digits.
             among: the targets whose choices count; all if None.
         """
-        rows = self._database.read("SELECT title, library, target, SUM(count) FROM {table} GROUP BY title, library, target", {})
-        return _counted([row for title, *row in rows if model in models(title)], among)
+        rows = self._read("SELECT title, library, target, SUM(count) FROM {table} GROUP BY title, library, target", {})
+        return _counted([(texts, count) for (title, *texts), count in rows if model in models(title)], among)
 
     def entries(self) -> list[HistoryEntry]:
         """All choices, by part identifier, title and library."""
-        sql = "SELECT part_id, title, library, count, last_used, version, target, component FROM {table}"
-        return sorted(HistoryEntry(*row) for row in self._database.read(sql, {}))
+        rows = self._read("SELECT part_id, title, library, last_used, version, target, component, count FROM {table}", {})
+        return sorted(HistoryEntry(part_id, title, library, count, *more) for (part_id, title, library, *more), count in rows)
+
+    def _read(self, sql: str, values: Values) -> list[_Row]:
+        """The rows of a question whose last column is a count and whose others are texts.
+
+        Raises:
+            SourceError: a value is of another kind. SQLite keeps any in any column, whatever the table says.
+        """
+        found: list[_Row] = []
+        for *texts, count in self._database.read(sql, values):
+            if odd := [value for value in texts if not isinstance(value, str)]:
+                raise unusable(self.place, f"a row of it has {str(odd[0])[:_SHOWN]} where a text belongs")
+            if not isinstance(count, (int, Decimal)) or count < 1:  # some databases add whole numbers up to a Decimal
+                raise unusable(self.place, f"a row of it has {str(count)[:_SHOWN]} where a count belongs")
+            found.append((texts, int(count)))
+        return found
 
     def record(
         self,
@@ -278,17 +296,13 @@ def _key(entry: HistoryEntry, *more: str) -> Values:
     return {name: getattr(entry, name) for name in ("part_id", "title", "library", "version", "target", *more)}
 
 
-def _counted(rows: Iterable[Sequence[Any]], among: Targets | None) -> dict[str, int]:
-    """Rows of library, target and count, added up for the targets that count."""
-    listed = list(rows)
+def _counted(rows: Sequence[_Row], among: Targets | None) -> dict[str, int]:
+    """Counts of libraries and targets, added up for the targets that count."""
+    listed = [(library, target, count) for (library, target), count in rows]
     if among is not None:
         own = [row for row in listed if row[1] == among.name]
         listed = own or [row for row in listed if not row[1] or among.alike(row[1])]
     counts: dict[str, int] = {}
     for library, _, count in listed:
-        counts[library] = counts.get(library, 0) + int(count)
-    return _ordered(counts.items())
-
-
-def _ordered(pairs: Iterable[tuple[str, int]]) -> dict[str, int]:
-    return dict(sorted(((library, int(count)) for library, count in pairs), key=lambda pair: (-pair[1], pair[0])))
+        counts[library] = counts.get(library, 0) + count
+    return dict(sorted(counts.items(), key=lambda pair: (-pair[1], pair[0])))

@@ -21,6 +21,8 @@ from robosmi.quoting import html
 HOST = "127.0.0.1"
 MOST = 64 * 1024
 """Bytes of a request that the page may send."""
+LONGEST = 20
+"""Digits of the length that a request tells: Python converts no more than some thousands."""
 PATIENCE = 10.0
 """Seconds that a connection may wait for what it sends."""
 _POLICY = (
@@ -125,7 +127,7 @@ class _Handler(BaseHTTPRequestHandler):
         length = self.headers.get("Content-Length", "")
         if origin not in {f"http://{name}" for name in self.server.names}:
             self._json(HTTPStatus.FORBIDDEN, _refused("the request does not come from this page"))
-        elif kind != "application/json" or not length.isdecimal() or int(length) > MOST:
+        elif kind != "application/json" or not length.isdecimal() or len(length) > LONGEST or int(length) > MOST:
             self._json(HTTPStatus.BAD_REQUEST, _refused("the request has another form than the page's"))
         else:
             try:

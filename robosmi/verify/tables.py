@@ -53,6 +53,11 @@ class DataTable:
         fix = "mend the entry, or remove the file if it is your own"
         return PlatformDataError(f"'{self.prefix}{key}' {problem}", location=Location(str(self.path)), fix=fix)
 
+    def _no_nul(self, key: str, *texts: str) -> None:
+        """Refuse the one character that neither the name of a file nor an argument of a program can have."""
+        if any("\0" in text for text in texts):
+            raise self.error(key, "has a NUL character")
+
     def _get(self, key: str, kind: type[T] | tuple[type[T], ...], called: str) -> T:
         if key not in self.values:
             raise self.error(key, f"is missing{did_you_mean(key, self.values)}")
@@ -65,11 +70,19 @@ class DataTable:
         """A text; missing is an error unless there is a default."""
         if default is not None and key not in self.values:
             return default
-        return self._get(key, str, "a text")
+        text = self._get(key, str, "a text")
+        self._no_nul(key, text)
+        return text
 
     def number(self, key: str) -> int:
         """A whole number."""
         return self._get(key, int, "a whole number")
+
+    def positive(self, key: str) -> int:
+        """A whole number above zero."""
+        if (number := self.number(key)) <= 0:
+            raise self.error(key, f"must be above zero, it is {number}")
+        return number
 
     def decimal(self, key: str) -> float:
         """A number with or without a fraction."""
@@ -97,6 +110,7 @@ class DataTable:
         items = self._get(key, list, "a list of texts")
         if not all(isinstance(item, str) for item in items):
             raise self.error(key, f"must be a list of texts, it is {items!r}")
+        self._no_nul(key, *items)
         return tuple(items)
 
     def lists_of_texts(self, key: str) -> tuple[tuple[str, ...], ...]:
@@ -104,6 +118,7 @@ class DataTable:
         items = self._get(key, list, "a list of lists of texts")
         if not all(isinstance(item, list) and all(isinstance(text, str) for text in item) for item in items):
             raise self.error(key, f"must be a list of lists of texts, it is {items!r}")
+        self._no_nul(key, *(text for item in items for text in item))
         return tuple(tuple(item) for item in items)
 
     def numbers(self, key: str, default: tuple[int, ...] | None = None) -> tuple[int, ...]:

@@ -97,6 +97,19 @@ def test_a_run_goes_on_without_a_history_and_says_so(
     assert run("history", "list").code == 3
 
 
+def test_values_of_another_kind_are_refused(remembered: History, line_follower: Path, tmp_path: Path) -> None:
+    with closing(sqlite3.connect(remembered.place)) as db:
+        db.execute("UPDATE choice SET title = x'ff00', library = x'ff00', count = 1e999")
+        db.commit()
+    recommended = run("recommend", line_follower.with_name("line_following_robot.fzz"), "--json")
+    assert recommended.code == 0
+    assert "RS411" in recommended.rules()
+    assert run("history", "list").code == 3
+    for name in ("h.json", "h.csv", "h.xmi"):
+        assert run("history", "export", tmp_path / name).code == 3
+        assert not (tmp_path / name).exists()
+
+
 def test_a_locked_history_is_read_as_it_was(remembered: History, line_follower: Path) -> None:
     with closing(sqlite3.connect(remembered.place, isolation_level=None)) as db:
         db.execute("BEGIN IMMEDIATE")

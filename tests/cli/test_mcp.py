@@ -360,6 +360,7 @@ def test_a_started_server_goes_on_after_lines_that_are_no_messages(root: Path, t
         '{"jsonrpc": "2.0", "method": "notifications/initialized"}',
         line(2, "tools/call", name="explain", arguments={"rule": "RS\ud800"}),
         "no JSON", line(3, "tools/list"),
+        *(f'{{"jsonrpc": "2.0", "id": {identity}, "method": "ping"}}' for identity in ("1.5", "true", "[1]", "null", "NaN")),
     ]  # fmt: skip
     confined = [] if landlock.version() else ["--unconfined"]
     command = [sys.executable, "-m", "robosmi", "mcp", "--root", str(root), *confined]
@@ -374,11 +375,12 @@ def test_a_started_server_goes_on_after_lines_that_are_no_messages(root: Path, t
         assert server.stdout is not None
         server.stdin.write("\n".join(asked) + "\n")
         server.stdin.flush()
-        answers = [json.loads(server.stdout.readline()) for _ in range(4)]
+        answers = [json.loads(server.stdout.readline()) for _ in range(9)]
         server.stdin.close()
         assert server.wait(20) == 0
     told = {answer["id"]: answer for answer in answers}
     assert set(told) == {1, 2, None, 3}
+    assert [answer["id"] for answer in answers].count(None) == 6
     assert "halves of characters" in told[2]["error"]["message"]
     assert len(told[3]["result"]["tools"]) == 10
 

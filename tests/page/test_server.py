@@ -105,6 +105,7 @@ def test_a_change_that_comes_from_elsewhere_is_refused(origin: str, server: Page
         (b"{}", {"Content-Type": "text/plain"}),
         (b"{}", {"Content-Type": "application/x-www-form-urlencoded"}),
         (b"{}", {"Content-Length": "-1"}),
+        (b"{}", {"Content-Length": "9" * 5000}),
         (b"x" * (MOST + 1), {}),
     ],
 )

@@ -235,6 +235,28 @@ def test_damaged_and_foreign_files(tmp_path: Path, use: Callable[[History], obje
         assert before == (path.read_bytes() if path.is_file() else b""), "and nothing is overwritten"
 
 
+@pytest.mark.parametrize("column", ["part_id", "title", "library", "version", "target", "component", "last_used", "count"])
+@pytest.mark.parametrize("value", [b"\xff\x00", 1e308 * 10, 1.5])
+def test_a_value_of_another_kind_is_refused(column: str, value: object, history: History) -> None:
+    """SQLite keeps any value in any column; only a number becomes a text by itself where a text belongs."""
+    history.record("p", "DHT22", "A", version="1", target="uno", component="C")
+    with closing(sqlite3.connect(history.place)) as db:
+        db.execute(f"UPDATE choice SET {column} = ?", (value,))
+        db.commit()
+    if isinstance(value, float) and column != "count":
+        assert [getattr(entry, column) for entry in history.entries()] == [str(value).capitalize()]
+        return
+    with pytest.raises(SourceError, match=r"a row of it has .* where a (text|count) belongs") as caught:
+        history.entries()
+    assert caught.value.fix
+    if column in ("title", "library", "target", "count"):
+        with pytest.raises(SourceError):
+            history.choices_for_model("dht22")
+    if column in ("library", "target", "count"):
+        with pytest.raises(SourceError):
+            history.choices("p", "DHT22")
+
+
 def test_an_empty_file_is_an_empty_history(tmp_path: Path) -> None:
     (tmp_path / "empty").touch()
     empty = History(tmp_path / "empty")

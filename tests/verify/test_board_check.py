@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.diagnostics import Finding, Severity
+from robosmi.errors import PlatformDataError
 from robosmi.resources import built_in
 from robosmi.verify.board_check import arrays, board_findings
 from robosmi.verify.boards import load_boards
@@ -79,6 +80,24 @@ def test_what_the_variant_contradicts_is_told(
         assert finding.location is not None
         assert finding.location.path == str(path)
         assert beside in path.read_text().splitlines()[(finding.location.line or 0) - 1]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "cause"),
+    [
+        ('port = "PB1"', 'port = "PZ9"', "the port of 'D9' is 'PZ9'"),
+        ('port = "PB1"', 'port = "xyz"', "the port of 'D9' is 'xyz'"),
+        ("flash_bytes = 32256", "flash_bytes = -5", "must be above zero"),
+        ('variant = "standard"', 'variant = "a\\u0000b"', "NUL"),
+    ],
+)
+def test_what_cannot_be_is_refused(old: str, new: str, cause: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROBOSMI_PATH", str(tmp_path))
+    path = own_board(tmp_path, old, new)
+    with pytest.raises(PlatformDataError, match=cause) as raised:
+        load_boards("arduino")
+    assert raised.value.location is not None
+    assert str(raised.value.location.path) == str(path)
 
 
 @pytest.mark.parametrize(

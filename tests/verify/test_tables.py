@@ -40,6 +40,10 @@ def test_a_table_that_is_not_there_is_empty_where_it_is_not_needed() -> None:
         (lambda: TABLE.flag("on"), "'board.on' must be true or false, it is 1"),
         (lambda: TABLE.flag("of"), "'board.of' is missing"),
         (lambda: TABLE.table("absent"), "'board.absent' is missing"),
+        (lambda: DataTable(Path("f"), {"a": "b\0"}).text("a"), "'a' has a NUL character"),
+        (lambda: DataTable(Path("f"), {"a": ["b", "\0"]}).texts("a"), "'a' has a NUL character"),
+        (lambda: DataTable(Path("f"), {"a": [["\0"]]}).lists_of_texts("a"), "'a' has a NUL character"),
+        (lambda: DataTable(Path("f"), {"a": -5}).positive("a"), "'a' must be above zero, it is -5"),
     ],
 )
 def test_a_value_of_another_kind_is_refused(read: Callable[[], object], said: str) -> None:

@@ -24,7 +24,7 @@ _CHOSEN = ("choice", "chosenBy", "chosenAt", "confidence", "open", "connection",
 
 
 def beside_choices(plan: bytes) -> str:
-    """The digest of a stored plan without the choices of pins and libraries; empty where it is no XML."""
+    """The digest of a stored plan without the choices of pins and libraries; empty where it has no canonical form."""
     try:
         root = parse_xml(plan, PLAN, PLAN, tool="EMF", blanks=False)
     except SourceError:
@@ -42,7 +42,11 @@ def beside_choices(plan: bytes) -> str:
             parent.tail = None
         elif text != (bare := text.strip()):
             parent.text = bare
-    return digest(etree.tostring(root, method="c14n") + plan.rpartition(b">")[2])  # what stands behind it is an edit, too
+    try:
+        canonical = etree.tostring(root, method="c14n")
+    except etree.C14NError:  # a namespace that is no absolute URI has none (Canonical XML 1.0, section 1.3)
+        return ""
+    return digest(canonical + plan.rpartition(b">")[2])  # what stands behind it is an edit, too
 
 
 def only_choices_differ(manifest: Manifest, name: str, data: bytes | None) -> bool:

@@ -9,12 +9,16 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from robosmi.data_text import line_of_value
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError
 from robosmi.metamodels import platform
-from robosmi.transformations.knowledge.board_models import board_file, mapping_file, table_of
+from robosmi.transformations.knowledge.board_models import board_file, mapping_file, table_of, text_of
 from robosmi.verify.boards import Claim
 from robosmi.verify.tables import DataTable, find_files
 
 _PORT = re.compile(r"P([A-L])([0-7])")
+_CONVERTER = re.compile(r"ADC\d+")
 _INPUT = re.compile(r"A(\d+)")
 
 
@@ -30,7 +34,7 @@ def board_claims(
         project: the project folder; the current folder if None.
 
     Raises:
-        PlatformDataError: the toolchain's data is damaged.
+        PlatformDataError: the toolchain's data is damaged, or a pin has a port that cannot be.
     """
     path = next(find_files(f"{platform_name}/toolchain.toml", project), None)
     if path is None or "board_check" not in table_of(path).values or not mapping.variant:
@@ -42,6 +46,12 @@ def board_claims(
     for name in mapping.pinNames:
         if (pin := name.pin) is None:
             continue
+        if pin.port and not _PORT.fullmatch(str(pin.port)) and not _CONVERTER.fullmatch(str(pin.port)):
+            raise PlatformDataError(
+                f"the port of '{pin.label}' is '{pin.port}', which is no pin of a microcontroller that the core knows",
+                location=Location(str(pins), line_of_value(text_of(pins), str(pin.port))) if pins is not None else None,
+                fix="write P, the letter of its port and its bit from 0 to 7 (PB1), or ADC and its number (ADC6)",
+            )
         facts = _facts(name, pin) | {"number": str(numbers.get(str(pin.label), ""))}
         abilities = {*pin.abilities, "any", *(["led"] if pin.label == board.led else [])}
         for entry in entries:

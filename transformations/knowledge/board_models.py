@@ -85,7 +85,7 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
         name=path.stem,
         title=table.text("title", path.stem),
         microcontroller=chip,
-        clockHertz=table.number("f_cpu"),
+        clockHertz=table.positive("f_cpu"),
         volts=table.decimal("volts"),
         led=led,
         bootLoader=_boot_loader(table.table("boot_loader")) if "boot_loader" in table.values else None,
@@ -181,8 +181,8 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
         name=name,
         title=table.text("title", name),
         architecture=table.text("architecture"),
-        flashBytes=table.number("flash_bytes"),
-        ramBytes=table.number("ram_bytes"),
+        flashBytes=table.positive("flash_bytes"),
+        ramBytes=table.positive("ram_bytes"),
         signature=_signature(table),
         pinMilliamperes=table.optional_number("pin_ma") or 0,
         totalMilliamperes=table.optional_number("total_ma") or 0,
@@ -244,8 +244,8 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
         define=table.text("define", "") if table is not None else "",
         coreVersion=table.text("core", "") if table is not None else "",
         extraFlags=list(table.texts("extra_flags", ())) if table is not None else [],
-        flashBytes=table.number("flash_bytes") if table is not None else chip.flashBytes if chip is not None else 0,
-        ramBytes=table.number("ram_bytes") if table is not None else chip.ramBytes if chip is not None else 0,
+        flashBytes=table.positive("flash_bytes") if table is not None else chip.flashBytes if chip is not None else 0,
+        ramBytes=table.positive("ram_bytes") if table is not None else chip.ramBytes if chip is not None else 0,
         pinNames=[
             platform.PinName(
                 pin=pin, literal=literals.get(pin.label) or _literal(pin, rules), interrupt=interrupts.get(pin.label, -1)
