@@ -104,9 +104,10 @@ def signals_of(ports: Sequence[BoundPort], scenario: Scenario | None) -> dict[in
 
     Raises:
         UsageError: a signal is of no component, port or pin of the program, or of one that the program does not read, or has a
-            value that its device cannot show.
+            value that its device cannot show; or two signals are of one device.
     """
     found: dict[int, Mapping[str, Points]] = {}
+    named: dict[int, str] = {}
     for name, settings in (scenario.signals if scenario is not None else {}).items():
         if name == CONSOLE:
             if set(settings) != {POINTS}:
@@ -129,7 +130,13 @@ def signals_of(ports: Sequence[BoundPort], scenario: Scenario | None) -> dict[in
         for setting, points in settings.items():
             check_signal(name, setting, points, device_facts().get(ports[inputs[0]].device, {}))
         group = ports[inputs[0]].group
-        found[next(n for n, port in enumerate(ports) if port.group == group) if group else inputs[0]] = settings
+        place = next(n for n, port in enumerate(ports) if port.group == group) if group else inputs[0]
+        if place in found:
+            raise UsageError(
+                f"the scenario has a signal of '{named[place]}' and one of '{name}', which are the same device",
+                fix="write one of them, with all points",
+            )
+        found[place], named[place] = settings, name
     return found
 
 

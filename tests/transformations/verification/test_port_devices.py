@@ -64,6 +64,12 @@ def test_a_signal_is_named_by_component_port_or_pin(name: str) -> None:
     assert [*signals_of(PORTS, Scenario("s", 1.0, {name: {"points": ((0.0, 1),)}}))] == [0]
 
 
+def test_two_signals_of_one_device_are_refused() -> None:
+    signals = {"eye": {"points": ((0.0, 1),)}, "Sensor": {"points": ((5.0, 0),)}}
+    with pytest.raises(UsageError, match="a signal of 'eye' and one of 'Sensor', which are the same device"):
+        signals_of(PORTS, Scenario("s", 1.0, signals))
+
+
 @pytest.mark.parametrize(
     ("name", "message"),
     [
