@@ -19,6 +19,8 @@ from pathlib import Path
 
 from robosmi.diagnostics import Finding
 from robosmi.errors import RobosmiError, StoppedError
+from robosmi.transformations.chains.by_hand import REPORT
+from robosmi.transformations.chains.output import LAST
 from tests.fuzz.edits_arenas import ARENAS, Arena
 from tests.fuzz.edits_judge import BOM, Round, faults
 
@@ -195,11 +197,18 @@ def regenerations(arena: Arena, folder: Path, chance: random.Random, runs: int, 
         except RobosmiError as error:
             problems = [f"{type(error).__name__}: {error}"]
         else:
+            made |= _reports(folder)
             problems = list(_judged(folder, whole, findings, before, base, made, tally))
             base = made
         tally.wrong += [f"{arena.name} {number} {kinds}: {problem}" for problem in problems]
         if problems:
             return
+
+
+def _reports(folder: Path) -> dict[str, bytes]:
+    """The reports as the run made them: they tell conflicts in this folder, which one made into an empty folder cannot have."""
+    last = folder / LAST
+    return {path.relative_to(last).as_posix(): path.read_bytes() for path in last.rglob(REPORT)}
 
 
 def _edit(before: dict[str, bytes], chance: random.Random, run: int) -> list[str]:

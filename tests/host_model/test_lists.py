@@ -19,6 +19,8 @@ NOT_MODELLED = {
     "simpletools.h/sd_mount": "files on SD cards are not modelled",
     **dict.fromkeys((f"stdio.h/{name}" for name in ("fopen", "fclose", "fseek", "ftell", "rewind", "remove")), "files are "
         "not modelled"),
+    **dict.fromkeys(("dirent.h/opendir", "dirent.h/readdir", "dirent.h/closedir", "sys/stat.h/mkdir", "sys/unistd.h/rmdir"),
+        "folders are not modelled"),
 }  # fmt: skip
 """What has an adapter and no model, with the reason; a run that reaches it ends with its name."""
 

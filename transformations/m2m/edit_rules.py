@@ -294,7 +294,7 @@ def _body(element: ccode.Function, choice: str, text: SourceText) -> list[Replac
     found = text.data.find(b";", element.endOffset - 1)
     end = found + 1 if found >= 0 else element.endOffset
     shared = is_header(text.unit)
-    if choice:
+    if "(" in choice:  # plans of 0.1.0 have the name here
         named = [f"  (void){name};" for name in parameter_names(choice) if name]
         lines = ["  // TODO: complete method", *named, *([f"  return {result};"] if result else [])]
         return [(end, end, "\n" + "inline " * shared + choice + " {\n" + "\n".join(lines) + "\n}")]

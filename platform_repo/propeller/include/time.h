@@ -13,6 +13,7 @@ time_t time(time_t *to);
 double difftime(time_t end, time_t start);
 time_t mktime(struct tm *when);
 struct tm *gmtime(const time_t *when);
+struct tm *gmtime_r(const time_t *when, struct tm *to);
 struct tm *localtime(const time_t *when);
 struct tm *localtime_r(const time_t *when, struct tm *to);
 char *asctime(const struct tm *when);
