@@ -239,3 +239,15 @@ def test_a_role_is_chosen_by_migrating_again_as_before(tmp_path: Path) -> None:
 def plan_in(out: Path) -> migration.MigrationPlan:
     """The plan in an output folder."""
     return load_models(out / "models" / "plan.xmi").plan
+
+
+def test_a_port_of_the_run_that_is_bound_by_choosing_asks_no_more_as_when_it_is_migrated(tmp_path: Path) -> None:
+    program, out = tmp_path / "asked.c", tmp_path / "out"
+    program.write_text('#include "simpletools.h"\nint main() {\n  DIRA |= 1 << 4;\n  while (1) OUTA ^= 1 << rand();\n}\n')
+    robosmi.migrate([program], out)
+    assert "RS327" in {finding.rule for finding in plan_in(out).findings}
+    choose(out, {"P4": "D5"})
+    page = (out / "asked" / "MIGRATION.md").read_text()
+    assert "RS327" not in page
+    robosmi.migrate([program], out)
+    assert (out / "asked" / "MIGRATION.md").read_text() == page

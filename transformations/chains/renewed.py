@@ -10,6 +10,7 @@ from robosmi.metamodels import migration
 from robosmi.transformations.constraints.electrical_plan import plan_faults, plan_rules
 from robosmi.transformations.constraints.plan_ports import by_words, port_faults, ports
 from robosmi.transformations.m2m.plan_tasks import plan_findings
+from robosmi.transformations.queries.waiting_calls import ports_of_runs_bound
 
 
 def renew_findings(plan: migration.MigrationPlan, words: bool = True) -> None:
@@ -22,7 +23,7 @@ def renew_findings(plan: migration.MigrationPlan, words: bool = True) -> None:
     rules = plan_rules() | {
         constraint.id for module in ((ports, by_words) if words else (ports,)) for constraint in module.declared()
     }
-    before = list(plan.findings)
+    before = [f for f in plan.findings if f.rule != "RS327" or not ports_of_runs_bound(plan)]
     at = next((number for number, finding in enumerate(before) if finding.rule in rules), len(before))
     stored = {str(entry.path): str(entry.path) for entry in plan.inputs}
     new = plan_findings(plan, [*plan_faults(plan), *port_faults(plan, words)], stored)

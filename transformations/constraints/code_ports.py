@@ -8,13 +8,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from robosmi.diagnostics import Severity
-from robosmi.metamodels import ccode, migration
+from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.constraints.code_move import in_lines, move, moved, place, the_move, together
 from robosmi.transformations.queries.made_calls import MadeCalls
 from robosmi.transformations.queries.pin_uses import PinUse, macro_uses_of, pin_uses_of
 from robosmi.transformations.queries.pointers import pointed_functions
 from robosmi.transformations.queries.register_bits import register_bits
+from robosmi.transformations.queries.waiting_calls import ports_of_runs_bound
 from robosmi.typed import distinct
 from robosmi.validate import Fail
 
@@ -47,7 +48,7 @@ def PortIsOfTheSource(u: ccode.SourceUnit) -> bool | Fail:
 )  # fmt: skip
 def PortsAreKnown(u: ccode.SourceUnit) -> bool | Fail:
     """The text says which ports a function or register is given, or a person has bound those that only a run shows."""
-    if any(b.origin == "runtime" and b.chosenBy is migration.ChosenBy.person for b in the_move().plan.portBindings):
+    if ports_of_runs_bound(the_move().plan):
         return True
     found = list(_unknown(u))
     names = ", ".join(distinct(name for name, _ in found))

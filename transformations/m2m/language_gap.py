@@ -345,8 +345,21 @@ def _text_bytes(literal: str) -> int:
     return sum(1 if c.startswith("\\") else len(c.encode(errors="surrogateescape")) for c in _CHARACTER.findall(written))
 
 
+_RECORD_WITHIN = re.compile(rb"\)\s*\{")
+
+
+def _taken(holder: ccode.Variable | ccode.Cast, data: bytes) -> bool:
+    """Whether C++ takes a list: as it is made by position, or as it is, its members in their order."""
+    given = holder.operand if isinstance(holder, ccode.Cast) else holder.initializer
+    changes = positional(holder, data)
+    if changes == [] and given is not None:
+        text = data[given.startOffset : given.endOffset]
+        return text.startswith(b"{") and _RECORD_WITHIN.search(text) is None
+    return bool(changes)
+
+
 def _unmended(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Located, str]]:
-    mended = [(int(holder.startOffset), int(holder.endOffset)) for holder in _list_holders(view) if positional(holder, data)]
+    mended = [(int(holder.startOffset), int(holder.endOffset)) for holder in _list_holders(view) if _taken(holder, data)]
     for value in (*view.of_kind(ccode.UnknownExpression), *view.of_kind(ccode.InitializerList)):
         if any(start <= value.startOffset < end for start, end in mended):
             continue

@@ -21,6 +21,7 @@ from robosmi.transformations.queries.expression_type import ARITHMETIC, Function
 from robosmi.transformations.queries.own_headers import included
 from robosmi.transformations.queries.record_members import members
 from robosmi.transformations.queries.signature_text import declare, type_names
+from robosmi.transformations.queries.tokens import names_in
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _NO_TYPES = ARITHMETIC | {
@@ -105,7 +106,7 @@ def standard_values(views: Sequence[CodeView], target: TargetFacts) -> Iterable[
 
 def size_names(views: Sequence[CodeView]) -> set[str]:
     """Names in the sizes of arrays that nothing in the program declares: the model has sizes as text."""
-    written = {w for v in views for t in v.of_kind(ccode.TypeUse) for w in _WORD.findall(t.arrayDims or "")}
+    written = {w for v in views for t in v.of_kind(ccode.TypeUse) for w in names_in(t.arrayDims or "")}
     declared = {d.name for v in views for d in v.of_kind(ccode.Declaration)} if written else set()
     return written - declared - _own(views) - _NO_TYPES - {"sizeof"}
 

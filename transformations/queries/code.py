@@ -20,11 +20,11 @@ from robosmi.transformations.knowledge.api_facts import ApiEntry
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.names import name_or_text
 from robosmi.transformations.queries.reached_values import ReachedValues
+from robosmi.transformations.queries.tokens import names_in
 from robosmi.transformations.queries.values import Values
 
 T = TypeVar("T")
 _CALLED = re.compile(r"(?<![\w.#>])([A-Za-z_]\w*)\s*\(")
-_NAMES = re.compile(r"[A-Za-z_]\w*")
 _LITERALS = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|/\*.*?\*/|//[^\n]*', re.DOTALL)
 
 
@@ -237,7 +237,7 @@ class CodeView:
             elif isinstance(element, ccode.MacroUse) and element.macro is None:
                 uses.setdefault(str(element.name), set()).add(int(element.line))
         for macro in self.own_macros.values():
-            for name in set(_NAMES.findall(_LITERALS.sub(" ", str(macro.body or "")))) - set(macro.parameters):
+            for name in names_in(str(macro.body or "")) - set(macro.parameters):
                 if not self.defined(name) and name not in self._own_variables():
                     uses.setdefault(name, set()).add(int(macro.line))
         found: list[UsedName] = []
@@ -257,7 +257,7 @@ class CodeView:
             if isinstance(element, ccode.TypeUse) and isinstance(element.declaration, ccode.ExternalSymbol):
                 uses.setdefault(str(element.declaration.name), set()).add(_line(element))
         for macro in self.own_macros.values():
-            for name in _NAMES.findall(_LITERALS.sub(" ", str(macro.body or ""))):
+            for name in names_in(str(macro.body or "")):
                 entry = self.resolve(name)
                 if entry is not None and entry.kind == "type" and name in uses:
                     uses[name].add(int(macro.line))

@@ -38,6 +38,8 @@ ARITHMETIC = frozenset(
         "uint64_t",
     ]
 )
+_NAMELESS = frozenset({"struct", "union", "const", "volatile", "static", "extern", "*"})
+"""Words of the type of a variable whose record has no name."""
 
 
 @dataclass(frozen=True)
@@ -111,7 +113,20 @@ def of_use(use: ccode.TypeUse | None) -> ValueType | None:
             meant = inner.declaration or _unnamed(declaration)
             sizes = made.dimensions + (inner.dimensions if made.depth == made.dimensions else 0)
             return replace(made, base=inner.base, depth=made.depth + inner.depth, dimensions=sizes, declaration=meant)
-    return replace(made, declaration=declaration)
+    return replace(made, declaration=declaration or nameless(use))
+
+
+def nameless(use: ccode.TypeUse) -> ccode.Record | None:
+    """The record without a name that a variable's declaration defines (`struct { int pin; } lamp`), which is before its name."""
+    words = set(str(use.spelling or "").split())
+    variable = use.eContainer()
+    record = not words.isdisjoint({"struct", "union"}) and words <= _NAMELESS
+    if use.declaration is not None or not isinstance(variable, ccode.Variable) or not record:
+        return None
+    around = variable.eContainer()
+    beside = around.declarations if isinstance(around, (ccode.SourceUnit, ccode.Namespace, ccode.DeclarationStatement)) else ()
+    records = [d for d in beside if isinstance(d, ccode.Record) and not d.name and d.startOffset <= variable.startOffset]
+    return max(records, key=lambda record: int(record.startOffset), default=None)
 
 
 def _unnamed(typedef: ccode.Typedef) -> ccode.Declaration | None:

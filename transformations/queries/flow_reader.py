@@ -16,6 +16,7 @@ from robosmi.transformations.queries.argument_places import TokenText
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.cores import handed_over
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
+from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
 from robosmi.transformations.queries.number_names import holder_of
 from robosmi.transformations.queries.pin_uses import pin_number
 from robosmi.transformations.queries.pointers import gives_access, moved_pointer, pointed_functions
@@ -49,6 +50,8 @@ class FlowReader:
         self.followed: set[tuple[str, int, int]] = set()
         """Those of them that the parser knows."""
         self._known: set[Hashable] = set()
+        self._fields: dict[str, dict[Hashable, None]] = {}
+        """Name of a member -> the keys of the members of that name."""
         self._unread = 0
         self._defined = {
             str(d.name)
@@ -110,7 +113,7 @@ class FlowReader:
         if isinstance(expression, ccode.NameReference):
             return self._name(expression)
         if isinstance(expression, ccode.Member):
-            return self._field(str(expression.name))
+            return self._member(expression)
         if isinstance(expression, ccode.Call):
             return self._result(expression)
         if isinstance(expression, ccode.IntegerLiteral):
@@ -147,10 +150,30 @@ class FlowReader:
         name = call.calleeName or "a function"
         return self._once(("element", id(call)), f"'{name}' returns it (line {call.line})")
 
-    def _field(self, name: str) -> Hashable:
-        key = ("field", name)
-        self.flows.keep(key, f"'{name}' is a member of a structure")
+    def _member(self, member: ccode.Member) -> Hashable:
+        if member.object is None:  # it says in an initialiser which member a value is for
+            return self.key(member)
+        whole = whole_of_member(member)
+        return self.value(whole) if whole is not None else self._field(str(member.name), record_of_member(member))
+
+    def _field(self, name: str, record: Hashable | None) -> Hashable:
+        """The key of a member of a record; one whose record is not known exchanges values with those of its name in all."""
+        key = ("field", name, record)
+        known = self._fields.setdefault(name, {})
+        if key not in known:
+            known[key] = None
+            self.flows.keep(key, f"'{name}' is a member of a structure")
+            if (unknown := ("field", name, None)) in known:
+                for other in known:
+                    self.flows.join(unknown, other)
         return key
+
+    def _cast(self, cast: ccode.Cast) -> None:
+        """A record that is taken as another one gives its members to those that have their place there."""
+        records = records_of_cast(cast)
+        for one, other in zip(*(record.fields for record in records), strict=False) if records is not None else ():
+            keys = [self._field(str(field.name), record_key(field.eContainer())) for field in (one, other)]
+            self.flows.join(*keys)
 
     def _once(self, key: Hashable, why: str) -> Hashable:
         self.flows.keep(key, why, computed=True)
@@ -198,6 +221,8 @@ class FlowReader:
                 self._variable(element)
             elif isinstance(element, ccode.Assignment):
                 self._assignment(element)
+            elif isinstance(element, ccode.Cast):
+                self._cast(element)
             elif isinstance(element, ccode.ConditionalExpression):
                 self._give(self.key(element), element.whenTrue)
                 self._give(self.key(element), element.whenFalse)
@@ -239,7 +264,7 @@ class FlowReader:
         if record_of(use) is not None and variable.initializer is not None:
             if isinstance(variable.initializer, ccode.InitializerList):
                 for member, value in members_given(use, variable.initializer):
-                    self._give(self._field(str(member.name)), value)
+                    self._give(self._field(str(member.name), record_key(member.eContainer())), value)
             else:
                 self.flows.keep(self.value(variable.initializer), f"'{variable.name}' is a structure")
             return

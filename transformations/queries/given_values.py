@@ -14,6 +14,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.cores import handed_over
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
+from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
 from robosmi.transformations.queries.pointers import gives_access, moved_pointer
 
 
@@ -27,6 +28,8 @@ class GivenValues:
     def __init__(self, views: Sequence[CodeView]) -> None:
         self._views = views
         self._given: dict[Hashable, list[ccode.Located]] = {}
+        self._casts: dict[Hashable, set[Hashable]] = {}
+        """A record -> the records that a cast makes of it, and those that it is made of."""
         self._registers = {name for v in views for name in v.api.settings.get("ports", {}).get("registers", {})}
         self._functions = {
             str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition
@@ -43,7 +46,20 @@ class GivenValues:
 
     def of(self, key: Hashable) -> list[ccode.Located]:
         """The expressions that give a thing its values; an assignment that calculates stands for itself."""
-        return self._given.get(key, [])
+        if not isinstance(key, tuple) or key[0] != "member":
+            return self._given.get(key, [])
+        _, name, record = key
+        alike = [k for k in self._given if isinstance(k, tuple) and k[:2] == ("member", name)]
+        return [one for k in alike if record is None or k[2] is None or k[2] in self._alike(record) for one in self._given[k]]
+
+    def _alike(self, record: Hashable) -> set[Hashable]:
+        """A record with all that casts make of it or it of them."""
+        found, pending = {record}, [record]
+        while pending:
+            new = self._casts.get(pending.pop(), set()) - found
+            found |= new
+            pending += new
+        return found
 
     def key(self, expression: Element | None) -> Hashable | None:
         """The thing that an expression is the value of, None of an expression that calculates or stands for itself."""
@@ -58,7 +74,8 @@ class GivenValues:
         if isinstance(expression, ccode.Binary) and (array := moved_pointer(expression)) is not None:
             return self.key(array)
         if isinstance(expression, ccode.Member):
-            return ("member", str(expression.name))
+            whole = whole_of_member(expression)
+            return self.key(whole) if whole is not None else ("member", str(expression.name), record_of_member(expression))
         if isinstance(expression, ccode.Call):
             own = self._own(expression)
             return ("result", str(own.name)) if own is not None else None
@@ -95,6 +112,10 @@ class GivenValues:
         elif isinstance(element, ccode.Unary) and str(element.operator) in ("++", "--"):
             if not gives_access(element.operand):
                 self._give(self.key(element.operand), element)
+        elif isinstance(element, ccode.Cast) and (records := records_of_cast(element)) is not None:
+            one, other = (record_key(record) for record in records)
+            self._casts.setdefault(one, set()).add(other)
+            self._casts.setdefault(other, set()).add(one)
         elif isinstance(element, ccode.Return):
             function = ancestor_of_kind(element, ccode.Function)
             if function is not None:
@@ -111,7 +132,7 @@ class GivenValues:
                 self._give(self._declared(variable), one)
         elif isinstance(first, ccode.InitializerList):
             for member, one in members_given(variable.valueType, first):
-                self._give(("member", str(member.name)), one)
+                self._give(("member", str(member.name), record_key(member.eContainer())), one)
 
     def _called(self, call: ccode.Call, view: CodeView) -> None:
         own, arguments = self._own(call), list(call.arguments)

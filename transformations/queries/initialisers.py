@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from robosmi.metamodels import ccode
+from robosmi.transformations.queries.expression_type import nameless
 
 _DIMENSION = re.compile(r"\[[^\]]*\]")
 _NAMES = 20
@@ -17,6 +18,7 @@ def record_of(use: ccode.TypeUse | None) -> ccode.Record | None:
     for _ in range(_NAMES):
         declaration = use.declaration if use is not None and not use.pointerDepth else None
         if not isinstance(declaration, ccode.Typedef):
+            declaration = declaration or (nameless(use) if use is not None and not use.pointerDepth else None)
             return declaration if isinstance(declaration, ccode.Record) else None
         use = declaration.aliased
         if use is not None and use.declaration is None and not use.pointerDepth:

@@ -6,16 +6,14 @@ of the place count; where those name none either, all ports that the program's t
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from functools import cached_property
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.queries.pin_uses import pin_number
+from robosmi.transformations.queries.tokens import names_in
 from robosmi.transformations.queries.values import Values
-
-_NAMES = re.compile(r"[A-Za-z_]\w*")
 
 
 class MacroCalls:
@@ -86,5 +84,5 @@ class MacroCalls:
             name = pending.pop()
             if name not in found:
                 found.add(name)
-                pending += [n for macro in self._macros.get(name, ()) for n in _NAMES.findall(str(macro.body or ""))]
+                pending += [n for macro in self._macros.get(name, ()) for n in names_in(str(macro.body or ""))]
         return found

@@ -6,16 +6,15 @@ that the parser makes of the macro's uses, in the program's text or in bodies of
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_left
 from collections.abc import Sequence
 from functools import cached_property
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.tokens import names_in
 from robosmi.transformations.queries.value_flows import PinArgument
 
-_NAMES = re.compile(r"[A-Za-z_]\w*")
 _Place = tuple[str, int]
 """Path of a unit and an offset in it."""
 
@@ -84,5 +83,5 @@ class MadeCalls:
             name = pending.pop()
             if name not in found:
                 found.add(name)
-                pending += [n for macro in self._macros.get(name, ()) for n in _NAMES.findall(str(macro.body or ""))]
+                pending += [n for macro in self._macros.get(name, ()) for n in names_in(str(macro.body or ""))]
         return frozenset(found)

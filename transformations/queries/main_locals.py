@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, ancestor_of_kind
+from robosmi.transformations.queries.tokens import names_in
 
 AUTOMATIC = ("staticStorage", "externStorage")
 """Storage of locals that live as long as the program anyway, so that their declaration is carried out once."""
@@ -169,7 +170,7 @@ def _constant_size(variable: ccode.Variable) -> bool:
     first, _, rest = use.arrayDims.partition("]")
     if not first.strip("[ ") and variable.initializer is None:
         return False
-    names = set(re.findall(r"[A-Za-z_]\w*", use.arrayDims))
+    names = names_in(str(use.arrayDims))
     if not names:
         return re.search(r"\[\s*\]", rest) is None
     variables = {

@@ -87,6 +87,8 @@ def _looked_at(value: Element | None, masks: PortMasks, shifted: int, seen: set[
     if isinstance(parent, ccode.Binary) and operator == ">>" and parent.left is value:
         places = masks.numbers(parent.right)
         return None if places is None else union(_looked_at(parent, masks, shifted + n % WORD, seen) for n in places)
+    if isinstance(parent, ccode.ExpressionStatement):
+        return 0  # nobody looks at what is returned
     takers = _takers(value, parent, masks)
     if not takers or id(parent) in seen:
         return 0 if takers else None

@@ -23,3 +23,8 @@ def name_tokens(data: bytes) -> Iterator[tuple[int, int, str]]:
             for inner, first, last, word in tokens(data[start + 1 : end]):
                 if inner == "name":
                     yield start + 1 + first, start + 1 + last, word
+
+
+def names_in(text: str) -> set[str]:
+    """The names in the body of a macro or in another piece of a source text; suffixes of numbers (`24L`, `1e5f`) are none."""
+    return {name for _, _, name in name_tokens(text.encode("latin-1", errors="replace"))}

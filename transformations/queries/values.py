@@ -15,6 +15,7 @@ from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.bounded_walk import BoundedWalk
+from robosmi.transformations.queries.own_headers import included
 
 D = TypeVar("D", bound=Element)
 LIMIT = 64
@@ -44,6 +45,8 @@ class Values:
 
     def __init__(self, program: ccode.Program, unit: ccode.SourceUnit) -> None:
         self.macros = {str(m.name): m for u in program.units for m in u.macros} | {str(m.name): m for m in unit.macros}
+        self._own_macros = {str(m.name) for u in (unit, *included(unit)) for m in u.macros}
+        """Those of the unit and of the headers it includes, which the parser may take for names of others."""
         self.names: dict[str, ccode.Declaration] = {}
         for declaration in (d for u in program.units for d in u.declarations):
             self.names.setdefault(str(declaration.name), declaration)
@@ -99,7 +102,7 @@ class Values:
             return counter if counter is not None else self._guarded(target, "variable", self._variable)
         if isinstance(target, ccode.Parameter):
             return self._guarded(target, "parameter", self._parameter)
-        if target is None and str(reference.name) in self.macros:
+        if (target is None and str(reference.name) in self.macros) or str(reference.name) in self._own_macros:
             return self._macro(str(reference.name))
         return [RUNTIME]
 

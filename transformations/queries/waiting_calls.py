@@ -44,6 +44,11 @@ def unwired_needs(plan: migration.MigrationPlan, use: migration.AdapterUse) -> t
     return missing, bool(missing) and len(missing) == len(needed)
 
 
+def ports_of_runs_bound(plan: migration.MigrationPlan) -> bool:
+    """Whether a person has bound ports that only the running program knows, so that RS327 asks for nothing any more."""
+    return any(b.origin == "runtime" and b.chosenBy is migration.ChosenBy.person for b in plan.portBindings)
+
+
 class CallStates:
     """The states of a plan's calls.
 
@@ -57,7 +62,7 @@ class CallStates:
         self._nowhere = {id(e) for finding in plan.findings if finding.rule == NO_PORT for e in finding.elements}
         flows = [f for f in plan.portFlows if f.bindings]
         self._waiting = {id(c) for f in flows if any(b.open for b in f.bindings) for c in f.calls}
-        if not any(b.origin == "runtime" and b.chosenBy is migration.ChosenBy.person for b in plan.portBindings):
+        if not ports_of_runs_bound(plan):
             self._waiting |= {id(c) for f in plan.portFlows if f.anything and not f.bindings for c in f.calls}
         self._unwired = {id(c) for f in flows if all(_left_out(b) for b in f.bindings) for c in f.calls}
 

@@ -68,3 +68,20 @@ def test_a_jump_over_a_value_that_cannot_be_assigned_is_said(tmp_path: Path) -> 
     )
     made = robosmi.migrate([source], tmp_path / "out")
     assert [f.location.line for f in made.findings if f.rule == "RS312" and f.location is not None] == [5]
+
+
+def test_a_list_whose_members_are_in_order_is_no_gap(tmp_path: Path) -> None:
+    program = tmp_path / "lists.c"
+    program.write_text(
+        "typedef struct { int pin, low, high; } Joint;\n"
+        "typedef struct { Joint joint; int k; } Two;\n"
+        "Joint one = { .pin = 1, .low = 2, .high = 3 };\n"
+        "Joint two = { .pin = 1, .high = 3, .low = 2 };\n"
+        "Two three = { .joint = { .pin = 1, .low = 2 }, .k = 3 };\n"
+        "Two four = { .joint = { .low = 1, .pin = 2 }, .k = 3 };\n"
+        "struct { int a, b; } five = { .a = 1, .b = 2 };\n"
+        "int six[8] = { [sizeof(int)] = 1 };\n"
+        "int main() { return six[0] + one.pin + two.pin + three.k + four.k + five.a; }\n"
+    )
+    found = robosmi.plan_migration([program]).plan.findings
+    assert {f.line for f in found if f.rule == "RS312"} == {8}

@@ -88,3 +88,25 @@ def test_a_port_has_all_its_names_and_the_place_that_holds_it() -> None:
     assert port(planned("conventions"), "P12").name == "abdrive.left_servo"
     assert port(planned("conventions"), "P13").name == "main.pin" or port(planned("conventions"), "P13").name == "pin"
     assert port(planned("conventions"), "abdrive.right_servo").sourcePin == 13
+
+
+def reached_by(plan: migration.MigrationPlan) -> dict[str, set[int]]:
+    """Function of the platform -> the numbers of ports that it is given."""
+    found: dict[str, set[int]] = {}
+    for flow in plan.portFlows:
+        for call in flow.calls:
+            found.setdefault(str(call.calleeName), set()).update(b.sourcePin for b in flow.bindings)
+    return found
+
+
+def test_members_of_one_name_in_two_records_are_two_flows() -> None:
+    assert reached_by(planned("members")) == {
+        "high": {5, 6}, "servo_angle": {16, 17}, "toggle": {7}, "freqout": {8}, "set_output": {9},
+    }  # fmt: skip
+
+
+def test_numbers_of_an_own_header_are_known_where_they_are_used() -> None:
+    plan = planned("numbers_of_header")
+    assert not [finding for finding in plan.findings if finding.rule == "RS327"]
+    assert {b.name for b in plan.portBindings if b.origin == "convention" and "AD" in b.name} == {"AD1"}
+    assert not plan.symbolUses, "the suffix of a number is no name"
