@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from inspect import getmembers_static
 from typing import Any
 
 from robosmi.errors import UsageError, did_you_mean
@@ -34,4 +35,4 @@ class Settings:
 
 
 def _settable(cls: type) -> list[str]:
-    return [name for c in cls.__mro__ for name, member in vars(c).items() if isinstance(member, property) and member.fset]
+    return [name for name, member in getmembers_static(cls) if isinstance(member, property) and member.fset]

@@ -39,7 +39,7 @@ def verdict_of(answer: T, says: str, fix: str) -> T:
     elif type(answer) in (list, tuple, dict, set, frozenset):
         given = f"a plain {type(answer).__name__}"
     elif inspect.isroutine(answer):
-        given = f"the function {getattr(answer, '__name__', answer)!r}, which was not called"
+        given = f"the function {answer.__name__!r}, which was not called"
     else:
         return answer
     raise UsageError(f"it gives {given}, which does not say {says}", fix=fix)
