@@ -117,7 +117,7 @@ def _read(made: object, reader: object, path: Path) -> tuple[hardware.Circuit, l
             findings = [each for each in given if isinstance(each, Finding)]
             if len(findings) == len(given):
                 return circuit, findings
-    module = str(getattr(reader, "__module__", ""))
+    module = str(reader.__module__)
     owner = registry().provider(module)
     whose = f"the plug-in {owner}" if owner else module
     raise RuleError(
