@@ -21,7 +21,7 @@ def constraints(v, catalogue, opening):
     def HasAuthor(i):
         return i.authors or Fail(f"{i.title} has no author")
 
-    book = v.context(catalogue.Book, guard=lambda b: b.isbn)
+    book = v.context(catalogue.Book, guard=lambda b: bool(b.isbn))
 
     @book.constraint
     def Isbn(b):

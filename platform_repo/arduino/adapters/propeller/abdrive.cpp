@@ -277,6 +277,7 @@ inline void drive_ramp(int32_t left, int32_t right) {
 //#   fidelity: ticks since the first call that drives, and 0 before it, counted up or down by the sense in which the wheel was driven last,
 //#   fidelity: as there
 template <class Int> inline void drive_getTicks(Int *left, Int *right) {
+  (void)drive_counts_from_its_start;
   uint8_t old = SREG;
   cli();
   *left = wheels[0].ticks;
@@ -343,6 +344,7 @@ inline bool drive_on_the_way() {
 //#   limit: gives up ten seconds after the last tick, where the library waits for ever
 inline void drive_goto(int32_t distLeft, int32_t distRight) {
   int32_t way[2] = {distLeft, distRight}, most = max(abs(distLeft), abs(distRight));
+  (void)drive_counts_from_its_start;
   drive_start();
   drive_speed(0, 0);
   uint8_t old = SREG;
