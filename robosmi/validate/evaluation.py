@@ -47,8 +47,6 @@ class _State:
                 constraint, since a text is true, and so would `return holds, "message"`.
         """
         verdict = self.check(element)
-        if verdict is True or verdict is False:
-            return verdict
         return verdict_of(
             verdict,
             "whether the constraint holds",

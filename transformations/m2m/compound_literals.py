@@ -78,8 +78,7 @@ def replacements(whole: ccode.Unary | ccode.Cast, name: str, data: bytes) -> lis
         data: the bytes of its unit.
     """
     cast = whole.operand if isinstance(whole, ccode.Unary) else whole
-    while not isinstance(cast, ccode.Cast):
-        cast = cast.eContainer() if cast is not None else None  # type: ignore[assignment]
+    assert isinstance(cast, ccode.Cast)  # what `_kept` gives
     use = cast.target
     assert use is not None
     pointed, star, own = re.sub(r"\s*\[[^\]]*\]", "", use.spelling).strip().rpartition("*")

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, tokens
-from robosmi.transformations.m2m.list_values import MOST, UnknownList, constants_of, index_value, is_record, values_of
+from robosmi.transformations.m2m.list_values import MOST, UnknownList, constants_of, index_value, is_union, members_of, values_of
 from robosmi.transformations.m2m.reordered_lists import reordered
 from robosmi.transformations.queries.expression_type import ValueType, element_type, of_use
 
@@ -43,7 +43,7 @@ def _list(
     words: Sequence[Token], kind: ValueType | None, constants: Mapping[str, int], data: bytes
 ) -> list[tuple[int, int, str]]:
     values = values_of(words[1:-1])
-    fields = list(kind.declaration.fields) if is_record(kind) else []  # type: ignore[union-attr]
+    fields = members_of(kind)
     made: list[tuple[int, int, str]] = []
     inner: list[tuple[int, int, str]] = []
     position, gaps = 0, False
@@ -60,7 +60,7 @@ def _list(
             within = of_use(fields[place].valueType) if place < len(fields) else element_type(kind)
             inner += _list(each.value, within, constants, data)
         position = last + 1
-    union = is_record(kind) and kind.declaration.recordKind.name == "unionType"  # type: ignore[union-attr]
+    union = is_union(kind)
     if union and made and len(values) > 1:
         raise UnknownList
     if made and fields and (union or not gaps):

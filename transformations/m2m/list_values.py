@@ -59,6 +59,18 @@ def is_record(kind: ValueType | None) -> bool:
     return kind is not None and kind.depth == 0 and isinstance(kind.declaration, ccode.Record)
 
 
+def members_of(kind: ValueType | None) -> Sequence[ccode.Field]:
+    """The members of a structure or union, in their order; none of any other type."""
+    record = kind.declaration if kind is not None and is_record(kind) else None
+    return list(record.fields) if isinstance(record, ccode.Record) else []
+
+
+def is_union(kind: ValueType | None) -> bool:
+    """Whether a type is a union, and no pointer to one."""
+    record = kind.declaration if kind is not None and is_record(kind) else None
+    return isinstance(record, ccode.Record) and record.recordKind is ccode.RecordKind.unionType
+
+
 def values_of(words: Sequence[Token]) -> list[ListValue]:
     """The values of a list, from the tokens between its braces.
 

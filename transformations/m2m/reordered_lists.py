@@ -10,9 +10,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token
-from robosmi.transformations.m2m.list_values import MOST, ListValue, UnknownList, index_value, is_record, values_of
+from robosmi.transformations.m2m.list_values import (
+    MOST,
+    ListValue,
+    UnknownList,
+    index_value,
+    is_record,
+    is_union,
+    members_of,
+    values_of,
+)
 from robosmi.transformations.queries.expression_type import ValueType, element_type, of_use
 
 _SIGNS = frozenset(["-", "&"])
@@ -133,7 +141,7 @@ class _Filler:
         texts = [word[3] for word in designator[:-1]]
         while texts:
             if texts[0] == ".":
-                names = [member.name for member in _members(kind)]
+                names = [member.name for member in members_of(kind)]
                 if texts[1] not in names:
                     raise UnknownList
                 first = last = names.index(texts[1])
@@ -148,19 +156,14 @@ class _Filler:
             kind = _part(kind, first)
 
 
-def _members(kind: ValueType | None) -> Sequence[ccode.Field]:
-    declared = kind.declaration if kind is not None and is_record(kind) else None
-    return list(declared.fields) if isinstance(declared, ccode.Record) else []
-
-
 def _part(kind: ValueType | None, place: int) -> ValueType | None:
     """The type of a place within another type; members of a union but the first are refused."""
-    declared = kind.declaration if kind is not None and is_record(kind) else None
-    if not isinstance(declared, ccode.Record):
+    if not is_record(kind):
         return element_type(kind)
-    if place >= len(declared.fields) or (place and declared.recordKind.name == "unionType"):
+    members = members_of(kind)
+    if place >= len(members) or (place and is_union(kind)):
         raise UnknownList
-    return of_use(declared.fields[place].valueType)
+    return of_use(members[place].valueType)
 
 
 def _has_parts(kind: ValueType | None) -> bool:

@@ -13,6 +13,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from robosmi.metamodels import ccode, migration
 from robosmi.model.strict import Element
 from robosmi.query import all_contents, all_of_kind, ancestor_of_kind
+from robosmi.transformations.queries.call_chains import FRAME, Taken, deepest_chain
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.cores import reached, written
 from robosmi.transformations.queries.main_program import main_function
@@ -22,8 +23,8 @@ from robosmi.transformations.queries.values import Values
 MOST = 7
 """Cores besides the one of main."""
 _WAITS = re.compile(r"\b(?:yield|delay)\s*\(")
-_FRAME, _SCALAR, _UNKNOWN = 14, 4, 16
-"""Bytes of stack: of a call with the registers that it keeps, of a value, of a value of unknown size."""
+_SCALAR, _UNKNOWN = 4, 16
+"""Bytes of stack: of a value, of a value of unknown size."""
 
 
 def giving_way(views: Sequence[CodeView], uses: Iterable[migration.AdapterUse]) -> set[str]:
@@ -191,24 +192,15 @@ def stack_bytes(function: ccode.Function, adapters: Mapping[str, int]) -> int:
     """
     if function.body is None:
         return 0
-    known: dict[int, int] = {}
-    parts: dict[int, tuple[int, list[ccode.Function], int]] = {}  # frame, own functions that are called, deepest other call
-    waiting = [function]
-    while waiting:  # no recursion: functions may call the next for as long as they like
-        at = waiting[-1]
-        if id(at) not in parts:
-            inside = list(all_contents(at.body)) if at.body is not None else []
-            calls = [call for call in inside if isinstance(call, ccode.Call)]
-            own = [call.callee for call in calls if call.callee is not None and call.callee.body is not None]
-            others = [adapters.get(str(c.calleeName), _FRAME) for c in calls if c.callee is None or c.callee.body is None]
-            frame = _FRAME + local_bytes(inside)
-            parts[id(at)] = frame, own, max(others, default=0)
-            waiting += [callee for callee in own if id(callee) not in parts]
-            continue
-        frame, own, deepest = parts[id(at)]
-        known.setdefault(id(at), frame + max([deepest, *(known.get(id(callee), 0) for callee in own)]))
-        waiting.pop()
-    return known[id(function)]
+
+    def taken_by(at: ccode.Function) -> Taken:
+        inside = list(all_contents(at.body)) if at.body is not None else []
+        calls = [call for call in inside if isinstance(call, ccode.Call)]
+        own = [call.callee for call in calls if call.callee is not None and call.callee.body is not None]
+        others = [adapters.get(str(c.calleeName), FRAME) for c in calls if c.callee is None or c.callee.body is None]
+        return Taken(FRAME + local_bytes(inside), own, max(others, default=0))
+
+    return deepest_chain(function, taken_by)
 
 
 def local_bytes(elements: Iterable[Element]) -> int:

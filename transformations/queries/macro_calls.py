@@ -6,13 +6,12 @@ of the place count; where those name none either, all ports that the program's t
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from functools import cached_property
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import all_of_kind, ancestor_of_kind
+from robosmi.transformations.queries.macros import Macros
 from robosmi.transformations.queries.pin_uses import pin_number
-from robosmi.transformations.queries.tokens import names_in
 from robosmi.transformations.queries.values import Values
 
 
@@ -39,12 +38,8 @@ class MacroCalls:
         return found
 
     @cached_property
-    def _macros(self) -> dict[str, list[ccode.Macro]]:
-        found: dict[str, list[ccode.Macro]] = {}
-        for unit in self._units:
-            for macro in unit.macros:
-                found.setdefault(str(macro.name), []).append(macro)
-        return found
+    def _macros(self) -> Macros:
+        return Macros(self._units)
 
     def of(self, use: migration.AdapterUse) -> list[ccode.Call]:
         """The calls of a use's function that macros make, one for each place where a macro is used."""
@@ -65,7 +60,7 @@ class MacroCalls:
         if numbers and None not in numbers:
             return [b for b in self._bindings if b.sourcePin in known]
         references = [argument, *all_of_kind(argument, ccode.NameReference)]
-        names = self._expanded(str(r.name) for r in references if isinstance(r, ccode.NameReference))
+        names = self._macros.with_bodies(str(r.name) for r in references if isinstance(r, ccode.NameReference))
         here = {id(macro) for name in names for macro in self._macros.get(name, ())}
         named = [b for b in self._bindings if id(b.element) in here or not names.isdisjoint([b.name, *b.names])]
         return named or self._bindings
@@ -75,14 +70,3 @@ class MacroCalls:
         assert self._program is not None
         assert unit is not None
         return self._values.setdefault(id(unit), Values(self._program, unit))
-
-    def _expanded(self, names: Iterable[str]) -> set[str]:
-        """Names with those in the bodies of the macros that they are."""
-        found: set[str] = set()
-        pending = list(names)
-        while pending:
-            name = pending.pop()
-            if name not in found:
-                found.add(name)
-                pending += [n for macro in self._macros.get(name, ()) for n in names_in(str(macro.body or ""))]
-        return found

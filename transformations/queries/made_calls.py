@@ -12,7 +12,7 @@ from functools import cached_property
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.tokens import names_in
+from robosmi.transformations.queries.macros import Macros
 from robosmi.transformations.queries.value_flows import PinArgument
 
 _Place = tuple[str, int]
@@ -27,14 +27,12 @@ class MadeCalls:
     """
 
     def __init__(self, views: Sequence[CodeView]) -> None:
-        self._macros: dict[str, list[ccode.Macro]] = {}
+        self._macros = Macros(view.unit for view in views)
         self._uses: dict[str, list[tuple[int, ccode.MacroUse]]] = {}
         self._calls: dict[str, list[tuple[CodeView, ccode.Call]]] = {}
         self._reached: dict[_Place, frozenset[str]] = {}
         self._unread = [str(lost.name) for view in views for lost in view.unit.unresolved]
         for view in views:
-            for macro in view.unit.macros:
-                self._macros.setdefault(str(macro.name), []).append(macro)
             self._uses[view.unit.path] = sorted(((int(u.startOffset), u) for u in view.unit.macroUses), key=lambda each: each[0])
             for call in view.of_kind(ccode.Call):
                 if call.viaMacro:
@@ -63,7 +61,7 @@ class MadeCalls:
     def used(self) -> frozenset[str]:
         """The macros that the program uses, in text that could not be read too, and those of their bodies."""
         names = {str(use.name) for uses in self._uses.values() for _, use in uses}
-        return self._with_bodies([*names, *self._unread])
+        return self._macros.with_bodies([*names, *self._unread])
 
     def _names_at(self, place: _Place) -> frozenset[str]:
         """The macros that are used at a place and in their arguments, and those of their bodies; none where none is known."""
@@ -72,16 +70,5 @@ class MadeCalls:
             first = bisect_left(uses, place[1], key=lambda each: each[0])
             end = max((int(use.endOffset) for start, use in uses[first : first + 1] if start == place[1]), default=place[1])
             pending = [str(use.name) for _, use in uses[first : bisect_left(uses, end, key=lambda each: each[0])]]
-            self._reached[place] = self._with_bodies(pending)
+            self._reached[place] = self._macros.with_bodies(pending)
         return self._reached[place]
-
-    def _with_bodies(self, names: list[str]) -> frozenset[str]:
-        """Names of macros, and all that is named in their bodies and in those of the macros there."""
-        found: set[str] = set()
-        pending = list(names)
-        while pending:
-            name = pending.pop()
-            if name not in found:
-                found.add(name)
-                pending += [n for macro in self._macros.get(name, ()) for n in names_in(str(macro.body or ""))]
-        return frozenset(found)

@@ -11,6 +11,7 @@ from collections.abc import Collection, Iterable, Mapping
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import all_of_kind
+from robosmi.transformations.queries.call_chains import FRAME, Taken, deepest_chain
 from robosmi.transformations.queries.compiled_code import CompiledCode
 from robosmi.transformations.queries.cooperation import local_bytes
 from robosmi.transformations.queries.main_function import main_of
@@ -27,8 +28,6 @@ IDLE = 80
 """Bytes of stack that a coroutine needs that does nothing: interrupts of the core, and what it leaves while others get on."""
 CORE_INTERRUPT, SERIAL_INTERRUPT = 11, 19
 """Bytes that the largest of the core's own interrupts takes upon all else: of its clock, and of its serial line."""
-FRAME = 14
-"""Bytes of a call of one of the program's own functions: the address that it returns to and the registers that it keeps."""
 CALL = 12
 """Bytes of a call of a piece of an adapter of which nothing is measured: few keep registers."""
 
@@ -53,28 +52,20 @@ def depth(plan: migration.MigrationPlan, code: CompiledCode, pieces: Iterable[pl
 
 
 def _deepest(main: ccode.Function, code: CompiledCode, measured: Mapping[str, int], variadic: Collection[str]) -> int:
-    """Bytes of the deepest chain of calls from a function on that a compiler keeps; what calls itself is counted once."""
+    """Bytes of the deepest chain of calls from a function on that a compiler keeps."""
     live = {id(element) for element in code.elements} - code.answers.keys()
-    known: dict[int, int] = {}
-    parts: dict[int, tuple[int, list[ccode.Function], int]] = {}  # locals, own functions that are called, deepest other call
-    waiting = [main]
-    while waiting:  # no recursion: functions may call the next for as long as they like
-        at = waiting[-1]
-        if id(at) not in parts:
-            assert at.body is not None  # only functions with one are followed
-            calls = [call for call in all_of_kind(at.body, ccode.Call) if id(call) in live]
-            names = [each for each in all_of_kind(at.body, ccode.NameReference) if id(each) in live]
-            variables = [each for each in all_of_kind(at.body, ccode.Variable) if id(each) in live]
-            own = [call.callee for call in calls if call.callee is not None and call.callee.body is not None]
-            others = [_call(c, measured, variadic) for c in calls if c.callee is None or c.callee.body is None]
-            others += [measured.get(str(each.name), 0) for each in names]
-            parts[id(at)] = local_bytes(variables), own, max(others, default=0)
-            waiting += [callee for callee in own if id(callee) not in parts]
-            continue
-        own_bytes, own, deepest = parts[id(at)]
-        known.setdefault(id(at), own_bytes + max([deepest, *(FRAME + known.get(id(callee), 0) for callee in own)]))
-        waiting.pop()
-    return known[id(main)]
+
+    def taken_by(function: ccode.Function) -> Taken:
+        assert function.body is not None  # only functions with one are followed
+        calls = [call for call in all_of_kind(function.body, ccode.Call) if id(call) in live]
+        names = [each for each in all_of_kind(function.body, ccode.NameReference) if id(each) in live]
+        variables = [each for each in all_of_kind(function.body, ccode.Variable) if id(each) in live]
+        own = [call.callee for call in calls if call.callee is not None and call.callee.body is not None]
+        others = [_call(c, measured, variadic) for c in calls if c.callee is None or c.callee.body is None]
+        others += [measured.get(str(each.name), 0) for each in names]
+        return Taken(local_bytes(variables), own, max(others, default=0))
+
+    return deepest_chain(main, taken_by, FRAME)
 
 
 def _piece_bytes(piece: platform.Adapter, known: dict[int, int]) -> int:

@@ -182,7 +182,7 @@ class _Judge:
         reasons = [str(reason) for reason in disposition.reasons if reason]
         if disposition.action is _Action.rewrite and CARRIED_OVER.issuperset(disposition.rules):
             reasons.append("a port in it has another pin on the target")
-        use = self.uses.get(str(getattr(disposition.element, "name", ""))) if IN_PLACE in disposition.rules else None
+        use = self.uses.get(name_of(disposition.element)) if IN_PLACE in disposition.rules else None
         if use is not None and use.status in (_Status.todo, _Status.unsupported):
             return Judged(NEEDS_YOU, "; ".join(reasons), body_effort(use))
         verdict = _OF_ACTION.get(disposition.action, ADAPTED)
