@@ -7,6 +7,7 @@ anywhere. A pointer and what it points to are one thing, as are the elements of 
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
+from typing import NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
@@ -16,6 +17,18 @@ from robosmi.transformations.queries.cores import handed_over
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
 from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
 from robosmi.transformations.queries.pointers import gives_access, moved_pointer
+
+
+class MemberKey(NamedTuple):
+    """The key of a member.
+
+    Attributes:
+        name: of the member.
+        record: the key of its record (`member_records`), None where the text does not say which it is.
+    """
+
+    name: str
+    record: Hashable | None
 
 
 class GivenValues:
@@ -28,6 +41,8 @@ class GivenValues:
     def __init__(self, views: Sequence[CodeView]) -> None:
         self._views = views
         self._given: dict[Hashable, list[ccode.Located]] = {}
+        self._members: dict[str, dict[Hashable | None, list[ccode.Located]]] = {}
+        """Name of a member -> record, None where the text does not say it -> what it is given."""
         self._casts: dict[Hashable, set[Hashable]] = {}
         """A record -> the records that a cast makes of it, and those that it is made of."""
         self._registers = {name for v in views for name in v.api.settings.get("ports", {}).get("registers", {})}
@@ -46,11 +61,11 @@ class GivenValues:
 
     def of(self, key: Hashable) -> list[ccode.Located]:
         """The expressions that give a thing its values; an assignment that calculates stands for itself."""
-        if not isinstance(key, tuple) or key[0] != "member":
+        if not isinstance(key, MemberKey):
             return self._given.get(key, [])
-        _, name, record = key
-        alike = [k for k in self._given if isinstance(k, tuple) and k[:2] == ("member", name)]
-        return [one for k in alike if record is None or k[2] is None or k[2] in self._alike(record) for one in self._given[k]]
+        records = self._members.get(key.name, {})
+        alike = {None, *self._alike(key.record)} if key.record is not None else set(records)
+        return [one for record, given in records.items() if record in alike for one in given]
 
     def _alike(self, record: Hashable) -> set[Hashable]:
         """A record with all that casts make of it or it of them."""
@@ -75,7 +90,7 @@ class GivenValues:
             return self.key(array)
         if isinstance(expression, ccode.Member):
             whole = whole_of_member(expression)
-            return self.key(whole) if whole is not None else ("member", str(expression.name), record_of_member(expression))
+            return self.key(whole) if whole is not None else MemberKey(str(expression.name), record_of_member(expression))
         if isinstance(expression, ccode.Call):
             own = self._own(expression)
             return ("result", str(own.name)) if own is not None else None
@@ -100,7 +115,9 @@ class GivenValues:
         return self._functions.get(str(call.calleeName or "")) if call.callee is not None else None
 
     def _give(self, key: Hashable | None, expression: ccode.Located | None) -> None:
-        if key is not None and expression is not None:
+        if isinstance(key, MemberKey) and expression is not None:
+            self._members.setdefault(key.name, {}).setdefault(key.record, []).append(expression)
+        elif key is not None and expression is not None:
             self._given.setdefault(key, []).append(expression)
 
     def _read(self, element: Element, view: CodeView) -> None:
@@ -132,7 +149,7 @@ class GivenValues:
                 self._give(self._declared(variable), one)
         elif isinstance(first, ccode.InitializerList):
             for member, one in members_given(variable.valueType, first):
-                self._give(("member", str(member.name), record_key(member.eContainer())), one)
+                self._give(MemberKey(str(member.name), record_key(member.eContainer())), one)
 
     def _called(self, call: ccode.Call, view: CodeView) -> None:
         own, arguments = self._own(call), list(call.arguments)
