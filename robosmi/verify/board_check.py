@@ -44,17 +44,20 @@ def board_findings(board: Board, toolchain: Toolchain, installed: Installed) -> 
         PlatformDataError: the toolchain's data is damaged.
     """
     check = toolchain.board_check
-    if not check.values or not board.claims:
+    claims = board.claims() if check.values else ()
+    if not claims:
         return []
-    return [*_pin_findings(board, check, toolchain, installed), *_list_findings(board, check, installed)]
+    return [*_pin_findings(board, claims, check, toolchain, installed), *_list_findings(board, check, installed)]
 
 
 # ---- what the core's headers say
 
 
-def _pin_findings(board: Board, check: DataTable, toolchain: Toolchain, installed: Installed) -> Iterator[Finding]:
+def _pin_findings(
+    board: Board, claims: Sequence[Claim], check: DataTable, toolchain: Toolchain, installed: Installed
+) -> Iterator[Finding]:
     """A finding for each claim that the headers contradict, or one where they cannot be compiled for the board."""
-    asked = [_asked(claim) for claim in board.claims]
+    asked = [_asked(claim) for claim in claims]
     wanted = dict.fromkeys(expression for each in asked for _, expression in each)
     found = _answers([*wanted], board, check, toolchain, installed)
     if isinstance(found, str):
@@ -63,7 +66,7 @@ def _pin_findings(board: Board, check: DataTable, toolchain: Toolchain, installe
         yield Finding(OTHER_FACTS, Severity.error, cause, _place(board.file, "variant ="), fix=fix)
         return
     numbers = dict(zip(wanted, _numbers(found.get(_TOLD, b""), _SIZES["long"]), strict=True))
-    for claim, each in zip(board.claims, asked, strict=True):
+    for claim, each in zip(claims, asked, strict=True):
         values = [_value(table, numbers[expression], found) for table, expression in each]
         if values[0] == values[1]:
             continue

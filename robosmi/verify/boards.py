@@ -6,7 +6,7 @@ compile.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -67,7 +67,7 @@ class Board(NamedTuple):
         boot_loader: what takes programs on it; None where nothing is known of that.
         signature: what a programmer reads from its microcontroller, six hexadecimal digits; empty where that is not known.
         file: its file, with what the platform calls it; None where there is none.
-        claims: what its file says that the core says too.
+        claims: makes what its file says that the core says too; for one board of many it is asked.
     """
 
     name: str
@@ -81,7 +81,7 @@ class Board(NamedTuple):
     boot_loader: BootLoader | None = None
     signature: str = ""
     file: Path | None = None
-    claims: tuple[Claim, ...] = ()
+    claims: Callable[[], tuple[Claim, ...]] = tuple
 
     def fill(self) -> dict[str, str]:
         """A copy of the values."""

@@ -134,7 +134,7 @@ def own_boards(project: Path | None = None) -> list[Finding]:
 
 
 def _built_in(board: Board) -> bool:
-    files = {board.file, *(claim.file for claim in board.claims)}
+    files = {board.file, *(claim.file for claim in board.claims())}
     return all(file is None or file.is_relative_to(built_in(KIND)) for file in files)
 
 

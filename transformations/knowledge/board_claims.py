@@ -7,6 +7,8 @@ filled with the pins of a board.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from robosmi.data_text import line_of_value
@@ -24,8 +26,10 @@ _INPUT = re.compile(r"A(\d+)")
 
 def board_claims(
     platform_name: str, board: platform.Board, mapping: platform.BoardMapping, project: Path | None = None
-) -> tuple[Claim, ...]:
-    """The claims of a board; none for a platform whose toolchain does not check boards.
+) -> Callable[[], tuple[Claim, ...]]:
+    """What makes the claims of a board, which are asked for when a program is compiled for that one; its ports are looked at now.
+
+    There are none for a platform whose toolchain does not check boards.
 
     Args:
         platform_name: the platform's folder in the repository.
@@ -38,22 +42,34 @@ def board_claims(
     """
     path = next(find_files(f"{platform_name}/toolchain.toml", project), None)
     if path is None or "board_check" not in table_of(path).values or not mapping.variant:
-        return ()
-    entries = table_of(path).table("board_check").tables("claims")
-    pins, names = board_file(str(board.name), project), mapping_file(platform_name, str(board.name), project)
+        return tuple
+    file = board_file(str(board.name), project)
+    _check_ports(mapping, file)
+    return partial(_claims, table_of(path), mapping, file, mapping_file(platform_name, str(board.name), project))
+
+
+def _check_ports(mapping: platform.BoardMapping, file: Path | None) -> None:
+    """Refuse ports that no microcontroller of such cores has."""
+    for pin in (name.pin for name in mapping.pinNames):
+        if pin is not None and pin.port and not _PORT.fullmatch(str(pin.port)) and not _CONVERTER.fullmatch(str(pin.port)):
+            raise PlatformDataError(
+                f"the port of '{pin.label}' is '{pin.port}', which is no pin of a microcontroller that the core knows",
+                location=Location(str(file), line_of_value(text_of(file), str(pin.port))) if file is not None else None,
+                fix="write P, the letter of its port and its bit from 0 to 7 (PB1), or ADC and its number (ADC6)",
+            )
+
+
+def _claims(toolchain: DataTable, mapping: platform.BoardMapping, pins: Path | None, names: Path | None) -> tuple[Claim, ...]:
+    """The claims of a board, from its file with the pins and its file with the names that the platform gives them."""
+    entries = toolchain.table("board_check").tables("claims")
     numbers = table_of(names).table("numbers", needed=False).values if names is not None else {}
     found = []
     for name in mapping.pinNames:
         if (pin := name.pin) is None:
             continue
-        if pin.port and not _PORT.fullmatch(str(pin.port)) and not _CONVERTER.fullmatch(str(pin.port)):
-            raise PlatformDataError(
-                f"the port of '{pin.label}' is '{pin.port}', which is no pin of a microcontroller that the core knows",
-                location=Location(str(pins), line_of_value(text_of(pins), str(pin.port))) if pins is not None else None,
-                fix="write P, the letter of its port and its bit from 0 to 7 (PB1), or ADC and its number (ADC6)",
-            )
         facts = _facts(name, pin) | {"number": str(numbers.get(str(pin.label), ""))}
-        abilities = {*pin.abilities, "any", *(["led"] if pin.label == board.led else [])}
+        is_led = mapping.board is not None and pin.label == mapping.board.led
+        abilities = {*pin.abilities, "any", *(["led"] if is_led else [])}
         for entry in entries:
             if entry.text("of") not in abilities:
                 continue
