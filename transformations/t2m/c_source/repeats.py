@@ -18,6 +18,9 @@ MOST_DECLARED = 400
 _BEHIND = frozenset("=;,[(")
 _NO_TYPE = frozenset(["return", "goto", "else", "case", "do", "sizeof", "typeof", "__typeof__", "__extension__", "default"])
 
+_NO_NAME = frozenset(["__attribute__", "__attribute", "__declspec", "asm", "__asm", "__asm__", "_Alignas"])
+"""Words within a declaration that stand before round brackets and name nothing."""
+
 
 def repeats(tokens: Sequence[Token]) -> list[Edit]:
     """Edits that take out the declarations beyond the limit.
@@ -47,7 +50,7 @@ def _often(tokens: Sequence[Token]) -> set[str]:
 
 def _declares(before: Token, token: Token, behind: Token) -> bool:
     of_type = (before[0] == "name" and before[3] not in _NO_TYPE) or before[3] == "*"
-    return token[0] == "name" and of_type and behind[3] in _BEHIND
+    return token[0] == "name" and token[3] not in _NO_NAME and of_type and behind[3] in _BEHIND
 
 
 def _cuts(tokens: Sequence[Token], often: set[str]) -> list[Edit]:
