@@ -88,7 +88,7 @@ class _Depths:
         self._tables = {machine.symbols[name] for name in _TABLES if name in machine.symbols}
         self._known: dict[int, int] = {}
         self._way: dict[int, int] = {}
-        self._on_way: list[int] = []
+        self._on_way: set[int] = set()
         self.recursive: set[int] = set()
         self.unknown: set[int] = set()
 
@@ -129,12 +129,43 @@ class _Depths:
 
     def of(self, entry: int) -> int:
         """Bytes that a function takes with what it calls, without the address that it returns to."""
-        if entry in self._known:
-            return self._known[entry]
-        if entry in self._on_way:
-            self.recursive.add(entry)
-            return 0
-        self._on_way.append(entry)
+        waiting = [entry]
+        while waiting:  # no recursion: functions may call the next for as long as they like
+            at = waiting[-1]
+            if at in self._known:
+                waiting.pop()
+            elif at in self._on_way:
+                self._known[at] = self._measured(at)
+                self._on_way.discard(at)
+            else:
+                self._on_way.add(at)
+                waiting += [target for target in self._called(at) if target not in self._known and target not in self._on_way]
+        return self._known[entry]
+
+    def _called(self, entry: int) -> set[int]:
+        """The functions that a function may call, directly and through pointers."""
+        found, seen, waiting = set[int](), set[int](), [entry]
+        while waiting:
+            at = waiting.pop()
+            instruction = self._code.get(at)
+            if at in seen or instruction is None:
+                continue
+            seen.add(at)
+            target = instruction.target
+            if instruction.name in ("call", "rcall") and target and target != self._next.get(at):
+                found.add(target)
+            elif instruction.name in _THROUGH_POINTERS:
+                found |= set(self._machine.reached_from(at))
+            if target in self._tables:
+                waiting += self._rows(entry)
+            elif target in self._saves:
+                waiting.append(self._next[at])
+            elif target not in self._restores:
+                waiting += self._follow(instruction)
+        return found
+
+    def _measured(self, entry: int) -> int:
+        """What `of` says, where that is known of all that the function calls but for what is under way itself."""
         states = {entry: _State(0)}
         waiting, most, way = [entry], 0, None
         table: _State | None = None
@@ -162,8 +193,6 @@ class _Depths:
                 waiting += self._reach(states, address, after)
             if not waiting and table is not None:
                 waiting += [a for place in self._rows(entry) for a in self._reach(states, place, table)]
-        self._on_way.pop()
-        self._known[entry] = most
         if way is not None:
             self._way[entry] = way
         return most
@@ -196,7 +225,7 @@ class _Depths:
                 return self._left(state), depth + 2, None
             if target == self._next.get(instruction.address):
                 return _State(depth + 2, state.pairs), depth + 2, None  # a frame of two bytes
-            return self._left(state), depth + 2 + (self.of(target) if target is not None else 0), target
+            return self._left(state), depth + 2 + (self._of_called(target) if target is not None else 0), target
         if name in _THROUGH_POINTERS:
             sizes = {target: self._of_pointed(target) for target in self._machine.reached_from(instruction.address)}
             target = max(sizes, key=lambda each: sizes[each], default=None)
@@ -210,9 +239,15 @@ class _Depths:
             return state, depth, None
         return self._computed(instruction, state, entry), depth, None
 
+    def _of_called(self, target: int) -> int:
+        """What a call adds; what is under way already calls itself."""
+        if target not in self._known:
+            self.recursive.add(target)
+        return self._known.get(target, 0)
+
     def _of_pointed(self, target: int) -> int:
-        """As `of`; what is under way already is not called through a pointer once more, as far as anybody can tell."""
-        return 0 if target in self._on_way else self.of(target)
+        """As for a call; what is under way already is not called through a pointer once more, as far as anybody can tell."""
+        return self._known.get(target, 0)
 
     @staticmethod
     def _left(state: _State) -> _State:

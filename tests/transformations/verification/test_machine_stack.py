@@ -106,6 +106,23 @@ def test_call_through_a_variable_reaches_what_is_kept_there_and_nothing_else() -
     assert (bound.bytes, bound.deepest) == (2 + 1 + 2 + 3, ("main", "near"))
 
 
+def test_functions_call_the_next_for_as_long_as_they_like() -> None:
+    count = 5000
+    names = ["main", *(f"f{number}" for number in range(1, count))]
+    listing = ["Disassembly of section .text:"]
+    for number, name in enumerate(names):
+        at = 0x10 + 6 * number
+        listing += ["", f"{at:08x} <{name}>:", f" {at:x}:\tpush\tr28"]
+        if number + 1 < count:
+            listing.append(f" {at + 2:x}:\trcall\t.+2      \t; {at + 6:#x} <{names[number + 1]}>")
+        listing.append(f" {at + 4:x}:\tret")
+    bound = stack_bound("\n".join(listing), "avr")
+    assert bound is not None
+    assert bound.certain
+    assert bound.bytes == 2 + count + 2 * (count - 1)
+    assert bound.deepest == tuple(names)
+
+
 @pytest.mark.parametrize(("text", "architecture"), [("", "avr"), (LISTING, "arm")])
 def test_no_bound_without_main_or_for_another_processor(text: str, architecture: str) -> None:
     assert stack_bound(text, architecture) is None

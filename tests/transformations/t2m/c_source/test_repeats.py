@@ -46,7 +46,7 @@ def test_cuts_that_follow_each_other_are_one() -> None:
         "struct s { int a; };\n" + "".join(f"struct s v{i};\n" for i in range(MOST_DECLARED * 2)),
         "int again = 1;\n" * MOST_DECLARED,
         "".join(f"int __attribute__((noinline)) f{i}(int x);\n" for i in range(MOST_DECLARED * 2)),
-        "".join(f"int g{i}(int x) __asm__(\"g{i}\");\nextern int v{i} asm(\"v{i}\");\n" for i in range(MOST_DECLARED * 2)),
+        "".join(f'int g{i}(int x) __asm__("g{i}");\nextern int v{i} asm("v{i}");\n' for i in range(MOST_DECLARED * 2)),
         "void f(int again);\n" + "".join(f"int g{i}(int again);\n" for i in range(MOST_DECLARED * 2)),
     ],
 )
