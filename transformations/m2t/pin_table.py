@@ -1,6 +1,7 @@
 """Connections as a pin table (CSV or TOML), which `t2m/pin_table` reads: a drawing's wiring for people and for other tools.
 
 One row for each connection; the rows of a component are in the order of its connectors, so that it gets the same names again.
+Where nothing is wired, the table says which board it is.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from robosmi.transformations.queries.circuit import pin_label
 from robosmi.transformations.queries.connector_names import told_name
 
 _ENDINGS = (".csv", ".toml")
+_COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "board")
 
 
 def pin_table(connections: Sequence[migration.Connection], board: str, target: Path) -> str:
@@ -64,15 +66,18 @@ def _row(connection: migration.Connection) -> dict[str, str]:
 
 def _csv(rows: Sequence[dict[str, str]], board: str) -> str:
     stream = io.StringIO()
-    columns = ["pin", "part", "role", "title", "connector", "driver", "through", "board"]
-    writer = csv.DictWriter(stream, columns, lineterminator="\n")
+    writer = csv.DictWriter(stream, _COLUMNS, lineterminator="\n")
     writer.writeheader()
+    if board and not rows:
+        rows = [dict.fromkeys(_COLUMNS, "")]
     writer.writerows({key: csv_cell(" ".join(value.split())) for key, value in (row | {"board": board}).items()} for row in rows)
     return stream.getvalue()
 
 
 def _toml(rows: Sequence[dict[str, str]], board: str) -> str:
     lines = [f"board = {toml(board)}"] if board else []
+    if not rows:
+        lines.append("pin = []")
     for row in rows:
         lines += ["", "[[pin]]"]
         lines += [f"{key} = {'true' if key == 'driver' else toml(value)}" for key, value in row.items() if value]

@@ -37,6 +37,8 @@ COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "bo
 """The columns; the first two must be there."""
 
 _FIX = "see docs/reference/pin-tables.md for the columns"
+_NO_PIN = "pin = []"
+"""How a table in TOML begins that has no row."""
 _SILENT = ("Board", "Power", "Passive", "Decoration")
 """Roles by which no program uses a part; a name alone never gives them to one that is on a pin."""
 _TRUE, _FALSE = ("true", "yes", "1", "x"), ("", "false", "no", "0")
@@ -60,7 +62,7 @@ def recognises(head: bytes) -> bool:
     lines = [
         line.strip() for line in head.decode("utf-8-sig", "replace").splitlines() if line.strip() and not line.startswith("#")
     ]
-    if "[[pin]]" in lines:
+    if "[[pin]]" in lines or _NO_PIN in lines:
         return True
     return bool(lines) and {*COLUMNS[:2]} <= {cell.strip().lower() for cell in re.split("[,;\t]", lines[0])}
 
@@ -77,10 +79,10 @@ def read_circuit(
         board: short name of the board where the table names none; that of the default target if None.
 
     Returns:
-        The circuit, and a finding (RS203) for each part whose role nothing tells.
+        The circuit, and a finding for each part whose role nothing tells (RS203), or where the table has no row (RS212).
 
     Raises:
-        SourceError: the file is missing, no table, or a row has no pin or no part.
+        SourceError: the file is missing, no table, or a row has no pin or no part (one with a board alone says which it is).
         UsageError: a role, component or board does not exist.
     """
     file = Path(path)
@@ -90,6 +92,11 @@ def read_circuit(
     table = _Table(str(path), model, names(project), project)
     for row in rows:
         table.add(row)
+    if not rows:
+        cause = "no pin is wired: the table has no row"
+        table.findings.append(
+            Finding("RS212", Severity.warning, cause, Location(str(path)), fix="write a row for each wired pin")
+        )
     table.given = given_roles(roles or {}, {"1": model.title} | {c: title for c, title, _ in table.components()})
     circuit = table.circuit(file.stem)
     circuit.digest = hashlib.sha256(data).hexdigest()
@@ -268,10 +275,7 @@ def _rows(path: Path, data: bytes) -> tuple[str, list[_Row]]:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise SourceError("it is not UTF-8", location=Location(str(path)), fix="save it as UTF-8") from error
-    found = _toml_rows(path, text) if path.suffix.lower() == ".toml" else _csv_rows(path, text)
-    if not found[1]:
-        raise SourceError("the table has no row", location=Location(str(path)), fix=_FIX)
-    return found
+    return _toml_rows(path, text) if path.suffix.lower() == ".toml" else _csv_rows(path, text)
 
 
 _CELL = r'(?:"(?:[^"]|"")*"(?!")[^,;\t]*|[^",;\t][^,;\t]*|)'
@@ -318,7 +322,7 @@ def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
     boards = distinct(row["board"] for row in rows if row["board"])
     if len(boards) > 1:
         raise SourceError(f"the rows name {len(boards)} boards", location=Location(str(path)), fix="keep one table a board")
-    return boards[0] if boards else "", rows
+    return boards[0] if boards else "", [row for row in rows if any(row[column] for column in COLUMNS if column != "board")]
 
 
 def _toml_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
@@ -326,6 +330,8 @@ def _toml_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
         table: dict[str, Any] = toml_of(text)
     except ValueError as error:
         raise SourceError(f"not valid TOML: {error}", location=Location(str(path)), fix=_FIX) from error
+    if not {"pin", "board"} & table.keys():
+        raise SourceError("the table has no row", location=Location(str(path)), fix=_FIX)
     entries = table.get("pin", [])
     if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
         raise SourceError("'pin' is no list of tables", location=Location(str(path)), fix="write each row as [[pin]]")

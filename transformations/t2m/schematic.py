@@ -119,7 +119,8 @@ class _Making:
         if builder.catalogue.find(part.listed_as) is not None:
             return part.listed_as, builder.know(part.listed_as)
         described, board, own = self._described(part)
-        key = f"{part.listed_as} #{part.identity}" if own else f"{part.listed_as} {part.value} {hash_of(part.pins)}"
+        alike = (part.identity,) if own else (part.symbol, part.value, *part.pins.items())
+        key = repr((part.listed_as, *alike))  # texts joined might be those of another part
         if board is not None:
             described = replace(described, role="Board", evidence=f"drawn as {board.title} (boards of the platform repository)")
         return key, builder.know(key, described, board=board, own=own)
@@ -332,11 +333,6 @@ class _Making:
 def _is_clock(part: SchematicPart) -> bool:
     told = f"{part.symbol} {part.family} {part.description}".lower()
     return any(word in told for word in _CLOCK_PARTS)
-
-
-def hash_of(pins: Mapping[str, str]) -> str:
-    """A text that is the same for the same pins."""
-    return "|".join(f"{pin}={name}" for pin, name in pins.items())
 
 
 def hertz_of(value: str) -> int:

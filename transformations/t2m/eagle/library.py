@@ -1,16 +1,21 @@
 """The libraries that an EAGLE schematic carries: device sets with their gates, symbols and pins, as records.
 
 EAGLE copies into each schematic what it uses of its libraries. A pin is known by gate and name; where one name stands in several
-gates, the gate is part of the connector's identity. What the parts are for is not told here.
+gates, the gate is part of the connector's identity (`connectors_of`). What the parts are for is not told here.
 """
 
 from __future__ import annotations
 
 import re
+from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from html import unescape
 
 from lxml import etree
+
+from robosmi.transformations.t2m.drawing import free_identity
+from robosmi.typed import distinct
 
 _TAG = re.compile(r"<[^<>]*>")
 _COUNTER = re.compile(r"@[^@]*$")
@@ -82,17 +87,39 @@ class EagleLibraries:
             if symbol is not None
             for pin in symbol.iterfind("pin")
         ]
-        counts: dict[str, int] = {}
-        for _, written, _ in listed:
-            counts[written] = counts.get(written, 0) + 1
-        pins = {}
-        for gate, written, direction in listed:
-            connector = written if counts[written] == 1 else f"{gate}.{written}"
-            pins[gate, written] = EaglePin(connector, gate, written, spoken(written), direction)
+        connectors = connectors_of([(gate, written) for gate, written, _ in listed])
+        pins = {
+            (gate, written): EaglePin(connectors[gate, written], gate, written, spoken(written), direction)
+            for gate, written, direction in listed
+        }
         shape = next((entry for entry in chosen.iterfind("devices/device") if entry.get("name", "") == device), None)
         pads = 0 if shape is None else sum(len(c.get("pad", "").split()) for c in shape.iterfind("connects/connect"))
         levels = {name: gate.get("addlevel", "next") for name, _, gate in gates}
         return EagleDevice(_title(deviceset, device), _described(chosen.findtext("description") or ""), pins, pads, levels)
+
+
+def connectors_of(pins: Iterable[tuple[str, str]]) -> dict[tuple[str, str], str]:
+    """The identity of the connector that each pin is, by gate and name as written: no two pins have the same one.
+
+    A pin is called by its name where no other gate has that name, else by gate and name (`A.OUT`). Names may have dots in them,
+    so that this may be the text of another pin: it is then called `OUT of A`.
+
+    >>> connectors_of([("A", "OUT"), ("B", "OUT"), ("B", "EN"), ("C", "B.OUT")])
+    {('A', 'OUT'): 'A.OUT', ('B', 'OUT'): 'OUT of B', ('B', 'EN'): 'EN', ('C', 'B.OUT'): 'B.OUT'}
+    """
+    listed = distinct(pins)
+    counts = Counter(written for _, written in listed)
+    wanted = {pin: pin[1] if counts[pin[1]] == 1 else ".".join(pin) for pin in listed}
+    clashes = Counter(wanted.values())
+    found: dict[tuple[str, str], str] = {}
+    taken = {text for (_, written), text in wanted.items() if text == written}
+    for (gate, written), text in wanted.items():
+        if text != written:
+            plain = text if clashes[text] == 1 else f"{written} of {gate}"
+            text = free_identity(plain, 0, taken)
+            taken.add(text)
+        found[gate, written] = text
+    return found
 
 
 def spoken(written: str) -> str:

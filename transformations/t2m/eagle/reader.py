@@ -17,6 +17,7 @@ from robosmi.metamodels import hardware
 from robosmi.transformations.t2m.connectivity import Joined
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, free_identity
 from robosmi.transformations.t2m.eagle.document import EaglePart, EagleSchematic, PinRef, read_schematic
+from robosmi.transformations.t2m.eagle.library import connectors_of, spoken
 from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart, circuit_of
 
 TOOL = "EAGLE"
@@ -55,9 +56,10 @@ class _Drawn:
         self.document, self.report = document, builder.report
         self.twice = {name for name, count in Counter(part.name for part in document.parts).items() if count > 1}
         self.parts = self._identified()
-        self.gates: dict[tuple[str, str], set[str]] = {}
+        wired: dict[str, list[tuple[str, str]]] = {}
         for pin in (each for pins in document.nets.values() for each in pins):
-            self.gates.setdefault((pin.part, pin.pin), set()).add(pin.gate)
+            wired.setdefault(pin.part, []).append((pin.gate, pin.pin))
+        self.wired = {part: connectors_of(pins) for part, pins in wired.items()}
 
     def _identified(self) -> dict[str, EaglePart]:
         found: dict[str, EaglePart] = {}
@@ -85,7 +87,7 @@ class _Drawn:
                     part.line, "update the library in EAGLE and save the schematic again",
                 )  # fmt: skip
         made = Schematic(self.document.path, self.document.digest, TOOL, self.document.version)
-        made.parts = [_part(identity, part) for identity, part in self.parts.items()]
+        made.parts = [_part(identity, part, self.wired.get(identity, {})) for identity, part in self.parts.items()]
         joined = Joined()
         for one, other in self.document.joined:
             joined.union((one, ""), (other, ""))
@@ -120,7 +122,7 @@ class _Drawn:
             self.report("RS207", Severity.warning, cause, pin.line, "correct the net, or add the part")
             return None
         if part.found is None:  # what its gates are is told by its wired pins alone
-            return End(pin.part, pin.pin if len(self.gates[pin.part, pin.pin]) < 2 else f"{pin.gate}.{pin.pin}")
+            return End(pin.part, self.wired[pin.part][pin.gate, pin.pin])
         found = part.found.pins.get((pin.gate, pin.pin))
         if found is None:
             names = [known.written for known in part.found.pins.values()]
@@ -131,10 +133,17 @@ class _Drawn:
         return End(pin.part, found.connector)
 
 
-def _part(identity: str, part: EaglePart) -> SchematicPart:
-    """The part as all tools have it; its id is the device set with its library's name before it."""
+def _part(identity: str, part: EaglePart, wired: Mapping[tuple[str, str], str]) -> SchematicPart:
+    """The part as all tools have it; its id is the device set with its library's name before it.
+
+    Args:
+        identity: of the part.
+        part: as it was read.
+        wired: its pins that are on nets, all that is known of a part without its library: gate and name -> connector.
+    """
     found = part.found
-    pins = {pin.connector: pin.name for pin in found.pins.values()} if found is not None else {}
+    known = found.pins.values() if found is not None else ()
+    pins = {pin.connector: pin.name for pin in known} or {pin: spoken(name) for (_, name), pin in wired.items()}
     title = (found.title if found is not None else part.deviceset + part.device).replace("*", part.technology)
     power = found is not None and bool(found.pins) and all(pin.direction == "sup" for pin in found.pins.values())
     return SchematicPart(

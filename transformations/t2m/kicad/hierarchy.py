@@ -6,7 +6,8 @@ symbols without a number (`U?`) are parts each. How a file is read is the busine
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections import Counter
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 from robosmi.diagnostics import Location, Severity
@@ -74,9 +75,25 @@ class Hierarchy:
         for node in sorted(self.joined.parent):  # names of the whole drawing have no sheet, so they come first
             if node[1].startswith("name "):
                 names.setdefault(self.joined.find(node), node[1].removeprefix("name "))
-        for root, found in ends.items():
-            if len(found) > 1 or root in names:
-                made.nets.append(SchematicNet(net_name(names.get(root, "")), [*found]))
+        wired = {root: found for root, found in ends.items() if len(found) > 1 or root in names}
+        unclear = self._on_several(wired.values())
+        for root, found in wired.items():
+            if left := [end for end in found if end not in unclear]:
+                made.nets.append(SchematicNet(net_name(names.get(root, "")), left))
+
+    def _on_several(self, nets: Iterable[Iterable[End]]) -> set[End]:
+        """Connectors on more than one net, and the finding for each: several pins have their number, and which is meant is not
+        known."""
+        counts = Counter(end for net in nets for end in net)
+        found = {end for end, count in counts.items() if count > 1}
+        for part in self.parts.values():
+            numbers = [end.connector for end in sorted(found) if end.component == part.identity] if found else []
+            if numbers:
+                told = ", ".join(numbers)
+                cause = f"the number {told} of '{part.title}' stands for pins on several nets: they were left out"
+                line = part.symbol.line if part.symbol in self.root.symbols else None
+                self.report("RS208", Severity.warning, cause, line, "give each pin of the symbol a number of its own in KiCad")
+        return found
 
     def _walk(self, sheet: Sheet, file: str, path: str, names: tuple[str, ...], inside: tuple[str, ...]) -> SheetNets:
         self._sheets += 1
@@ -124,11 +141,11 @@ class Hierarchy:
         library = sheet.library.get(symbol.library)
         reference, unit = self._named(symbol, path)
         part = self._of_reference(symbol, library, reference, unit, path, names, sheet)
-        for pin in library.pins if library is not None else ():
-            if (unit and pin.unit not in (0, unit)) or pin.style not in (0, symbol.style):  # unit 0 shows all
+        for connector, pin in library.connectors(symbol.style) if library is not None else ():
+            if unit and pin.unit not in (0, unit):  # unit 0 shows all
                 continue
             node = nets.at(placed_at(symbol, pin))
-            part.nodes.append((pin.number, node))
+            part.nodes.append((connector, node))
             self.joined.find(node)
             if library is not None and pin.kind == "power_in" and (library.power or pin.hidden):
                 name = symbol.properties.get("Value", "") if library.power and sheet.by_value else pin.name
@@ -172,7 +189,7 @@ class Hierarchy:
         symbol, library = part.symbol, part.library
         family, _, name = symbol.identity.rpartition(":")
         family, name = of_library(family, name)
-        pins = {pin.number: pin.name or pin.number for pin in library.pins if pin.style in (0, symbol.style)} if library else {}
+        pins = {pin: found.name or pin for pin, found in library.connectors(symbol.style)} if library else {}
         power = library is not None and library.power
         value = symbol.properties.get("Value", "")
         kept = {key: text for key, text in symbol.properties.items() if text not in ("", "~") and key not in _OWN}

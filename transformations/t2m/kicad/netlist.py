@@ -56,7 +56,7 @@ class _Netlist:
         found: dict[str, tuple[str, dict[str, str]]] = {}
         for entry in self.listed.members(section) if section is not None else ():
             part = self.listed.parsed(entry)
-            pins = {told(pin, "num"): told(pin, "name") for pin in children(child(part, "pins") or [], "pin")}
+            pins = {_number(pin, "num", "name"): told(pin, "name") for pin in children(child(part, "pins") or [], "pin")}
             named = {number: name if name not in ("", "~") else number for number, name in pins.items()}
             aliases = [word(alias[1]) for alias in children(child(part, "aliases") or [], "alias") if len(alias) > 1]
             for name in (told(part, "part"), *aliases):
@@ -95,11 +95,12 @@ class _Netlist:
             net = self.listed.parsed(entry)
             made = SchematicNet(net_name(told(net, "name")))
             for node in children(net, "node"):
-                end = self._end(told(node, "ref"), told(node, "pin"), self.listed.line(entry.start))
+                number = _number(node, "pin", "pinfunction")
+                end = self._end(told(node, "ref"), number, self.listed.line(entry.start))
                 if end is None or taken.get(end) is made:
                     continue
                 if end in taken:
-                    cause = f"'{told(node, 'pin')}' of '{told(node, 'ref')}' is on two nets; it was left out of '{made.name}'"
+                    cause = f"'{number}' of '{told(node, 'ref')}' is on two nets; it was left out of '{made.name}'"
                     self.report(
                         "RS208", Severity.warning, cause, self.listed.line(entry.start), "export the netlist again from KiCad"
                     )
@@ -122,6 +123,12 @@ class _Netlist:
             self.report("RS208", Severity.warning, cause, line, "export the netlist again from KiCad")
             return None
         return End(part.identity, pin)
+
+
+def _number(pin: Listed, number: str, name: str) -> str:
+    """The number of a pin, or its name where nobody has given it one."""
+    found = told(pin, number)
+    return found if found not in ("", "~") else told(pin, name)
 
 
 def _identity(part: Listed) -> tuple[str, tuple[str, ...]]:

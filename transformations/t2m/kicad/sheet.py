@@ -10,8 +10,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from robosmi.transformations.t2m.drawing import free_identity
+
 MOST_SYMBOLS = 50_000
 """Symbols of a drawing; the largest public schematic has a few thousand."""
+
+_NO_NUMBER = ("", "~")
+"""Numbers of pins that have none."""
 
 LOCAL, GLOBAL, UPWARD = "local", "global", "upward"
 """Kinds of labels: of the sheet, of the whole drawing, of a pin of the sheet's symbol."""
@@ -55,6 +60,22 @@ class LibrarySymbol:
     keywords: str = ""
     pins: tuple[LibraryPin, ...] = ()
     local: bool = False
+
+    def connectors(self, style: int) -> list[tuple[str, LibraryPin]]:
+        """The pins of a body style, each with the identity of its connector: its number, which pins of several units may share.
+
+        Pins to which nobody has given a number are connectors each, called by their names, those of one name with a counter.
+        """
+        shown = [pin for pin in self.pins if pin.style in (0, style)]
+        taken = {pin.number for pin in shown}
+        found: list[tuple[str, LibraryPin]] = []
+        for pin in shown:
+            identity = pin.number
+            if identity in _NO_NUMBER:
+                identity = free_identity(pin.name or "pin", 0, taken)
+                taken.add(identity)
+            found.append((identity, pin))
+        return found
 
 
 @dataclass(frozen=True, slots=True)

@@ -145,7 +145,7 @@ class _Reading:
                 continue
             attributes = entry.get("attrs")
             listed = attributes.items() if isinstance(attributes, dict) else ()
-            made.parts.append(DiagramPart(identity, kind, {key: _text(value) for key, value in listed}, line))
+            made.parts.append(DiagramPart(identity, kind, {_text(key): _text(value) for key, value in listed}, line))
 
     def _connections(self, made: Diagram, entries: list[_Entry]) -> None:
         for number, (entry, place) in enumerate(entries, 1):
@@ -159,8 +159,8 @@ class _Reading:
                 made.left_out.append((f"entry {number} of the connections is no connection", line))
                 continue
             third = entry[2] if len(entry) > 2 else ""
-            color = third if isinstance(third, str) else ""
-            made.connections.append(Connection(number, (one, other), color, line))
+            color = _text(third) if isinstance(third, str) else ""
+            made.connections.append(Connection(number, (_text(one), _text(other)), color, line))
 
     # ---- JSON
 
@@ -245,7 +245,15 @@ class _Reading:
 
 
 def _text(value: object) -> str:
-    """A value as Wokwi takes it: a text or a number; nothing for all else."""
+    """A value as Wokwi takes it: a text or a number; nothing for all else.
+
+    Half of a character, which JSON can say (`\\ud800`) and no file can hold, becomes the character for what is not readable.
+    """
     if isinstance(value, bool):
         return str(value).lower()
-    return str(value) if isinstance(value, str | int | float) else ""
+    text = str(value) if isinstance(value, str | int | float) else ""
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        return text.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
+    return text

@@ -10,8 +10,10 @@ import pytest
 from robosmi.diagnostics import Severity
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware as hw
+from robosmi.transformations.queries.connector_names import told_name
 from robosmi.transformations.t2m.eagle import read_circuit
 from robosmi.transformations.t2m.eagle.document import MOST_PARTS, recognises
+from robosmi.transformations.t2m.eagle.library import connectors_of
 from tests.transformations.t2m.drawn import pins, said
 from tests.transformations.t2m.eagle.support import CHIP, HEADER, TWO, UNO, Pins, device, net, part, schematic
 
@@ -229,3 +231,45 @@ def test_gates_of_a_part_without_its_library_are_told_apart(tmp_path: Path) -> N
     assert {c.connectorId for c in circuit.components[1].connectors} == {"-1.1", "-2.1"}
     assert pins(path) == {"D2": "X1", "D3": "X1"}
     assert said(findings, "RS208") == []
+
+
+def _with_gates(folder: Path, library: bool) -> Path:
+    """Gates and pins with dots in their names: `A.B` has `OUT`, `B` has `A.B.OUT`, and both have others of the same names."""
+    gates = {"A": ["B.OUT", "X"], "A.B": ["OUT", "X"], "B": ["OUT", "A.B.OUT"]}
+    symbols = "".join(
+        f'<symbol name="{gate}">' + "".join(f'<pin name="{pin}" direction="io"/>' for pin in own) + "</symbol>"
+        for gate, own in gates.items()
+    )
+    listed = "".join(f'<gate name="{gate}" symbol="{gate}"/>' for gate in gates)
+    amp = (
+        f'<library name="lib-amp"><symbols>{symbols}</symbols><devicesets><deviceset name="AMP"><gates>{listed}</gates>'
+        '<devices><device name=""/></devices></deviceset></devicesets></library>'
+    )
+    nets = [
+        f'<net name="N{number}"><segment><pinref part="U1" gate="A" pin="D{number}"/>'
+        f'<pinref part="IC1" gate="{gate}" pin="{pin}"/></segment></net>'
+        for number, (gate, pin) in enumerate(((gate, pin) for gate, own in gates.items() for pin in own), 2)
+    ]
+    libraries = [device("ARDUINO_UNO", UNO), *([amp] if library else [])]
+    return schematic(folder, libraries, [part("U1", "ARDUINO_UNO"), part("IC1", "AMP")], nets)
+
+
+@pytest.mark.parametrize("library", [True, False])
+def test_pins_are_told_apart_by_gate_and_name_whatever_the_names_have_in_them(tmp_path: Path, library: bool) -> None:
+    path = _with_gates(tmp_path, library)
+    circuit, findings = read_circuit(path)
+    assert said(findings, "RS208") == []
+    assert pins(path) == {f"D{number}": "IC1" for number in range(2, 8)}
+    on = {
+        next(other.pin for other in c.net.connectors if other.pin): told_name(c)
+        for c in circuit.components[1].connectors if c.net is not None
+    }  # fmt: skip
+    assert on == {"D2": "B.OUT", "D3": "A.X", "D4": "OUT of A.B", "D5": "A.B.X", "D6": "OUT of B", "D7": "A.B.OUT"}
+
+
+def test_no_two_pins_have_one_connector() -> None:
+    names = ["", "A", "A.B", "B", "OUT", "OUT of A", "A.OUT", "A.OUT.2", "of", "."]
+    listed = [(gate, pin) for gate in names for pin in names]
+    found = connectors_of(listed)
+    assert list(found) == listed
+    assert len(set(found.values())) == len(listed)

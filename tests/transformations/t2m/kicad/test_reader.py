@@ -300,3 +300,45 @@ def test_symbols_that_kicad_has_rescued_are_what_they_were(tmp_path: Path) -> No
     circuit, _ = read_circuit(path)
     assert [(c.partId, c.role) for c in circuit.components[1:]] == [("Device:R", hw.Role.Passive), ("LED", hw.Role.Output)]
     assert pins(path) == {"D2": "D1"}
+
+
+@pytest.mark.parametrize("none", ["", "~"])
+def test_pins_to_which_nobody_gave_a_number_are_pins_each(tmp_path: Path, none: str) -> None:
+    pin = '(pin passive line (at 0 {} 0) (name "{}") (number "{}"))'
+    names = ["VCC", "TRIG", "ECHO", "GND", "GND"]
+    listed = " ".join(pin.format(-10 * n, name, none) for n, name in enumerate(names))
+    echo = f'(symbol "Own:HC-SR04" (symbol "HC-SR04_1_1" {listed}))'
+    entries = [
+        uno(), placed("Own:HC-SR04", "U1", 300, 0), wire(100, 20, 300, 10), wire(100, 30, 300, 20), wire(100, 160, 300, 40),
+    ]  # fmt: skip
+    path = schematic(tmp_path / "a.kicad_sch", *entries, library=[*LIBRARY, echo])
+    circuit, findings = read_circuit(path)
+    assert pins(path) == {"D2": "U1", "D3": "U1"}
+    nets = {c.connectorId: c.net for c in circuit.components[1].connectors}
+    assert list(nets) == ["VCC", "TRIG", "ECHO", "GND", "GND.2"]
+    assert len({id(net) for net in nets.values() if net is not None}) == 3
+    assert said(findings, "RS208") == []
+
+
+def test_a_number_of_two_pins_on_different_nets_is_on_none_and_said(tmp_path: Path) -> None:
+    one = '(pin passive line (at 0 {} 0) (name "{}") (number "1"))'
+    double = f'(symbol "Own:X" (symbol "X_1_1" {one.format(0, "A")} {one.format(-10, "B")}))'
+    entries = [uno(), placed("Own:X", "U1", 300, 0), wire(100, 20, 300, 0), wire(100, 30, 300, 10), led("D1", 100, 40)]
+    path = schematic(tmp_path / "a.kicad_sch", *entries, library=[*LIBRARY, double])
+    assert pins(path) == {"D4": "D1", "D5": "D1"}
+    assert ["1 of 'U1' stands for pins on several nets" in text for text in said(read_circuit(path)[1], "RS208")] == [True]
+
+
+def test_pins_without_a_number_in_a_netlist_are_told_apart_by_what_they_do(tmp_path: Path) -> None:
+    pair = "".join(f'(pin (num "") (name "{name}") (type "passive"))' for name in ("TRIG", "ECHO"))
+    board = "".join(f'(pin (num "{n}") (name "D{n}") (type "passive"))' for n in range(14))
+    parts = [("A1", "Arduino_UNO_R3", board), ("U1", "HC-SR04", pair)]
+    components = "".join(f'(comp (ref "{r}") (value "{n}") (libsource (lib "Own") (part "{n}")))' for r, n, _ in parts)
+    library = "".join(f'(libpart (lib "Own") (part "{n}") (pins {listed}))' for _, n, listed in parts)
+    nets = "".join(
+        f'(net (code {n}) (name "N{n}") (node (ref "A1") (pin "{n}")) (node (ref "U1") (pin "") (pinfunction "{name}")))'
+        for n, name in ((2, "TRIG"), (3, "ECHO"))
+    )
+    path = tmp_path / "a.net"
+    path.write_text(f"(export (version E) (components {components}) (libparts {library}) (nets {nets}))")
+    assert pins(path) == {"D2": "U1", "D3": "U1"}

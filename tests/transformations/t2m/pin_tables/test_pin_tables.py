@@ -10,6 +10,7 @@ import pytest
 
 from robosmi.errors import SourceError, UsageError
 from robosmi.transformations.chains.hardware import hardware
+from robosmi.transformations.m2t.pin_table import pin_table
 from tests.transformations.t2m.fritzing.support import CASES, SHARED
 
 HERE = Path(__file__).resolve().parent
@@ -126,7 +127,7 @@ def shape(found: list[dict[str, Any]]) -> list[dict[str, Any]]:
         ("a.csv", "pin,part\nD3,LED,red,bright\n", "a row has 4 cells, the head 2", 2),
         ("a.csv", 'pin,part\nD3,"LED\n', "not valid CSV", 2),
         ("a.csv", "pin,part,board\nD3,LED,uno\nD3,LED,mega\n", "the rows name 2 boards", None),
-        ("a.csv", "pin,part\n", "the table has no row", None),
+        ("a.toml", "pins = []\n", "the table has no row", None),
         ("a.csv", "# nothing\n", "there is no column 'pin'", 1),
         ("a.csv", "\n \n", "the file is empty", None),
         ("a.toml", "[[pin]\n", "not valid TOML", None),
@@ -144,6 +145,17 @@ def test_what_is_wrong_with_a_table(name: str, text: str, cause: str, line: int 
     assert caught.value.fix
     assert caught.value.location is not None
     assert (caught.value.location.path, caught.value.location.line) == (str(path), line)
+
+
+@pytest.mark.parametrize("ending", [".csv", ".toml"])
+@pytest.mark.parametrize("board", ["", "mega"])
+def test_a_table_of_a_drawing_without_a_wired_pin_is_read_again(ending: str, board: str, tmp_path: Path) -> None:
+    path = tmp_path / f"a{ending}"
+    path.write_text(pin_table([], board, path))
+    drawn = hardware(path)
+    assert [found["module_id"] for found in drawn.result["boards"]] == [board or "uno"]
+    assert drawn.result["mappings"] == []
+    assert [finding.rule for finding in drawn.findings] == ["RS212"]
 
 
 def test_a_board_that_nobody_knows_and_a_table_for_no_such_file(tmp_path: Path) -> None:

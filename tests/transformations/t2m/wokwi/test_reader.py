@@ -255,3 +255,14 @@ def test_a_wire_has_its_colour_its_ends_and_its_net(tmp_path: Path) -> None:
     )
     assert isinstance(first.net, hw.Net)
     assert len(second.ends) == 1
+
+
+def test_half_of_a_character_in_a_name_is_one_that_files_can_hold(tmp_path: Path) -> None:
+    path = tmp_path / "diagram.json"
+    path.write_text(
+        '{"editor": "wokwi", "parts": [{"type": "wokwi-arduino-uno", "id": "uno"}, {"type": "wokwi-led", "id": "\\ud800"}],'
+        ' "connections": [["uno:13", "\\ud800:A", "\\udfff", []]]}'
+    )
+    table = tmp_path / "a.csv"
+    table.write_text(hardware(path).pin_table(table), encoding="utf-8")
+    assert [(m["pin"], m["component"]) for m in hardware(table).result["mappings"]] == [("D13", "\ufffd")]
