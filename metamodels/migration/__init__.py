@@ -579,7 +579,7 @@ class PortFlow(Decision):
     bindings: MutableSequence[PortBinding] = EReference(upper=-1)
     """The ports that the text can send through it, by number."""
     calls: MutableSequence[Call] = EReference(upper=-1)
-    """The calls of platform functions that it reaches; those in bodies of macros are left out."""
+    """The calls of platform functions that it reaches; those that macros make at each place where one is used."""
     anything: bool = EAttribute(eType=EBoolean)
     """Whether a number may go through it that the text does not say, so that a person may bind any port of the source."""
 

@@ -9,8 +9,9 @@ from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, TargetF
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.renaming import RENAME
 from robosmi.transformations.m2m.widths import Widened, retype_decisions, widenings
+from robosmi.transformations.queries.expansion import macros_of
 from robosmi.transformations.queries.numbers import Machine
-from robosmi.transformations.t2m.c_source.typed import macros_of, typed_unit
+from robosmi.transformations.t2m.c_source.typed import typed_unit
 
 FIX, KEEP = "fix", "keep"
 

@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from robosmi.diagnostics import Severity
-from robosmi.metamodels import ccode
+from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.constraints.code_move import in_lines, move, moved, place, the_move, together
 from robosmi.transformations.queries.made_calls import MadeCalls
-from robosmi.transformations.queries.pin_uses import PinUse, macro_uses_of, pin_uses_of
+from robosmi.transformations.queries.pin_uses import PinUse, made_uses_of, negative_uses_of, pin_uses_of, says_its_ports
 from robosmi.transformations.queries.pointers import pointed_functions
 from robosmi.transformations.queries.register_bits import register_bits
 from robosmi.transformations.queries.waiting_calls import ports_of_runs_bound
@@ -33,8 +33,9 @@ def PortIsOfTheSource(u: ccode.SourceUnit) -> bool | Fail:
     m = the_move()
     view = m.view(u)
     count = view.api.ports
-    uses = [*pin_uses_of(view, m.views), *macro_uses_of(view), *register_bits(view, m.masks)]
+    uses = [*pin_uses_of(view, m.views), *made_uses_of(view), *register_bits(view, m.masks)]
     wrong = [use for use in uses if use.pin is not None and use.pin >= count]
+    wrong += [use for use in negative_uses_of(view) if use.function not in _signed(m.plan)]
     numbers = sorted({use.pin for use in wrong if use.pin is not None})
     shown = numbers[:_SHOWN]
     said = "; ".join(f"{number}, where functions that shift a bit by it act on port {number % count} there" for number in shown)
@@ -58,13 +59,20 @@ def PortsAreKnown(u: ccode.SourceUnit) -> bool | Fail:
     )
 
 
+def _signed(plan: migration.MigrationPlan) -> set[str]:
+    """The functions for which a negative number has a meaning of its own, and those of which nobody knows it."""
+    return {str(use.name) for use in plan.adapterUses if use.adapter is None or any(pin.signed for pin in use.adapter.pins)}
+
+
 def _unknown(u: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Located]]:
     """The calls, macros and registers of a unit that are given ports which the text does not say."""
     m = the_move()
     view = m.view(u)
     flows = [flow for flow in m.plan.portFlows if flow.anything]
-    calls = [call for flow in flows for call in flow.calls if ancestor_of_kind(call, ccode.SourceUnit) is u]
-    yield from ((f"'{call.calleeName}'", call) for call in calls)
+    for flow in flows:
+        raw = not flow.changes and not flow.bindings
+        calls = [call for call in flow.calls if ancestor_of_kind(call, ccode.SourceUnit) is u]
+        yield from ((f"'{call.calleeName}'", call) for call in calls if raw or not says_its_ports(call, view))
     used = MadeCalls(m.views).used if any(not flow.calls for flow in flows) else frozenset()
     places = {int(change.startOffset) for flow in flows if not flow.calls for change in flow.changes if change.unit is u}
     macros = [c for c in u.macros if str(c.name) in used and any(c.startOffset <= at < c.endOffset for at in places)]

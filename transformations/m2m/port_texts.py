@@ -52,14 +52,17 @@ def port_changes(
             changes: list[migration.TextChange] = []
         else:
             changes = []
+            looked: set[tuple[str, int, int]] = set()
             for argument, known in zip(each.flow.arguments, each.values, strict=True):
-                if _asks(argument, known):
+                at = (str(argument.unit.path), argument.start, argument.end)
+                if _asks(argument, known) and at not in looked:
+                    looked.add(at)  # several functions may be given the same argument of a macro
                     around = _around(argument, sources, number, arrays)
                     number += argument.parameter.number is not None
                     changes += _look_up(argument, around) if around is not None else []
                     left = [f"'{argument.function}' has to look up the numbers of its array itself"] if around is None else []
                     each.flow.kept[:0] = [text for text in left if text not in each.flow.kept]
-        if each.numbers or changes or any(argument.call is not None for argument in each.flow.arguments):
+        if each.numbers or changes or any(True for _ in each.calls):
             found.append(_flow(each, changes, numbers))
     return found
 
@@ -88,9 +91,9 @@ def _flow(
         chosenBy=migration.ChosenBy.rule,
         confidence=1.0,
         evidence=why,
-        anything=each.anything and bool(each.numbers or changes),
+        anything=each.anything and bool(each.numbers or changes or any(argument.unplaced for argument in each.flow.arguments)),
         bindings=[numbers[n] for n in each.numbers if n in numbers],
-        calls=list({id(a.call): a.call for a in each.flow.arguments if a.call is not None}.values()),
+        calls=list({id(call): call for call in each.calls}.values()),
         changes=changes,
     )
 

@@ -13,8 +13,9 @@ from typing import NamedTuple
 
 from robosmi.transformations.m2m.width_rules import Walk
 from robosmi.transformations.m2m.width_wants import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, Want
+from robosmi.transformations.queries.expansion import TextPlace
 from robosmi.transformations.queries.numbers import Number
-from robosmi.transformations.queries.typed import TextPlace, TypedExpression
+from robosmi.transformations.queries.typed import TypedExpression
 
 _LITERAL = re.compile(r"(0[xX][0-9a-fA-F]+|0[bB][01]+|\d+)([uU]?)([lL]*)")
 _COMPOUND_FORMS = frozenset(["binary", "conditional", "assign", "compound"])

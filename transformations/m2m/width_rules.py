@@ -13,8 +13,9 @@ from dataclasses import dataclass, field
 
 from robosmi.transformations.m2m.width_formats import conversions, has_format, wanted
 from robosmi.transformations.m2m.width_wants import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, Want
+from robosmi.transformations.queries.expansion import TextPlace
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number
-from robosmi.transformations.queries.typed import NumberKind, TextPlace, TypedExpression
+from robosmi.transformations.queries.typed import NumberKind, TypedExpression
 
 _ARITHMETIC = frozenset(["+", "-", "*", "/", "%", "&", "|", "^"])
 _TRUTH = Number(8, False)

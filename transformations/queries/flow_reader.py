@@ -349,7 +349,7 @@ class FlowReader:
     def reach(self, key: Hashable, pin: PinArgument) -> None:
         """A flow ends in an argument that is a pin."""
         self.flows.of(key).arguments.append(pin)
-        if not pin.translated:
+        if not pin.translated and not pin.unplaced:
             self.flows.keep(key, f"it is the end of a range in '{pin.function}'")
 
     def pins(self, name: str, view: CodeView) -> Sequence[PinParameter]:

@@ -12,8 +12,9 @@ from typing import Any
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.query import all_contents
+from robosmi.transformations.queries.constant_text import calculate
 from robosmi.transformations.queries.live_code import beginnings, identity, is_global, leads_to, what_is_defined
-from robosmi.transformations.queries.values import Values, calculate
+from robosmi.transformations.queries.values import Values
 
 Key = int | str
 State = dict[Key, int | None]

@@ -14,8 +14,9 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.model.strict import Element
 from robosmi.query import all_contents
 from robosmi.query.deep import in_thread
+from robosmi.transformations.queries.constant_text import calculate
 from robosmi.transformations.queries.main_program import main_structure
-from robosmi.transformations.queries.values import Values, calculate
+from robosmi.transformations.queries.values import Values
 from robosmi.typed import distinct
 
 TICKS_A_SECOND = "clock ticks a second"

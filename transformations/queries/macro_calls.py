@@ -1,7 +1,6 @@
 """The calls of platform functions that a program's own macros make where they are used, and the ports that they reach.
 
-The model has them as the macros expand. Where a number is known only in the body of a macro, the ports that stand in the macros
-of the place count; where those name none either, all ports that the program's text gives. Nothing is called ready that may wait.
+The model has them as the macros expand. Where a call does not say its ports itself, its flow says which may come (`CallStates`).
 """
 
 from __future__ import annotations
@@ -10,7 +9,6 @@ from functools import cached_property
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import all_of_kind, ancestor_of_kind
-from robosmi.transformations.queries.macros import Macros
 from robosmi.transformations.queries.pin_uses import pin_number
 from robosmi.transformations.queries.values import Values
 
@@ -37,33 +35,22 @@ class MacroCalls:
                     found.setdefault(str(call.calleeName), []).append(call)
         return found
 
-    @cached_property
-    def _macros(self) -> Macros:
-        return Macros(self._units)
-
     def of(self, use: migration.AdapterUse) -> list[ccode.Call]:
         """The calls of a use's function that macros make, one for each place where a macro is used."""
         return self._made.get(str(use.name), [])
 
-    def ports(self, use: migration.AdapterUse, call: ccode.Call) -> list[migration.PortBinding]:
-        """The ports that such a call may reach; none for a function that takes no port."""
+    def ports(self, use: migration.AdapterUse, call: ccode.Call) -> list[migration.PortBinding] | None:
+        """The ports that such a call reaches; None where the call alone does not say them, or is given none."""
         found: dict[int, migration.PortBinding] = {}
-        parameters = use.function.parameters if use.function is not None else ()
-        for argument, parameter in zip(call.arguments, parameters, strict=False):
-            if parameter.isPort:
-                found.update((id(b), b) for b in self._reached(argument, int(parameter.span)))
-        return list(found.values())
-
-    def _reached(self, argument: ccode.Expression, span: int) -> list[migration.PortBinding]:
-        numbers = [value.number for value in self._values_at(argument).of(argument)]
-        known = {pin_number(n) + i for n in numbers if n is not None for i in range(max(1, span))}
-        if numbers and None not in numbers:
-            return [b for b in self._bindings if b.sourcePin in known]
-        references = [argument, *all_of_kind(argument, ccode.NameReference)]
-        names = self._macros.with_bodies(str(r.name) for r in references if isinstance(r, ccode.NameReference))
-        here = {id(macro) for name in names for macro in self._macros.get(name, ())}
-        named = [b for b in self._bindings if id(b.element) in here or not names.isdisjoint([b.name, *b.names])]
-        return named or self._bindings
+        parameters = [*use.function.parameters] if use.function is not None else []
+        given = [(a, int(p.span)) for a, p in zip(call.arguments, parameters, strict=False) if p.isPort]
+        for argument, span in given:
+            numbers = [value.number for value in self._values_at(argument).of(argument)]
+            if None in numbers:
+                return None
+            known = {pin_number(n) + i for n in numbers if n is not None for i in range(max(1, span))}
+            found.update((id(b), b) for b in self._bindings if b.sourcePin in known)
+        return list(found.values()) if given else None
 
     def _values_at(self, element: ccode.Expression) -> Values:
         unit = ancestor_of_kind(element, ccode.SourceUnit)

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.macros import Macros
 from robosmi.transformations.queries.value_flows import PinArgument
@@ -32,6 +33,7 @@ class MadeCalls:
         self._calls: dict[str, list[tuple[CodeView, ccode.Call]]] = {}
         self._reached: dict[_Place, frozenset[str]] = {}
         self._unread = [str(lost.name) for view in views for lost in view.unit.unresolved]
+        self._views = {id(view.unit): view for view in views}
         for view in views:
             self._uses[view.unit.path] = sorted(((int(u.startOffset), u) for u in view.unit.macroUses), key=lambda each: each[0])
             for call in view.of_kind(ccode.Call):
@@ -43,6 +45,8 @@ class MadeCalls:
 
         A call whose use is not known counts for every macro that calls the function.
         """
+        if argument.made:
+            return [(self._views[id(ancestor_of_kind(call, ccode.SourceUnit))], call) for call in argument.made]
         names = {
             str(m.name)
             for macros in self._macros.values()

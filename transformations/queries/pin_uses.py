@@ -97,24 +97,60 @@ def pin_uses_of(view: CodeView, views: Iterable[CodeView]) -> list[PinUse]:
     return sorted(found.values(), key=lambda u: (u.line, int(u.call.startOffset)))
 
 
-def macro_uses_of(view: CodeView) -> list[PinUse]:
+def made_uses_of(view: CodeView) -> list[PinUse]:
     """The pins that calls use which macros make where they are used in a unit, in text order.
 
     Args:
         view: the unit.
     """
-    values = view.values
     found: list[PinUse] = []
-    for call in view.of_kind(ccode.Call):
-        function = view.called().get(str(call.calleeName)) if call.viaMacro else None
-        facts = view.api.pins(function.name, function.header) if function is not None and function.entry is not None else None
-        if function is not None and facts is not None:
-            for parameter in facts.parameters:
-                found += _argument_uses(function, call, parameter, values)
-    return found
+    for function in view.called().values():
+        facts = view.api.pins(function.name, function.header) if function.entry is not None else None
+        for call in function.made if facts is not None else ():
+            for parameter in facts.parameters if facts is not None else ():
+                found += _argument_uses(function, call, parameter, view.values)
+    return sorted(found, key=lambda use: int(use.call.startOffset))
+
+
+def negative_uses_of(view: CodeView) -> list[PinUse]:
+    """The calls of a unit that are given a negative number for their only pin, in text order; those of macros are among them.
+
+    A function of several pins may take one for a pin that is not used, such as the line of a serial port that nobody hears.
+
+    Args:
+        view: the unit.
+    """
+    found: list[PinUse] = []
+    for function in view.functions_of("platform", "posix"):
+        facts = view.api.pins(function.name, function.header)
+        parameters = facts.parameters if facts is not None else ()
+        for call in (*function.calls, *function.made) if len(parameters) == 1 else ():
+            uses = _all_argument_uses(function, call, parameters[0], view.values)
+            found += [use for use in uses if use.pin is not None and use.pin < 0]
+    return sorted(found, key=lambda use: int(use.call.startOffset))
+
+
+def says_its_ports(call: ccode.Call, view: CodeView) -> bool:
+    """Whether the text says which pins a call is given, wherever else its values may go.
+
+    Args:
+        call: of a function of the platform.
+        view: of its unit.
+    """
+    function = view.called().get(str(call.calleeName))
+    facts = view.api.pins(function.name, function.header) if function is not None else None
+    if function is None or facts is None:
+        return False
+    uses = [use for parameter in facts.parameters for use in _all_argument_uses(function, call, parameter, view.values)]
+    return all(use.pin is not None for use in uses)
 
 
 def _argument_uses(function: CalledFunction, call: ccode.Call, parameter: PinParameter, values: Values) -> Iterator[PinUse]:
+    """The uses of the pins that an argument of a call means; a negative number means none."""
+    return (use for use in _all_argument_uses(function, call, parameter, values) if use.pin is None or use.pin >= 0)
+
+
+def _all_argument_uses(function: CalledFunction, call: ccode.Call, parameter: PinParameter, values: Values) -> Iterator[PinUse]:
     arguments = list(call.arguments)
     if parameter.position >= len(arguments):
         return
@@ -124,8 +160,7 @@ def _argument_uses(function: CalledFunction, call: ccode.Call, parameter: PinPar
         return
     for value in pin_values(parameter, arguments, argument, values):
         pin = None if value.number is None else pin_number(value.number)
-        if pin is None or pin >= 0:
-            yield PinUse(pin, text, value.origin, function.name, parameter.direction, int(call.line), call, argument)
+        yield PinUse(pin, text, value.origin, function.name, parameter.direction, int(call.line), call, argument)
 
 
 def pin_values(

@@ -14,6 +14,7 @@ from collections.abc import Mapping, Sequence
 
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.flow_reader import FlowReader
+from robosmi.transformations.queries.made_pins import follow_made
 from robosmi.transformations.queries.port_macros import follow_macros
 from robosmi.transformations.queries.value_flows import Flow
 from robosmi.transformations.queries.value_uses import ValueUses
@@ -33,6 +34,7 @@ def port_flows(views: Sequence[CodeView], sources: Mapping[str, bytes]) -> list[
     for view in views:
         uses.follow(view)
     follow_macros(reader)
+    follow_made(reader)
     found = [flow for flow in reader.flows.all() if flow.arguments]
     count = next((view.api.ports for view in views), 0)
     for flow in found:

@@ -7,21 +7,23 @@ that keeps its numbers.
 from __future__ import annotations
 
 import re
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token
 from robosmi.transformations.queries.argument_places import TokenText, bare
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.constant_text import c_integer
+from robosmi.transformations.queries.expansion import REST
 from robosmi.transformations.queries.flow_reader import FlowReader
 from robosmi.transformations.queries.pin_uses import pin_number
 from robosmi.transformations.queries.value_flows import PinArgument
-from robosmi.transformations.queries.values import c_integer
 
 _INTEGER = re.compile(r"(0[xX][0-9a-fA-F]+|0[bB][01]+|[0-9]+)[uUlL]*\Z")
 _NAME = re.compile(r"[A-Za-z_]\w*")
 _ASKS_ONLY = re.compile(r"\s*(defined\b|!\s*defined\b)")
-_PUNCTUATION = frozenset("(){}[];,")
+MOST_FOR_DOTS = 16
+"""How many arguments for the `...` of a macro are followed each by itself."""
 
 
 def follow_macros(reader: FlowReader) -> None:
@@ -71,13 +73,22 @@ def _plain_arguments(reader: FlowReader, view: CodeView, use: ccode.MacroUse) ->
         tokens = bare(argument)
         known = argument and (view.unit.path, argument[0][1], argument[-1][2]) in reader.followed
         if not known and tokens:
-            _argument(reader, view.unit, argument, ("macro parameter", str(macro.name), i), [])
+            follow_argument(reader, view.unit, argument, ("macro parameter", str(macro.name), i), [])
 
 
-def _argument(
+def follow_argument(
     reader: FlowReader, unit: ccode.SourceUnit, argument: Sequence[Token], taker: Hashable, own: Sequence[str], macro: str = ""
 ) -> None:
-    """What is passed, as tokens, to something."""
+    """Follow what is passed, as tokens, to something.
+
+    Args:
+        reader: the program's flows.
+        unit: where the tokens are.
+        argument: the tokens.
+        taker: the key of what it is passed to.
+        own: parameters of the macro in whose body they stand, `__VA_ARGS__` last where it has it.
+        macro: the name of that macro; empty in the program's text.
+    """
     tokens = bare(argument)
     if len(tokens) == 1 and tokens[0][0] == "number" and (number := _INTEGER.match(tokens[0][3])):
         place = ("place", unit.path, tokens[0][1])
@@ -108,6 +119,11 @@ def _element(reader: FlowReader, unit: ccode.SourceUnit, token: Token) -> ccode.
     return unit.macroUses[0]
 
 
+def body_names(macro: ccode.Macro) -> list[str]:
+    """The names by which the body of a macro has its arguments; the one of `...` stands for all that come there."""
+    return [str(p).removesuffix("...").strip() or REST for p in macro.parameters]
+
+
 def keys_of(reader: FlowReader, name: str, own: Sequence[str], macro: str) -> list[Hashable]:
     """What a name in the body of a macro means: a parameter of the macro, another macro, anything declared."""
     return [("macro parameter", macro, list(own).index(name))] if name in own else reader.named(name)
@@ -126,7 +142,8 @@ class _MacroBody:
         self.reader, self.view, self.macro, self.name = reader, view, macro, str(macro.name)
         start = int(macro.startOffset) + 1
         self.text = TokenText(reader.sources[view.unit.path][start : int(macro.endOffset)], start)
-        self.own = [str(p) for p in macro.parameters]
+        self.own = body_names(macro)
+        self.rest = self.own[-1] if self.own and str(macro.parameters[-1]).endswith("...") else ""
         self.begin = self._begin()
         self.done: set[int] = set()
 
@@ -154,7 +171,8 @@ class _MacroBody:
                     value = pin_number(c_integer(number[1]))
                     self.reader.put(key, self.view.unit, token[1], token[2], value, self.macro, self.name)
         for index in range(self.begin, len(self.text.tokens)):
-            if self.text.tokens[index][0] == "name" and (arguments := self.text.arguments(index)) is not None:
+            pasted = self.text.tokens[index - 1][3] == "##"  # its name is another one
+            if self.text.tokens[index][0] == "name" and not pasted and (arguments := self.text.arguments(index)) is not None:
                 self._call(self.text.tokens[index][3], arguments)
         for index in range(self.begin, len(self.text.tokens)):
             token = self.text.tokens[index]
@@ -181,19 +199,38 @@ class _MacroBody:
         other = reader.macros.get(name)
         function = reader.functions.get(name)
         if other is not None and other.functionLike:
-            takers = {i: ("macro parameter", name, i) for i in range(len(arguments))}
+            takers = {i: ("macro parameter", name, i) for i in range(max(len(arguments), MOST_FOR_DOTS))}
         elif function is not None:
             takers = {i: reader.key(p) for i, p in enumerate(function.parameters)}
         else:
+            listed = next((i for i, a in enumerate(arguments) if self._is_rest(a)), len(arguments))
             for parameter in reader.pins(name, self.view):
-                if parameter.position < len(arguments) and arguments[parameter.position]:
+                if parameter.position < min(listed, len(arguments)) and arguments[parameter.position]:
                     first, last = arguments[parameter.position][0], arguments[parameter.position][-1]
                     key: Hashable = ("pin", self.view.unit.path, first[1])
                     takers[parameter.position] = key
                     reader.reach(key, PinArgument(self.view.unit, first[1], last[2], name, parameter))
-        for position, taker in takers.items():
-            if position < len(arguments):
-                tokens = bare(arguments[position])
+                elif listed < len(arguments):  # its place is found where the macro is used (`made_pins`)
+                    takers[parameter.position] = ("pin for dots", self.name, listed, name, parameter.position)
+        for position, argument in enumerate(arguments):
+            if self._is_rest(argument):
+                self._pass_on(position, takers, name)
+                self.done.add(argument[-1][1])
+            elif position in takers:
+                tokens = bare(argument)
                 if len(tokens) == 1:
                     self.done.add(tokens[0][1])
-                _argument(reader, self.view.unit, arguments[position], taker, self.own, self.name)
+                follow_argument(reader, self.view.unit, argument, takers[position], self.own, self.name)
+
+    def _is_rest(self, argument: Sequence[Token]) -> bool:
+        """Whether an argument is all those for `...`, of which there may be any number."""
+        return bool(self.rest) and [token[3] for token in argument if token[3] != "##"] == [self.rest]
+
+    def _pass_on(self, position: int, takers: Mapping[int, Hashable], name: str) -> None:
+        """What is given for `...` goes to what stands at its place and behind it."""
+        for behind in range(MOST_FOR_DOTS):
+            given = ("macro parameter", self.name, len(self.own) - 1 + behind)
+            if position + behind in takers:
+                self.reader.flows.join(takers[position + behind], given)
+            else:
+                self.reader.flows.keep(given, f"it goes to '{name}' in the macro '{self.name}'")

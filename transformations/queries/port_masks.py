@@ -14,9 +14,10 @@ from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.constant_text import calculate
 from robosmi.transformations.queries.given_values import GivenValues
 from robosmi.transformations.queries.reached_values import ReachedValues
-from robosmi.transformations.queries.values import LIMIT, Value, Values, calculate
+from robosmi.transformations.queries.values import LIMIT, Value, Values
 
 WORD = 32
 """Bits of a register."""

@@ -73,6 +73,12 @@ class FlowPorts:
     made: Mapping[int, Sequence[tuple[ccode.Call, Collection[int | None]]]] = field(default_factory=dict)
 
     @property
+    def calls(self) -> Iterator[ccode.Call]:
+        """The calls that it reaches, those that macros make behind the others."""
+        yield from (argument.call for argument in self.flow.arguments if argument.call is not None)
+        yield from (call for calls in self.made.values() for call, _ in calls)
+
+    @property
     def moved(self) -> bool:
         """Whether its numbers can be changed to pins of the target where they stand."""
         return not self.flow.kept and not self.flow.computed
@@ -141,7 +147,9 @@ def _flow_ports(
     unknown = False
     for position, argument in enumerate(flow.arguments):
         known: list[Value] = []
-        if argument.call is not None:
+        if argument.unplaced:
+            unknown = True
+        elif argument.call is not None:
             known = pin_values(argument.parameter, list(argument.call.arguments), argument.argument, values[argument.unit.path])
             unknown |= any(value.number is None for value in known)
         else:
@@ -191,8 +199,7 @@ def _where(each: FlowPorts, number: int) -> ccode.Located:
     holders: list[ccode.Located] = [place.element for place in each.flow.places if place.value == number]
     made = [(call, numbers) for calls in each.made.values() for call, numbers in calls]
     reached: list[ccode.Located] = [call for call, numbers in made if number in numbers]
-    calls: list[ccode.Located] = [*(a.call for a in each.flow.arguments if a.call is not None), *(call for call, _ in made)]
-    return (holders or reached or calls or [place.element for place in each.flow.places])[0]
+    return (holders or reached or list[ccode.Located](each.calls) or [place.element for place in each.flow.places])[0]
 
 
 def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> None:

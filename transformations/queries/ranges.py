@@ -12,8 +12,9 @@ from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
+from robosmi.transformations.queries.constant_text import calculate
 from robosmi.transformations.queries.numbers import COMPARISONS, Numbers
-from robosmi.transformations.queries.values import Values, calculate, passed_arguments
+from robosmi.transformations.queries.values import Values, passed_arguments
 
 DEEP = 40
 """How many names and operators lie between an expression and the values that it stands for, at most."""

@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from robosmi.transformations.queries.expansion import TextPlace
 from robosmi.transformations.queries.numbers import Number
 
 DEEP = 6000
@@ -27,21 +28,6 @@ def deep_calls() -> Iterator[None]:
         yield
     finally:
         sys.setrecursionlimit(limit)
-
-
-class TextPlace(NamedTuple):
-    """A range of a unit's text.
-
-    Attributes:
-        unit: path of the unit.
-        start, end: byte offsets.
-        body: it lies in the body of a macro, so that each use of the macro has it.
-    """
-
-    unit: str
-    start: int
-    end: int
-    body: bool = False
 
 
 class NumberKind(NamedTuple):

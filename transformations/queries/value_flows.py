@@ -45,6 +45,8 @@ class PinArgument(NamedTuple):
         parameter: what is known of the parameter.
         call: the call, None in the body of a macro.
         argument: the argument, None in the body of a macro.
+        made: the calls that macros make with what stands there, where that is known.
+        unplaced: no text of its own says what the argument is, so that nothing can look it up.
     """
 
     unit: ccode.SourceUnit
@@ -54,11 +56,13 @@ class PinArgument(NamedTuple):
     parameter: PinParameter
     call: ccode.Call | None = None
     argument: ccode.Expression | None = None
+    made: tuple[ccode.Call, ...] = ()
+    unplaced: bool = False
 
     @property
     def translated(self) -> bool:
         """Whether an adapter takes a pin of the target here: the ends of a range stay numbers of the source."""
-        return self.parameter.range_with is None and self.parameter.span == 1
+        return self.parameter.range_with is None and self.parameter.span == 1 and not self.unplaced
 
 
 @dataclass

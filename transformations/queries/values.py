@@ -6,23 +6,21 @@ through a parameter is looked up at the callers. What the text does not decide i
 
 from __future__ import annotations
 
-import ast
 import re
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable
 from typing import Any, NamedTuple, TypeVar
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.bounded_walk import BoundedWalk
+from robosmi.transformations.queries.constant_text import calculate, macro_number
+from robosmi.transformations.queries.expansion import MacroTexts
 from robosmi.transformations.queries.own_headers import included
 
 D = TypeVar("D", bound=Element)
 LIMIT = 64
-_NUMBER = re.compile(r"\b(0[xX][0-9a-fA-F]+|0[bB][01]+|0[0-7]*|[1-9][0-9]*)[uUlL]*\b")
-_CAST = re.compile(r"\(\s*(?:(?:unsigned|signed|const|char|short|int|long|u?int(?:8|16|32)_t)\s*)+\)")
 _SIZE = re.compile(r"\[\s*(\d+)\s*\]")
-_MOST_BITS = 128
 
 
 class Value(NamedTuple):
@@ -47,6 +45,7 @@ class Values:
         self.macros = {str(m.name): m for u in program.units for m in u.macros} | {str(m.name): m for m in unit.macros}
         self._own_macros = {str(m.name) for u in (unit, *included(unit)) for m in u.macros}
         """Those of the unit and of the headers it includes, which the parser may take for names of others."""
+        self._texts = MacroTexts(self.macros)
         self.names: dict[str, ccode.Declaration] = {}
         for declaration in (d for u in program.units for d in u.declarations):
             self.names.setdefault(str(declaration.name), declaration)
@@ -177,61 +176,22 @@ class Values:
         return [value for argument in arguments for value in self.of(argument)] or [RUNTIME]
 
     def _macro(self, name: str) -> list[Value]:
-        return self._guarded(self.macros[name], "macro", lambda m: self._macro_value(str(m.body or "")))
+        return self._guarded(self.macros[name], "macro", self._macro_value)
 
     def _macro_itself(self, macro: ccode.Macro) -> list[Value]:
-        return [RUNTIME] if macro.functionLike else self._guarded(macro, "macro", lambda m: self._macro_value(str(m.body or "")))
+        return [RUNTIME] if macro.functionLike else self._guarded(macro, "macro", self._macro_value)
 
-    def _macro_value(self, body: str) -> list[Value]:
-        number = self._computed(body, {})
+    def _macro_value(self, macro: ccode.Macro) -> list[Value]:
+        number = macro_number(str(macro.name), self._texts, self._by_name)
         return [RUNTIME if number is None else Value(number, "constant")]
 
-    def _computed(self, body: str, given: Mapping[str, int]) -> int | None:
-        """The value of a macro's body, with those of its parameters."""
-        text = _NUMBER.sub(lambda m: str(c_integer(m[1])), _CAST.sub(" ", body))
-        try:
-            return self._evaluate(ast.parse(text.strip(), mode="eval").body, given)
-        except (SyntaxError, ValueError, RecursionError):
-            return None
-
-    def _evaluate(self, node: ast.expr, given: Mapping[str, int]) -> int | None:
-        if isinstance(node, ast.Constant):
-            return node.value if isinstance(node.value, int) else None
-        if isinstance(node, ast.UnaryOp):
-            value = self._evaluate(node.operand, given)
-            sign = {ast.USub: -1, ast.UAdd: 1}.get(type(node.op))
-            return None if value is None or sign is None else sign * value
-        if isinstance(node, ast.BinOp):
-            left, right = self._evaluate(node.left, given), self._evaluate(node.right, given)
-            operator = _PYTHON.get(type(node.op))
-            return None if left is None or right is None or operator is None else calculate(operator, left, right)
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and not node.keywords:
-            return self._function_macro(node.func.id, [self._evaluate(argument, given) for argument in node.args])
-        if isinstance(node, ast.Name) and node.id in given:
-            return given[node.id]
-        if isinstance(node, ast.Name):
-            values = self._by_name(node.id)
-            return values[0].number if len(values) == 1 else None
-        return None
-
-    def _function_macro(self, name: str, arguments: list[int | None]) -> int | None:
-        """The value of a macro with parameters, such as `BIT(20)`."""
-        macro = self.macros.get(name)
-        parameters = list(macro.parameters) if macro is not None and macro.functionLike else None
-        known = [argument for argument in arguments if argument is not None]
-        if macro is None or parameters is None or len(known) != len(arguments) or len(known) != len(parameters):
-            return None
-        given = dict(zip((str(each) for each in parameters), known, strict=True))
-        made = self._guarded(macro, "macro", lambda m: [Value(self._computed(str(m.body or ""), given), "constant")], *known)
-        return made[0].number
-
-    def _by_name(self, name: str) -> list[Value]:
-        if name in self.macros:
-            return self._macro(name)
+    def _by_name(self, name: str) -> int | None:
+        """The value of a name in what a macro stands for."""
         declaration = self.names.get(name)
         if isinstance(declaration, ccode.EnumerationLiteral):
-            return [Value(int(declaration.value), "constant")]
-        return self._guarded(declaration, "variable", self._variable) if isinstance(declaration, ccode.Variable) else [RUNTIME]
+            return int(declaration.value)
+        values = self._guarded(declaration, "variable", self._variable) if isinstance(declaration, ccode.Variable) else []
+        return values[0].number if len(values) == 1 else None
 
     def _index(self, index: ccode.Index) -> list[Value]:
         elements = self.elements(index.array)
@@ -291,49 +251,6 @@ _METHODS: dict[str, Callable[[Values, Any], list[Value]]] = {
     "Macro": Values._macro_itself,
 }
 _CHANGES: dict[str, Callable[[int], int]] = {"-": lambda v: -v, "+": lambda v: v, "~": lambda v: ~v, "!": lambda v: int(not v)}
-_PYTHON: dict[type, str] = {
-    ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Mod: "%",
-    ast.LShift: "<<", ast.RShift: ">>", ast.BitAnd: "&", ast.BitOr: "|", ast.BitXor: "^",
-}  # fmt: skip
-
-
-def calculate(operator: str, a: int, b: int) -> int | None:
-    """A binary operator of C on two integers; None where it has no value, or one that no type of C holds by far."""
-    if max(a.bit_length(), b.bit_length()) > _MOST_BITS:
-        return None
-    if operator in ("/", "%"):
-        if b == 0:
-            return None
-        quotient = abs(a) // abs(b) * (1 if (a < 0) == (b < 0) else -1)
-        return quotient if operator == "/" else a - b * quotient
-    if operator in ("<<", ">>"):
-        return None if not 0 <= b < 64 else a << b if operator == "<<" else a >> b
-    operation = _OPERATIONS.get(operator)
-    return None if operation is None else int(operation(a, b))
-
-
-_OPERATIONS: dict[str, Callable[[int, int], int]] = {
-    "+": lambda a, b: a + b,
-    "-": lambda a, b: a - b,
-    "*": lambda a, b: a * b,
-    "&": lambda a, b: a & b,
-    "|": lambda a, b: a | b,
-    "^": lambda a, b: a ^ b,
-    "<": lambda a, b: a < b,
-    ">": lambda a, b: a > b,
-    "<=": lambda a, b: a <= b,
-    ">=": lambda a, b: a >= b,
-    "==": lambda a, b: a == b,
-    "!=": lambda a, b: a != b,
-}
-
-
-def c_integer(text: str) -> int:
-    """The value of an integer literal of C without its suffix."""
-    lower = text.lower()
-    if lower.startswith(("0x", "0b")):
-        return int(lower[2:], 16 if lower[1] == "x" else 2)
-    return int(lower, 8 if lower.startswith("0") and len(lower) > 1 else 10)
 
 
 def _distinct(values: list[Value]) -> list[Value]:

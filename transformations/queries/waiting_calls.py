@@ -61,9 +61,12 @@ class CallStates:
         self._of_macros = MacroCalls(plan)
         self._nowhere = {id(e) for finding in plan.findings if finding.rule == NO_PORT for e in finding.elements}
         flows = [f for f in plan.portFlows if f.bindings]
+        unknown = [f for f in plan.portFlows if f.anything and not f.bindings]
+        self._unseen = {id(c) for f in unknown if not f.changes for c in f.calls}
+        """Calls that look up no port and whose text says none."""
         self._waiting = {id(c) for f in flows if any(b.open for b in f.bindings) for c in f.calls}
         if not ports_of_runs_bound(plan):
-            self._waiting |= {id(c) for f in plan.portFlows if f.anything and not f.bindings for c in f.calls}
+            self._waiting |= {id(c) for f in unknown for c in f.calls}
         self._unwired = {id(c) for f in flows if all(_left_out(b) for b in f.bindings) for c in f.calls}
 
     def of(self, use: migration.AdapterUse, call: ccode.Call) -> str:
@@ -72,15 +75,12 @@ class CallStates:
             return NO_SUPPORT
         if use.status is migration.AdapterStatus.todo:
             return TO_WRITE
-        ports = self._of_macros.ports(use, call) if call.viaMacro else []
-        if (
-            id(call) in self._waiting
-            or id(call) in self._nowhere
-            or any(b.open for b in ports)
-            or open_conventions(self.plan, use)
-        ):
+        ports = self._of_macros.ports(use, call) if call.viaMacro else None
+        waits = id(call) in self._waiting if ports is None else any(b.open for b in ports)
+        if waits or id(call) in self._nowhere or id(call) in self._unseen or open_conventions(self.plan, use):
             return WAITS
-        if unwired_needs(self.plan, use)[1] or id(call) in self._unwired or (ports and all(_left_out(port) for port in ports)):
+        unwired = id(call) in self._unwired if ports is None else bool(ports) and all(_left_out(port) for port in ports)
+        if unwired_needs(self.plan, use)[1] or unwired:
             return NOT_WIRED_CALL
         return WITH_CARE if limits(use) else WORKS
 

@@ -7,9 +7,11 @@ from typing import Any
 
 import pytest
 
+from robosmi.metamodels import ccode
 from robosmi.transformations.chains.analyse import analyse
 from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.m2t.first_screen import works
+from robosmi.transformations.queries.expansion import MacroTexts
 from robosmi.transformations.queries.plan import call_sites, plan_json
 from robosmi.transformations.queries.waiting_calls import CallStates
 from robosmi.transformations.queries.work import Work
@@ -100,3 +102,46 @@ def test_functions_that_need_encoders_are_not_ready_without_them(encoders: tuple
     plan = plan_migration([DRIVE.with_name("goto.c")], bind={f"abdrive.{name}": pin for name, pin in bound.items()}).plan
     assert CallStates(plan).counts()["not_wired"] == not_wired
     assert len([f for f in plan.findings if f.rule == "RS730"]) == warned
+
+
+def test_arguments_for_dots_and_of_pasted_functions_are_moved_like_others() -> None:
+    plan = plan_migration([PROGRAM.with_name("variadic.c")]).plan
+    assert {b.sourcePin for b in plan.portBindings} == {4, 6, 7, 8, 9, 10, 11}
+    text = PROGRAM.with_name("variadic.c").read_bytes()
+    moved = [text[c.startOffset : c.endOffset] for b in plan.portBindings for c in b.changes]
+    assert {b"7", b"8", b"9", b"10"} <= set(moved)
+    asked = [(text[c.startOffset : c.startOffset + 5], c.replacement) for flow in plan.portFlows for c in flow.changes]
+    assert {(b"i + 1", "port("), (b"11, 1", "port(")} <= set(asked)
+    assert (b"6, 1)", "port(") in asked  # in the body of SOMETIMES
+    assert not any(f.rule == "RS327" for f in plan.findings)
+    pasted = plan_migration([PROGRAM.with_name("pasted.c")]).plan
+    assert [(b.name, b.sourcePin) for b in pasted.portBindings if b.sourcePin == 12] == [("PIN", 12)]
+    assert {b.sourcePin for b in pasted.portBindings} == {10, 12, 13, 14, 15}
+    assert {c.replacement[:3] for b in pasted.portBindings if b.sourcePin in (10, 13, 14) for c in b.changes} == {"255"}
+
+
+def test_calls_in_macros_with_what_is_no_port_are_not_ready() -> None:
+    plan = plan_migration([PROGRAM.with_name("no_port.c")]).plan
+    counts = CallStates(plan).counts()
+    assert (counts["total"], counts["waits_for_port"]) == (5, 5)
+    assert {"RS326", "RS327"} <= {f.rule for f in plan.findings}
+    assert any("-6, " in f.message and "-5, " in f.message for f in plan.findings if f.rule == "RS326")
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("CAT(1, 2)", "12"),
+        ("CAT(, x) + CAT(y, )", "x + y"),
+        ("SHOW(a)", "print ( f , a )"),
+        ("SHOW()", "print ( f )"),
+        ("GNU(1, 2)", "low ( 1 , 2 )"),
+    ],
+)
+def test_macros_stand_for_what_the_preprocessor_makes(text: str, meant: str) -> None:
+    macros = {
+        "CAT": ccode.Macro(name="CAT", functionLike=True, parameters=["a", "b"], body="a##b"),
+        "SHOW": ccode.Macro(name="SHOW", functionLike=True, parameters=["..."], body="print(f, ##__VA_ARGS__)"),
+        "GNU": ccode.Macro(name="GNU", functionLike=True, parameters=["args..."], body="low(args)"),
+    }
+    assert (MacroTexts(macros).expanded(text) or "").split() == meant.split()

@@ -64,6 +64,7 @@ class UnitContext:
         covered: offsets of callee names that have a call or a macro use in the model.
         declarators: offsets of names that a declaration declares (they look like calls).
         user_macros: names of macros that the file defines.
+        making: where the macro is used that makes the call whose arguments are built; None outside of such arguments.
     """
 
     def __init__(self, parsed: Parsed, api: ApiIndex, builders: Builders, include_dirs: Sequence[str] = ()) -> None:
@@ -90,6 +91,7 @@ class UnitContext:
         self._own_in_headers: dict[str, bool] = {}
         self.findings: list[Finding] = []
         self.depth = 0
+        self.making: int | None = None
         self._expansion_starts: list[int] = []
         self._expansions: list[Expansion] = []
         for expansion in sorted(parsed.expansions, key=lambda e: (e.start, -e.end)):

@@ -99,7 +99,9 @@ def call(context: UnitContext, node: Node, children: Sequence[Node]) -> ccode.Ex
     callee = children[0] if children else None
     while callee is not None and callee.kind in (UNEXPOSED, PAREN) and len(callee.children) == 1:
         callee = callee.children[0]
+    around, context.making = context.making, node.start if node.from_macro else context.making
     arguments = [expression(context, c) for c in children[1:]]
+    context.making = around
     place, written, via_macro = macros.call_place(context, node)
     if callee is None or callee.kind == UNEXPOSED or (callee.kind == DECL_REF and _is_function(context, callee)):
         name = written or (

@@ -1,8 +1,8 @@
 """Macros: the preprocessor's elements of a unit, and expressions that come out of a macro's expansion.
 
-An expression out of an object-like macro is a reference to its name; one out of a function-like macro of a header is a
-call by that name with the arguments as written; the body of the program's own function-like macros, also of those in
-headers of its own, is built as it expands, and its calls are marked `viaMacro`.
+An expression out of an object-like macro is a reference to its name, but not where the macro makes a call around it; one out of a
+function-like macro of a header is a call by that name with the arguments as written; the body of the program's own function-like
+macros, also of those in headers of its own, is built as it expands, and its calls are marked `viaMacro`.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def from_macro(context: UnitContext, node: Node, build: Build) -> ccode.Expressi
     own = context.is_own(expansion)
     if context.function_like(expansion):
         return None if own else macro_call(context, node, expansion, build)
-    if own and _has_call(node):
+    if own and (_has_call(node) or context.making == node.start):
         return None
     element = ccode.NameReference(name=expansion.name, **context.source.place(expansion.start, expansion.end))
     if expansion.name not in context.user_macros:

@@ -56,20 +56,21 @@ class WaitingContext(UnitContext):
             use = self.enclosing(node.start)
             if use is None or self.function_like(use):
                 return None
-        depth = self.depth
+        around = self.depth, self.making
         made: R = stand_in(
-            kind, lambda: self._build(lambda: build(self, *arguments, **named), depth), node if isinstance(node, Node) else None
+            kind, lambda: self._build(lambda: build(self, *arguments, **named), around), node if isinstance(node, Node) else None
         )
         return made
 
-    def _build(self, build: Callable[[], R], depth: int) -> R:
+    def _build(self, build: Callable[[], R], around: tuple[int, int | None]) -> R:
         if not self.parsed.unit:
             raise ModelError("the program was closed before this part of it was read", fix="close it later")
-        before, self.depth, self._now = self.depth, depth, True
+        before = self.depth, self.making
+        (self.depth, self.making), self._now = around, True
         try:
             made = build()
         finally:
-            self.depth, self._now = before, False
+            (self.depth, self.making), self._now = before, False
         while (make := made.__dict__.get("_make")) is not None:
             made = make()
         return self._unit.settled(made)

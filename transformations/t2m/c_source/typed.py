@@ -11,11 +11,11 @@ from collections.abc import Collection, Mapping, Sequence
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.queries.expansion import Definition, Expanded, expanded_unit
 from robosmi.transformations.queries.numbers import Machine, Number
 from robosmi.transformations.queries.typed import NumberKind, TypedExpression, deep_calls
 from robosmi.transformations.t2m.c_source import clang, cursor_kinds, type_kinds
 from robosmi.transformations.t2m.c_source.clang import Cursor
-from robosmi.transformations.t2m.c_source.expansion import Definition, Expanded, definition
 from robosmi.transformations.t2m.c_source.expressions import BINARY_OPERATORS, UNARY_OPERATORS
 from robosmi.transformations.t2m.c_source.invocation import VIRTUAL
 from robosmi.transformations.t2m.c_source.literals import integer_value
@@ -79,22 +79,6 @@ _LITERAL, _PARAMETER, _FUNCTION = cursor_kinds.ENUM_CONSTANT_DECL, cursor_kinds.
 MOST_DEPTH = MAX_TREE_DEPTH
 
 
-def macros_of(units: Sequence[ccode.SourceUnit], copies: Mapping[str, bytes]) -> dict[str, list[Definition]]:
-    """The macros of a program by name, in the order of its units and lines.
-
-    Args:
-        units: of the program.
-        copies: path of a unit -> its bytes.
-    """
-    found: dict[str, list[Definition]] = {}
-    for unit in units:
-        for macro in unit.macros:
-            made = definition(unit.path, copies[unit.path], macro.startOffset, macro.endOffset)
-            if made is not None:
-                found.setdefault(made.name, []).append(made)
-    return found
-
-
 def typed_unit(
     unit: ccode.SourceUnit,
     path: str,
@@ -120,9 +104,7 @@ def typed_unit(
         platform: names of functions that adapters replace.
         wider: names of standard types that are written as wider ones.
     """
-    uses = {int(u.startOffset) for u in unit.macroUses if u.name in macros}
-    plain = data if data.isascii() else bytes(b if b < 128 else 63 for b in data)
-    expanded = Expanded(unit.path, plain, tokens(plain), uses, macros)
+    expanded = expanded_unit(unit, data, macros)
     source = ReadSource(path, expanded.data, expanded.data, "UTF-8", "", len(expanded.data))
     source._lines = [0]
     source.tokens = tokens(expanded.data)

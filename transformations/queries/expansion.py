@@ -7,18 +7,37 @@ in the macro's body, or in the argument. Macros of headers that are not the prog
 
 from __future__ import annotations
 
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, tokens
-from robosmi.transformations.queries.typed import TextPlace
 
 MOST_TOKENS = 400_000
 """Tokens of an expanded text; what would become longer is left as it is."""
+REST = "__VA_ARGS__"
+"""What stands for the arguments that a macro with `...` is given besides the named ones."""
+MOST_TOKENS_OF_A_NUMBER = 2_000
+"""Tokens of a short text, such as what a macro gives for a number."""
 DEEPEST = 100
 """Macros within macros; a use that needs more is left as it is."""
+
+
+class TextPlace(NamedTuple):
+    """A range of a unit's text.
+
+    Attributes:
+        unit: path of the unit.
+        start, end: byte offsets.
+        body: it lies in the body of a macro, so that each use of the macro has it.
+    """
+
+    unit: str
+    start: int
+    end: int
+    body: bool = False
 
 
 class Frame(NamedTuple):
@@ -77,11 +96,60 @@ def definition(unit: str, data: bytes, start: int, end: int) -> Definition | Non
         if close is None:
             return None
         parameters = [t[3] for t in rest[1:close] if t[0] == "name"]
-        if any(t[3] == "..." for t in rest[1:close]):
-            variadic = True
-            parameters.append("__VA_ARGS__")
+        texts = [t[3] for t in rest[1:close]]
+        variadic = texts[-1:] == ["..."]
+        if variadic and texts[-2:-1] in ([], [","]):  # else its last name is the one of GNU's `args...`
+            parameters.append(REST)
         rest = rest[close + 1 :]
     return Definition(name[3], parameters, rest, unit, name[1], variadic)
+
+
+def macros_of(units: Sequence[ccode.SourceUnit], copies: Mapping[str, bytes]) -> dict[str, list[Definition]]:
+    """The macros of a program by name, in the order of its units and lines.
+
+    Args:
+        units: of the program.
+        copies: path of a unit -> its bytes.
+    """
+    found: dict[str, list[Definition]] = {}
+    for unit in units:
+        for macro in unit.macros:
+            made = definition(unit.path, copies[unit.path], macro.startOffset, macro.endOffset)
+            if made is not None:
+                found.setdefault(made.name, []).append(made)
+    return found
+
+
+class MacroTexts:
+    """What pieces of a text stand for, by the macros of a program.
+
+    Args:
+        macros: of the program, by name.
+    """
+
+    def __init__(self, macros: Mapping[str, ccode.Macro]) -> None:
+        self._macros = macros
+        self._known: dict[str, list[Definition]] = {}
+
+    def expanded(self, text: str) -> str | None:
+        """A text with all macros in it expanded; None where that is too much."""
+        data = text.encode("latin-1", "replace")
+        found = list(tokens(data))
+        pending = [word for kind, _, _, word in found if kind == "name"]
+        while pending:
+            name = pending.pop()
+            if name in self._macros and name not in self._known:
+                self._known[name] = [made] if (made := _definition_of(self._macros[name])) is not None else []
+                pending += [word for each in self._known[name] for kind, _, _, word in each.body if kind == "name"]
+        starts = (start for kind, start, _, word in found if kind == "name" and word in self._macros)
+        whole = Expanded("", data, found, starts, self._known, MOST_TOKENS_OF_A_NUMBER)
+        return whole.data.decode("latin-1").strip() if whole.whole else None
+
+
+def _definition_of(macro: ccode.Macro) -> Definition | None:
+    parameters = f"({', '.join(macro.parameters)})" if macro.functionLike else ""
+    data = f"#define {macro.name}{parameters} {macro.body or ''}".encode("latin-1", "replace")
+    return definition("macros", data, 0, len(data))
 
 
 class Expanded:
@@ -90,18 +158,21 @@ class Expanded:
     Attributes:
         data: the text.
         changed: whether it is another than the file's.
+        whole: whether no use had to stay because it stands for too much.
     """
 
     def __init__(
-        self, unit: str, data: bytes, found: Sequence[Token], uses: Iterable[int], macros: Mapping[str, list[Definition]]
-    ):
+        self, unit: str, data: bytes, found: Sequence[Token], uses: Iterable[int], macros: Mapping[str, list[Definition]],
+        most: int = MOST_TOKENS,
+    ):  # fmt: skip
         self.unit = unit
         self._macros = macros
-        self._left = MOST_TOKENS
+        self._left = most
         self._starts: list[int] = []
         self._ends: list[int] = []
         self._paths: list[Path] = []
         self.changed = False
+        self.whole = True
         self.data = self._expand_file(data, found, set(uses))
 
     def _expand_file(self, data: bytes, found: Sequence[Token], uses: set[int]) -> bytes:
@@ -160,6 +231,7 @@ class Expanded:
             if depth:
                 return None
         made = self._expanded(pieces, frozenset(), plain[number][1])
+        self.whole &= made is not None
         return (made, behind, pieces[-1].path[-1].end) if made is not None else None
 
     def _meant(self, name: str, offset: int) -> Definition | None:
@@ -238,7 +310,7 @@ class Expanded:
         out: list[MacroToken] = []
         body = macro.body
         number = 0
-        joins = False
+        joins = blank = False
         while number < len(body):
             kind, start, end, text = body[number]
             here = (*prefix, Frame(macro.unit, start, end, True))
@@ -260,9 +332,14 @@ class Expanded:
                 made = [MacroToken(p.kind, p.text, (*here, *p.path[level:])) for p in inner]
             else:
                 made = [MacroToken(kind, text, here)]
-            if joins and out and made:
+            rest = macro.variadic and text == (macro.parameters or [""])[-1]
+            if joins and rest and out and out[-1].text == ",":  # GNU: no arguments, no comma before them
+                del out[len(out) - (not made) :]
+            elif joins and out and made and not blank:
                 last = out.pop()
-                made[0] = MacroToken(last.kind, last.text + made[0].text, last.path)
+                whole = Frame(macro.unit, last.path[len(prefix)].start, end, True)  # both sides: neither alone is the token
+                made[0] = MacroToken(last.kind, last.text + made[0].text, (*prefix, whole))
+            blank = not made and (blank or not joins)
             joins = False
             out += made
             number += 1
@@ -290,3 +367,20 @@ class Expanded:
                 continue
             found.append(TextPlace(one[level].unit, one[level].start, other[level].end, one[level].body))
         return tuple(found)
+
+    def path(self, start: int) -> Path:
+        """The way to the token that begins at an offset of the expanded text; empty where none does."""
+        at = bisect_left(self._starts, start)
+        return self._paths[at] if at < len(self._starts) and self._starts[at] == start else ()
+
+
+def expanded_unit(unit: ccode.SourceUnit, data: bytes, macros: Mapping[str, list[Definition]]) -> Expanded:
+    """The text of a unit with the macros expanded that are used in it where it is compiled.
+
+    Args:
+        unit: the unit.
+        data: its bytes; those that are not ASCII become question marks.
+        macros: the program's, by name.
+    """
+    plain = data if data.isascii() else bytes(b if b < 128 else 63 for b in data)
+    return Expanded(unit.path, plain, tokens(plain), {int(u.startOffset) for u in unit.macroUses if u.name in macros}, macros)
