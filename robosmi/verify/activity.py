@@ -14,6 +14,7 @@ from itertools import pairwise
 from statistics import median
 
 from robosmi.verify.pulses import FEWEST, Pulse, pulses_of, same_wave, wave_parts
+from robosmi.verify.servo_widths import servo_widths
 from robosmi.verify.simulation import ConsoleByte, PinTrace
 
 LEVEL, PULSES, WAVE, BURST, LINE, READING, HELD = "level", "pulses", "wave", "burst", "line", "reading", "held"
@@ -42,8 +43,6 @@ SIGHTS = (Sight(), Sight(90_000.0), Sight(40_000.0))
 
 _SERVO_PERIOD_US = (12_000.0, 30_000.0)
 _SERVO_WIDTH_US = (300.0, 3_000.0)
-_EQUAL_US = 8.0
-"""Widths of two frames of a servo that differ by less are equal: interrupts delay edges by so much."""
 _SILENCE_US = 200_000.0
 _CLEAR = 1.2
 """A pause is clearly longer or shorter than another when it is so many times as long, or less than that part of it."""
@@ -61,6 +60,7 @@ class ActivityEvent:
         frames: how many frames of a servo have the width, without a pause.
         unclear: whether a pause about as long as the one that ends an activity is near, so that it may be seen otherwise.
         barely: whether it only just happens, so that another run of the same program may do without it.
+        vague_us: by how much its begin may be put otherwise, since what was before passes into it slowly.
     """
 
     at_us: float
@@ -70,6 +70,7 @@ class ActivityEvent:
     frames: int = 0
     unclear: bool = False
     barely: bool = False
+    vague_us: float = 0.0
 
     def __str__(self) -> str:
         value = self.value[0]
@@ -214,26 +215,11 @@ def _end(at_us: float, horizon_us: float, sight: Sight) -> list[ActivityEvent]:
 
 
 def _frames(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
-    """The widths that some frames of a servo have one after the other, and the end of the frames.
-
-    What fewer have is not seen: an interrupt may stretch one, and a ramp passes through.
-    """
-    found: list[ActivityEvent] = []
-    first = 0
-    while first < len(pulses):
-        width = pulses[first].end - pulses[first].begin
-        last = first
-        while last + 1 < len(pulses) and abs(pulses[last + 1].end - pulses[last + 1].begin - width) <= _EQUAL_US:
-            last += 1
-        count = last - first + 1
-        if count >= sight.frames:
-            middle = median(pulse.end - pulse.begin for pulse in pulses[first : last + 1])
-            if found and abs(middle - float(found[-1].value[0])) <= _EQUAL_US:
-                shown = (middle,) if count > found[-1].frames else found[-1].value  # a ramp's last step is no width of its own
-                found[-1] = replace(found[-1], value=shown, frames=found[-1].frames + count)
-            else:
-                found.append(ActivityEvent(pulses[first].begin, PULSES, (middle,), frames=count))
-        first = last + 1
+    """The widths that some frames of a servo have one after the other, and the end of the frames."""
+    found = [
+        ActivityEvent(at_us, PULSES, (width_us,), frames=frames, vague_us=vague_us, barely=barely)
+        for at_us, width_us, frames, vague_us, barely in servo_widths(pulses, sight.frames)
+    ]
     return [*found, *_end(pulses[-1].end, horizon_us, sight)] if found else []
 
 

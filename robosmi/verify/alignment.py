@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 from robosmi.verify.activity import HELD, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.driven_lines import lengths_alike
+from robosmi.verify.servo_widths import tolerated_us
 
-_PULSE_US = 3.0
 _HZ = 0.015
 _NUMBERS = 0.01
 _NUMBER = re.compile(r"(?<![\w.])-?\d{1,15}(?:\.\d{1,15})?(?![\w.])")
@@ -37,7 +37,7 @@ def alike(one: ActivityEvent, other: ActivityEvent) -> bool:
         near = abs(float(hz) - float(other_hz)) <= _HZ * max(float(hz), float(other_hz))
         return near and abs(float(duty) - float(other_duty)) <= _DUTY
     if one.kind == PULSES:
-        return abs(float(one.value[0]) - float(other.value[0])) <= _PULSE_US + 0.01 * abs(float(one.value[0]) - 1500)
+        return abs(float(one.value[0]) - float(other.value[0])) <= tolerated_us(float(one.value[0]))
     if one.kind == HELD:
         return one.value[0] == other.value[0] and lengths_alike(float(one.value[1]), float(other.value[1]))
     if one.kind == READING:

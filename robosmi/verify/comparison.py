@@ -134,7 +134,8 @@ def compare(
     off = allowed or [EventTolerance()]
 
     def in_time(own: int, other: int) -> bool:
-        return abs(target[other].at_us - source[own].at_us) / 1000 <= _tau(source[own], off[own].time_ms)
+        vague_ms = _vague_ms(source[own], target[other])
+        return abs(target[other].at_us - source[own].at_us) / 1000 <= _tau(source[own], off[own].time_ms + vague_ms)
 
     found = aligned(source, target, in_time)
     greatest = 0.0
@@ -147,7 +148,8 @@ def compare(
             continue  # nothing begins with a run's begin
         lasts = (source[after[0]].at_us - source[own].at_us) / 1000
         theirs_last = (target[after[1]].at_us - target[other].at_us) / 1000
-        if not _lasts_alike(source[own], source[after[0]], lasts, theirs_last, off[own].duration_ms):
+        vague_ms = _vague_ms(source[own], target[other]) + _vague_ms(source[after[0]], target[after[1]])
+        if not _lasts_alike(source[own], source[after[0]], lasts, theirs_last, off[own].duration_ms + vague_ms):
             message = lasts_otherwise(source[own], lasts, theirs_last)
             difference = FirstDifference(source[own].at_us / 1000, channel, message, source[own], target[other])
             return ChannelComparison(channel, DIFFERENT, difference, max(0, len(source) - 1), greatest)
@@ -173,6 +175,11 @@ def _may_be_beyond(mine: ActivityEvent | None, theirs: ActivityEvent | None, bey
         return extra.at_us / 1000 >= horizon_ms - _tau(extra, beyond_ms)
     near = mine.at_us / 1000 >= horizon_ms - _tau(mine, beyond_ms)
     return near and (not alike(mine, theirs) or max(mine.at_us, theirs.at_us) / 1000 >= horizon_ms)
+
+
+def _vague_ms(own: ActivityEvent, other: ActivityEvent) -> float:
+    """By how many milliseconds the begins of two events may be put otherwise."""
+    return max(own.vague_us, other.vague_us) / 1000
 
 
 def _tau(event: ActivityEvent, beyond_ms: float) -> float:

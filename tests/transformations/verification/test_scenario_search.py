@@ -50,6 +50,10 @@ def test_the_ends_of_devices_are_of_signals_that_they_have() -> None:
             assert all(ends[0] <= value <= ends[1] for value in numbers), (kind, setting)
 
 
+def test_a_capacitor_shows_what_does_not_fit_into_16_bits() -> None:
+    assert max(device_facts()["capacitor"]["ends"]["points"]) > 0x7FFF  # microseconds
+
+
 def test_a_text_with_a_number_below_zero_is_a_goal_of_its_own() -> None:
     def goals(text: str) -> set[object]:
         letters = tuple(ConsoleByte(1000.0 * at, ord(letter)) for at, letter in enumerate(text))

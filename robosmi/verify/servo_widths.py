@@ -1,0 +1,153 @@
+"""What a servo is told, frame by frame: widths that it is held at, and marks of the way where a width changes slowly.
+
+A slow ramp has no widths of its own: where it is cut into pieces hangs on a microsecond, and so would a comparison of the
+pieces. It passes the same marks on every machine. What is seen at a pin beside frames of a servo is `activity`'s.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from statistics import median
+from typing import NamedTuple
+
+from robosmi.verify.pulses import Pulse
+
+EQUAL_US = 8.0
+"""Widths of two frames that differ by less are equal: interrupts delay edges by so much."""
+_SLOW_US = 2 * EQUAL_US
+"""A width that changes by no more from frame to frame changes slowly."""
+_MARK_US = 20
+_MOVES_US = 3.0
+_STILL_US = 1.5
+_STILL, _LONG = 0.7, 12
+"""Beside a slow change a piece is held when so many of its frames are so near to its middle, and it has so many."""
+_TOLERATED_US = 3.0
+_NEUTRAL_US = 1500.0
+
+
+class ServoWidth(NamedTuple):
+    """A width from `at_us` on.
+
+    Attributes:
+        at_us: when it is reached.
+        width_us: how long the pulses are.
+        frames: how many have it.
+        vague_us: by how much it may be reached earlier or later where all widths are off by what cannot be told apart.
+        barely: whether another run of the same program may not show it.
+    """
+
+    at_us: float
+    width_us: float
+    frames: int
+    vague_us: float = 0.0
+    barely: bool = False
+
+
+class _Piece(NamedTuple):
+    """Frames of about one width, by the numbers of the first and of the last."""
+
+    first: int
+    last: int
+
+
+def tolerated_us(width_us: float) -> float:
+    """How far widths may be off: 3 us, and 1 % of what they are off from neutral."""
+    return _TOLERATED_US + 0.01 * abs(width_us - _NEUTRAL_US)
+
+
+def servo_widths(pulses: Sequence[Pulse], fewest: int) -> list[ServoWidth]:
+    """The widths that frames of a servo have one after the other.
+
+    Args:
+        pulses: the frames, without a pause.
+        fewest: so many frames have to have a width; an interrupt may stretch one, and a fast ramp passes through.
+    """
+    widths = [pulse.end - pulse.begin for pulse in pulses]
+    pieces = _pieces(widths)
+    found: list[ServoWidth] = []
+    way: list[_Piece] = []
+    held = False
+    for number, piece in enumerate(pieces):
+        into, out = (_step(widths, pieces, at) for at in (number, number + 1))
+        if into * out > 0 and _moves(widths, piece):
+            way.append(piece)
+            continue
+        found += _marks(pulses, widths, way, fewest)
+        held, way = held and not way, []
+        if piece.last - piece.first + 1 < fewest:
+            continue
+        made = _held(pulses, widths, piece, into, out)
+        before = found[-1] if held else made
+        if held and not before.barely and not made.barely and abs(made.width_us - before.width_us) <= EQUAL_US:
+            shown = made.width_us if made.frames > before.frames else before.width_us
+            made = before._replace(width_us=shown, frames=before.frames + made.frames)
+            found.pop()
+        found.append(made)
+        held = True
+    return [*found, *_marks(pulses, widths, way, fewest)]
+
+
+def _pieces(widths: Sequence[float]) -> list[_Piece]:
+    found: list[_Piece] = []
+    first = 0
+    for number in range(1, len(widths) + 1):
+        if number == len(widths) or abs(widths[number] - widths[first]) > EQUAL_US:
+            found.append(_Piece(first, number - 1))
+            first = number
+    return found
+
+
+def _step(widths: Sequence[float], pieces: Sequence[_Piece], number: int) -> float:
+    """How a piece goes on from the one before it: the sign is the direction; 0 where that is a jump, or nothing is before it."""
+    if not 0 < number < len(pieces):
+        return 0.0
+    first, last_before = pieces[number].first, pieces[number].first - 1
+    if abs(widths[first] - widths[last_before]) > _SLOW_US:
+        return 0.0
+    return widths[first] - widths[pieces[number - 1].first]
+
+
+def _moves(widths: Sequence[float], piece: _Piece) -> bool:
+    """Whether the width changes within a piece, or it is a single frame."""
+    count = piece.last - piece.first + 1
+    part = max(1, count // 4)
+    begin, end = widths[piece.first : piece.first + part], widths[piece.last + 1 - part : piece.last + 1]
+    return count == 1 or abs(median(end) - median(begin)) > _MOVES_US
+
+
+def _held(pulses: Sequence[Pulse], widths: Sequence[float], piece: _Piece, into: float, out: float) -> ServoWidth:
+    """A piece as a width; where it is part of a slow change, when it begins is vague, and it may be only a part of that."""
+    own = widths[piece.first : piece.last + 1]
+    middle = median(own)
+    vague_us = 0.0
+    if into:
+        near = EQUAL_US + tolerated_us(middle)
+        outer = piece.first
+        while outer > 0 and abs(widths[outer - 1] - middle) <= near:
+            outer -= 1
+        inner = next(number for number, width in enumerate(own, piece.first) if abs(width - middle) <= EQUAL_US / 2)
+        vague_us = pulses[inner].begin - pulses[outer].begin
+    still = sum(abs(width - middle) <= _STILL_US for width in own) >= _STILL * len(own)
+    barely = bool(into or out) and (len(own) < _LONG or not still)
+    return ServoWidth(pulses[piece.first].begin, middle, len(own), vague_us, barely)
+
+
+def _marks(pulses: Sequence[Pulse], widths: Sequence[float], way: Sequence[_Piece], fewest: int) -> list[ServoWidth]:
+    """The marks that a slow change passes, one every 20 us; those near its ends need not be passed by another run."""
+    if not way:
+        return []
+    first, last = way[0].first, way[-1].last
+    own = widths[first : last + 1]
+    up = 1 if widths[last] > widths[first] else -1
+    lowest = int(min(own) // _MARK_US + 1) * _MARK_US
+    found = []
+    for mark in range(lowest, int(max(own)) + 1, _MARK_US)[::up]:
+        passed = next((number for number, width in enumerate(own) if up * (width - mark) >= 0), None)
+        near = [number for number, width in enumerate(own) if abs(width - mark) <= EQUAL_US / 2]
+        if passed is None or len(near) < fewest:
+            continue
+        band = [number for number, width in enumerate(own) if abs(width - mark) <= tolerated_us(mark)] or [passed]
+        vague_us = pulses[first + band[-1]].begin - pulses[first + band[0]].begin
+        barely = min(abs(mark - own[0]), abs(mark - own[-1])) < _SLOW_US
+        found.append(ServoWidth(pulses[first + passed].begin, float(mark), len(near), vague_us, barely))
+    return found
