@@ -22,7 +22,8 @@ from robosmi.verify.compile_report import (
 )
 from robosmi.verify.tables import DataTable
 
-_SEVERITY = {"fatal error": Severity.error, "error": Severity.error, "warning": Severity.warning}
+_ERRORS = ("fatal error", "error", "sorry, unimplemented", "internal compiler error")
+_SEVERITY = {"warning": Severity.warning, **dict.fromkeys(_ERRORS, Severity.error)}
 
 
 def own_path(path: str, folder: Path) -> str | None:

@@ -84,6 +84,14 @@ def test_compiler_messages_become_findings_once_with_their_notes(tmp_path: Path)
     assert elsewhere == 1
 
 
+@pytest.mark.parametrize("kind", ["fatal error", "sorry, unimplemented", "internal compiler error"])
+def test_all_kinds_of_errors_of_the_compiler_are_errors(kind: str, tmp_path: Path) -> None:
+    (tmp_path / "x.ino").write_text("")
+    for toolchain in load_toolchains():
+        found, _ = messages.compiler_findings(f"x.ino:3:5: {kind}: not this\n", toolchain.messages, tmp_path)
+        assert [(f.severity.name, f.message, f.location.line if f.location else 0) for f in found] == [("error", "not this", 3)]
+
+
 def test_a_tool_that_says_nothing_is_still_a_finding() -> None:
     assert messages.unread("linking", "").message == "linking failed: the tool said nothing"
 

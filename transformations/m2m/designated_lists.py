@@ -11,7 +11,16 @@ from collections.abc import Mapping, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, tokens
-from robosmi.transformations.m2m.list_values import MOST, UnknownList, constants_of, index_value, is_union, members_of, values_of
+from robosmi.transformations.m2m.list_values import (
+    MOST,
+    UnknownList,
+    constants_of,
+    index_value,
+    is_union,
+    members_of,
+    named_places,
+    values_of,
+)
 from robosmi.transformations.m2m.reordered_lists import reordered
 from robosmi.transformations.queries.expression_type import ValueType, element_type, of_use
 
@@ -70,7 +79,7 @@ def _list(
 
 def _place(designator: Sequence[Token], fields: Sequence[ccode.Field], constants: Mapping[str, int]) -> tuple[int, int]:
     """The first and the last place that a designator names."""
-    texts = [word[3] for word in designator[:-1]]
+    texts = named_places(designator)
     if texts[0] == "." and len(texts) == 2:
         names = [field.name for field in fields]
         if texts[1] not in names:

@@ -305,6 +305,10 @@ def _body(element: ccode.Function, choice: str, text: SourceText) -> list[Replac
     return [*made, (start, end, " {\n" + "\n".join(lines) + "\n}")]
 
 
+def _more_arguments(element: ccode.Call, choice: str, text: SourceText) -> list[Replacement]:
+    return [(element.endOffset - 1, element.endOffset - 1, choice)]
+
+
 def _own_header(element: ccode.Include, choice: str, text: SourceText) -> list[Replacement]:
     """The include of a header that was carried over names the file in the sketch folder."""
     written = re.compile(rb'[<"][^>"\n]*[>"]').search(text.data, element.startOffset, text.line_end(element.startOffset))
@@ -340,6 +344,7 @@ RULES: dict[str, EditRule] = {
     "convert": _convert,
     "convert-compound": _convert_compound,
     "empty-parentheses": _parentheses,
+    "missing-arguments": _more_arguments,
     "parameters-behind": _parameters_behind,
     "return-at-end": _return_at_end,
     "implicit-int": _implicit_int,

@@ -311,6 +311,7 @@ TEXT_RULES = frozenset(
         "define-in-list",
         "define-behind",
         "left-undefined",
+        "missing-arguments",
         "share",
         "share-one",
         "words-of-c",

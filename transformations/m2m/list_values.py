@@ -97,11 +97,19 @@ def values_of(words: Sequence[Token]) -> list[ListValue]:
 
 
 def _behind_designator(part: Sequence[Token]) -> int:
-    """How many tokens a designator takes, with its `=`; 0 for a value without one."""
+    """How many tokens a designator takes, with its `=`, or the `:` of GNU C (`name: value`); 0 for a value without one."""
+    if part[0][0] == "name" and len(part) > 1 and part[1][3] == ":":
+        return 2
     if part[0][3] not in ("[", "."):
         return 0
     equals = next((number for number, word in enumerate(part) if word[3] == "="), 0)
     return equals + 1 if equals else 0
+
+
+def named_places(designator: Sequence[Token]) -> list[str]:
+    """What a designator names, as words: `.` and a member, or `[`, an index and `]`, one after the other."""
+    texts = [word[3] for word in designator[:-1]]
+    return [".", *texts] if designator[-1][3] == ":" else texts
 
 
 def index_value(text: str, constants: Mapping[str, int]) -> int:

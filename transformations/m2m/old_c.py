@@ -38,6 +38,19 @@ def empty_lists(view: CodeView, data: bytes, functions: Mapping[str, FunctionTyp
             yield Change(function, "empty-parentheses", "...", "it is called with arguments that it does not take")
 
 
+def missing_arguments(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """A call with fewer arguments than its function takes, before a list of parameters says which those are."""
+    for call in view.of_kind(ccode.Call):
+        function = call.callee
+        if function is None or not function.definition or call.viaMacro or not data[: call.endOffset].endswith(b")"):
+            continue
+        lacking = list(function.parameters)[len(call.arguments) :]
+        if lacking and all(p.valueType is not None for p in lacking) and function.name == call.calleeName:
+            values = ", ".join(nothing(p.valueType.spelling) or "0" for p in lacking if p.valueType is not None)
+            before = ", " if call.arguments else ""
+            yield Change(call, "missing-arguments", before + values, "it is called without arguments that it takes")
+
+
 def _list(function: ccode.Function) -> str:
     """The parameters of a function as C++ writes them."""
     shown = [
@@ -238,6 +251,7 @@ def words_of_c(view: CodeView, data: bytes, functions: Mapping[str, FunctionType
 
 RULES = (
     empty_lists,
+    missing_arguments,
     parameters_behind,
     implicit_int,
     missing_returns,

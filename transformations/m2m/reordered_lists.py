@@ -19,12 +19,13 @@ from robosmi.transformations.m2m.list_values import (
     is_record,
     is_union,
     members_of,
+    named_places,
     values_of,
 )
 from robosmi.transformations.queries.expression_type import ValueType, element_type, of_use
 
 _SIGNS = frozenset(["-", "&"])
-_PLAIN = frozenset(["{", "}", "(", ")", ",", ".", "[", "]", "=", "..."])
+_PLAIN = frozenset(["{", "}", "(", ")", ",", ".", "[", "]", "=", ":", "..."])
 _BEFORE_A_SIGN = frozenset(["=", ",", "{", "("])
 
 
@@ -138,7 +139,7 @@ class _Filler:
 
     def _steps(self, designator: Sequence[Token], kind: ValueType | None) -> Iterator[tuple[int, int]]:
         """The first and last place of each part of a designator."""
-        texts = [word[3] for word in designator[:-1]]
+        texts = named_places(designator)
         while texts:
             if texts[0] == ".":
                 names = [member.name for member in members_of(kind)]

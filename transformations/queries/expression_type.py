@@ -234,13 +234,34 @@ def _initial(expression: ccode.Expression, kind: ValueType | None) -> Iterator[t
         return
     if kind is not None and kind.array:
         for element in expression.elements:
-            yield from _initial(element, element_type(kind))
+            value = _designated(element)[1]
+            if value is not None:
+                yield from _initial(value, element_type(kind))
     elif kind is not None and isinstance(kind.declaration, ccode.Record):
-        for element, field in zip(expression.elements, kind.declaration.fields, strict=False):
-            wanted = of_use(field.valueType)
-            if _without_braces(element, wanted):
+        members = list(kind.declaration.fields)
+        places = {str(member.name): place for place, member in enumerate(members)}
+        place = 0
+        for element in expression.elements:
+            name, value = _designated(element)
+            place = places.get(name, len(members)) if name else place
+            if value is None or place >= len(members):
                 return
-            yield from _initial(element, wanted)
+            wanted = of_use(members[place].valueType)
+            if _without_braces(value, wanted):
+                return
+            yield from _initial(value, wanted)
+            place += 1
+
+
+def _designated(element: ccode.Expression) -> tuple[str, ccode.Expression | None]:
+    """The member that a value of a list names, empty for none, and the value; no value where it names a part of an element."""
+    if not isinstance(element, ccode.Assignment) or element.left is None:
+        return "", element
+    if isinstance(element.left, ccode.Member) and element.left.object is not None:
+        return "", element  # an assignment, whose value is the element's
+    if element.left.startOffset > element.startOffset + 1:
+        return "", None  # `.at.x = 1`
+    return (str(element.left.name) if isinstance(element.left, ccode.Member) else ""), element.right
 
 
 def _without_braces(element: ccode.Expression, wanted: ValueType | None) -> bool:

@@ -44,6 +44,17 @@ def test_a_project_file_that_does_not_list_the_source_is_another_programs(tmp_pa
     assert [unit.path for unit in made.models.plan.program.units] == ["source/other.c", "source/turn.h"]
 
 
+def test_headers_beside_the_archives_of_libraries_are_found(tmp_path: Path) -> None:
+    (tmp_path / "lib").mkdir()
+    (tmp_path / "lib" / "eyes.h").write_text("int eyes_see(int side);\n")
+    (tmp_path / "src").mkdir()
+    (tmp_path / "src" / "robot.c").write_text('#include "eyes.h"\nint main() { return eyes_see(1); }\n')
+    (tmp_path / "src" / "robot.side").write_text("robot.c\n-I ./\n-L ./../lib\n>linker::-leyes\n")
+    made = robosmi.migrate([tmp_path / "src" / "robot.c"], tmp_path / "out")
+    assert "int32_t eyes_see(int32_t side)" in (made.sketch / "eyes.h").read_text()
+    assert "RS103" not in [f.rule for f in made.models.plan.findings]
+
+
 def test_several_files_that_are_given_are_the_program(tmp_path: Path) -> None:
     files = [FOLDER / "robot" / "robot.c", FOLDER / "robot" / "eyes.c"]
     made = robosmi.migrate(files, tmp_path / "out", include_dirs=[FOLDER / "include", FOLDER / "libturn"])

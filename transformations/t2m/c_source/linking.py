@@ -7,6 +7,7 @@ that no header declares are inferred in `inference`.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 
 from robosmi.metamodels import ccode
@@ -14,7 +15,7 @@ from robosmi.model.construct import connect
 from robosmi.model.strict import enum_literal
 from robosmi.transformations.knowledge.lexer import KEYWORDS, TYPE_WORDS
 from robosmi.transformations.queries.source_text import HEADERS
-from robosmi.transformations.t2m.c_source import cursor_kinds
+from robosmi.transformations.t2m.c_source import clang, cursor_kinds
 from robosmi.transformations.t2m.c_source.clang import Cursor
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.inference import CallSite, infer
@@ -39,9 +40,11 @@ class Linker:
         self.own_functions: list[dict[str, ccode.Function]] = [_functions(d) for d in declarations]
         self.own_types = [_types(c) for c in contexts]
         self._header_values = _values_of_headers(contexts, declarations)
+        self._numbers = {os.path.abspath(context.source.path): number for number, context in enumerate(contexts)}
         self._uses: dict[str, str] = {}
         self._sites: dict[str, list[CallSite]] = {}
         self._headers: dict[str, tuple[str, str]] = {}
+        self._defined: set[str] = set()
 
     def run(self) -> list[ccode.Declaration]:
         """Link everything; the externals, sorted by kind and name."""
@@ -63,15 +66,18 @@ class Linker:
         for call, cursor in context.calls:
             element = context.declared.get(context.pointer(cursor)) if cursor is not None else None
             function = element if isinstance(element, ccode.Function) else None
+            name = str(call.calleeName)
             if function is None or not function.definition:
-                function = self._own(number, str(call.calleeName)) or function
+                function = self._own(number, name) or self._of_unit(context, cursor, name) or function
             if function is not None:
                 connect(call, "callee", function)
                 continue
-            name = str(call.calleeName)
-            header = (header_of(context, cursor) if cursor is not None else None) or ""
+            declared = cursor is not None and not context.parsed.reader.made_up(cursor)
+            header = (header_of(context, cursor) if declared else None) or ""
             if header and name not in self._headers:
                 self._headers[name] = (header, self._declared_signature(context, cursor, name))
+                if cursor is not None and context.api.header_kind(header) is None and context.lib.isCursorDefinition(cursor):
+                    self._defined.add(name)
             elif cursor is not None and name not in self._headers and name not in context.parsed.prelude.functions:
                 self._headers[name] = ("", self._builtin_signature(context, cursor, name))
             self._sites.setdefault(name, []).append(CallSite(context, call, nodes.get(id(call))))
@@ -86,6 +92,14 @@ class Linker:
             if function is not None and function.definition and function.storage.name != "staticStorage":
                 return function
         return own
+
+    def _of_unit(self, context: UnitContext, cursor: Cursor | None, name: str) -> ccode.Function | None:
+        """The function of that name in the unit where the parser found it: a static one of a header is seen so alone."""
+        if cursor is None:
+            return None
+        file, _ = clang.file_offset(context.lib.getCursorLocation(cursor))
+        number = self._numbers.get(os.path.abspath(clang.file_name(file)))
+        return self.own_functions[number].get(name) if number is not None else None
 
     @staticmethod
     def _declared_signature(context: UnitContext, cursor: Cursor | None, name: str) -> str:
@@ -116,6 +130,7 @@ class Linker:
                 header=header or None,
                 signature=signature,
                 variadic="..." in signature or None,
+                definition=name in self._defined,
                 returnType=ccode.TypeUse(spelling=signature.partition(f"{name}(")[0].strip() or inferred.returns),
                 parameters=inferred.parameters(),
             )

@@ -28,7 +28,7 @@ class SideProject:
 
     Attributes:
         sources: paths of its sources, the project's first.
-        include_dirs: folders with headers.
+        include_dirs: folders with headers, those that are named for headers first.
         defines: macros defined from outside.
         findings: what was left out, and why.
     """
@@ -85,7 +85,7 @@ def _read(path: str, made: SideProject, *, library: bool, seen: set[str]) -> Non
             if os.path.isfile(other) and os.path.realpath(other) not in seen:
                 made.include_dirs.append(place)
                 _read(other, made, library=True, seen=seen)
-    made.include_dirs[:] = distinct(made.include_dirs)
+    made.include_dirs[:] = distinct((*made.include_dirs, *folders))  # libraries often come as headers beside their archives
     made.defines[:] = distinct(made.defines)
 
 

@@ -130,6 +130,15 @@ class TreeReader:
             stop = self._back(stop) if stop >= 0 else stop
         return start, stop if stop >= start else start, begin >= MACRO_ID
 
+    def made_up(self, function: Cursor) -> bool:
+        """Whether nothing declares a function, so that the parser made up a declaration where it is first called.
+
+        Such a declaration has no text; that of a function which the compiler has itself is the name alone.
+        """
+        extent = self._extent(function)
+        named = len(clang.library().text(clang.library().getCursorSpelling(function)).encode())
+        return extent.begin == 0 or extent.end - extent.begin == named
+
     def _slow(self, extent: clang.SourceRange, raw: int) -> int:
         location = clang.SourceLocation()
         location.ptr_data = extent.ptr_data

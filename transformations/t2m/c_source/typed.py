@@ -231,7 +231,7 @@ class _Reader:
         if made.name in self.platform:
             made.origin = "platform"
         elif referenced.kind == _FUNCTION:
-            implicit = file == self.parsed.reader.file and not self._declares(referenced)
+            implicit = self.parsed.reader.made_up(referenced)
             made.origin = "standard" if implicit or not name or name.startswith(VIRTUAL) else "program"
         else:
             made.origin = "platform" if name.startswith(VIRTUAL) else "program"
@@ -240,11 +240,6 @@ class _Reader:
             parent = lib.getCursorSemanticParent(referenced)
             named = self._plainly(lib.getCanonicalType(lib.getCursorType(parent)))
             made.kind = made.kind._replace(target=self._enumeration(parent), enumeration=named)
-
-    def _declares(self, function: Cursor) -> bool:
-        """Whether the text declares a function, which otherwise the parser made up where it is called."""
-        begin, end, _ = self.parsed.reader.extent(function)
-        return b"(" in self.data[begin:end]
 
     # ---- types
 

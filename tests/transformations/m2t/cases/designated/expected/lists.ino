@@ -6,7 +6,7 @@
 #include "adapters.h"
 
 struct config { int32_t pin; int32_t speed; char *name; };
-struct config left = { .pin = 3, .speed = 24, .name = "left" };
+struct config left = { .pin = 3, .speed = 24, .name = (char *)"left" };
 struct config right = { 4, 12, (char *)"right" };
 const int32_t table[4] = { 1, 2 };
 
