@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -27,13 +27,18 @@ _OBJECT = "O"
 """The mark of a variable in the table of symbols."""
 _VIRTUAL = "_ZTV"
 """How the names of tables of virtual functions begin."""
+_FIRST_ROW = 4
+"""Bytes of such a table before its first function, to which objects point."""
 _CONSTRUCTORS = ("__ctors_start", "__ctors_end")
 _POINTERS = {"X": "r26", "Y": "r28", "Z": "r30"}
+_COMPILED, _LENGTH = re.compile(r"_ZN?K?(?=\d)"), re.compile(r"\d+")
+"""How the names that a compiler of C++ makes begin, and the length of each word in them."""
 _NEAR = 24
 """Instructions that are looked at before a call, and behind an address, for where it comes from and goes to."""
 _JUMPS = ("jmp", "call", "rjmp", "rcall")
 _THROUGH = ("icall", "eicall", "ijmp", "eijmp")
 _CALLS = (*_JUMPS, *_THROUGH)
+_COMPARES = ("cp", "cpc", "cpi", "tst")
 _BRANCH = re.compile(r"^br\w\w$")
 
 
@@ -60,6 +65,18 @@ class _Held(NamedTuple):
     place: int
     target: int
     within: str
+
+
+class _Pointer(NamedTuple):
+    """Where a pointer that is called through was read from.
+
+    Attributes:
+        variable: its name; empty where it is not known.
+        row: bytes of the table of virtual functions before it, where it may be read from one; None where it is not.
+    """
+
+    variable: str
+    row: int | None = None
 
 
 class MachineCode:
@@ -105,9 +122,9 @@ class MachineCode:
 
     def _sort(self, known: Mapping[str, int], raw: list[tuple[int, str, str, int, str]]) -> None:
         """Which addresses are whose."""
-        begins = set(self.symbols.values())
+        begins = self._starts = set(self.symbols.values())
         first, last = (self.symbols.get(name, 0) for name in _CONSTRUCTORS)
-        labels, virtual = set[int](), set[int]()
+        labels, virtual = set[int](), dict[int, set[int]]()
         held = list[_Held]()
         for place, kind, name, more, within in raw:
             if name not in known:
@@ -119,16 +136,16 @@ class MachineCode:
                 if target not in begins:
                     labels.add(target)
                 elif within.startswith(_VIRTUAL):
-                    virtual.add(target)
+                    virtual.setdefault(place - known.get(within, place) - _FIRST_ROW, set()).add(target)
                 else:
                     held.append(_Held(place, target, within))
         self.labels = tuple(sorted(labels))
-        self._virtual = tuple(sorted(virtual))
+        self._virtual = {row: frozenset(targets) for row, targets in virtual.items()}
+        self._read = {self._called_from(address).variable for address, each in self.code.items() if each.name in _THROUGH} - {""}
         kept = dict[int, set[str]]()
         for each in held:
-            kept.setdefault(each.target, set()).add(self._kept_in(each))
+            kept.setdefault(each.target, set()).update(self._kept_in(each))
         self._kept = kept
-        self._read = {self._called_from(address)[0] for address, each in self.code.items() if each.name in _THROUGH}
 
     # ---- calls through pointers
 
@@ -141,32 +158,82 @@ class MachineCode:
         A variable that is called through by its name reaches what is kept there, and what is kept nobody knows where; another
         pointer reaches all but what is kept where it is called through by name.
         """
-        variable, virtual = self._called_from(call)
-        others = self._read - {""} - {variable}
+        pointer = self._called_from(call)
+        others = self._read - {pointer.variable}
         found = [target for target, kept in self._kept.items() if not kept <= others]
-        return tuple(sorted({*found, *(self._virtual if virtual else ())}))
+        return tuple(sorted({*found, *(self._virtual.get(pointer.row, ()) if pointer.row is not None else ())}))
 
-    def _kept_in(self, held: _Held) -> str:
-        """The variable that a function's address is kept in; empty where that is not known."""
+    def _kept_in(self, held: _Held) -> set[str]:
+        """The variables that a function's address is kept in: an empty name where that is not known, none where it is lost."""
         if held.place >= DATA:
-            return held.within
+            return {held.within}
         instruction = self.code.get(held.place)
-        register = instruction.operands[0] if instruction is not None and instruction.operands else ""
-        at = held.place
+        if instruction is None or instruction.name != "ldi":
+            return set() if instruction is not None and instruction.name in _COMPARES else {""}
+        register = instruction.operands[0]
+        at, branched = held.place, False
         for _ in range(_NEAR):
             at = self.next.get(at, -1)
             following = self.code.get(at)
-            if following is None or following.name in _CALLS or _BRANCH.match(following.name):
+            if following is None or following.name in _THROUGH:
+                return {""}
+            operands = following.operands
+            if following.name in _JUMPS:
+                called = following.target if following.name in ("call", "rcall") else None
+                return (self._named_by(called) & self._read if called is not None else set()) or {""}
+            branched = branched or bool(_BRANCH.match(following.name))
+            if following.name == "sts" and operands[1] == register:
+                return {self._object((number(operands[0]) or 0) | DATA)}
+            if following.name in ("st", "std") and operands[1] == register:
+                return {self._address_in(_POINTERS[operands[0].strip("-")[0]], at)}
+            if following.name not in (*_COMPARES, "out", "push") and operands and operands[0] == register:
+                return {""} if branched or following.name == "mov" else set()
+            if following.name in ("mov", "movw", "push") and operands[-1] in (register, _pair(register)):
+                return {""}
+        return {""}
+
+    def _named_by(self, function: int) -> set[str]:
+        """The variables that a function, or one that it calls, names."""
+        found, seen, waiting = set[str](), set[int](), [function]
+        while waiting:
+            start = waiting.pop()
+            if start in seen:
+                continue
+            seen.add(start)
+            at: int | None = start
+            end = self.end_of(start)
+            while at is not None and (at < end or at == start):
+                instruction = self.code.get(at)
+                if instruction is None:
+                    break
+                if instruction.name in ("lds", "sts"):
+                    found.add(self._object((number(instruction.operands[instruction.name == "lds"]) or 0) | DATA))
+                elif at in self._addresses:
+                    found.add(self._object(self._addresses[at]))
+                elif instruction.name in _JUMPS and instruction.target in self._starts:
+                    waiting.append(instruction.target)
+                at = self.next.get(at)
+        return found
+
+    def _address_in(self, register: str, at: int) -> str:
+        """The name of the variable that a pair of registers points into before an instruction; empty where that is not known."""
+        for instruction in self._backwards(at):
+            operands = instruction.operands
+            if instruction.name in _CALLS and not instruction.name.endswith("jmp"):
                 return ""
-            if following.name == "sts" and following.operands[1] == register:
-                return self._object((number(following.operands[0]) or 0) | DATA)
-            if following.name not in ("cp", "cpc", "out") and following.operands and following.operands[0] == register:
+            if not operands or operands[0] not in (register, _pair(register)):
+                continue
+            if instruction.address in self._addresses:
+                return self._object(self._addresses[instruction.address])
+            if instruction.name == "movw":
+                register = operands[1]
+            elif instruction.name not in ("adiw", "sbiw", *_COMPARES):
                 return ""
         return ""
 
-    def _called_from(self, call: int) -> tuple[str, bool]:
-        """The variable that a call's pointer was read from, empty where not known, and whether the call may be virtual."""
-        register, loaded = "r30", False
+    def _called_from(self, call: int) -> _Pointer:
+        """Where the pointer of a call was read from."""
+        register, loads, row = "r30", 0, 0
         for instruction in self._backwards(call):
             operands = instruction.operands
             if instruction.name in _CALLS:
@@ -174,16 +241,20 @@ class MachineCode:
             if not operands or operands[0] not in (register, _pair(register)):
                 continue
             if instruction.name == "lds" and operands[0] == register:
-                return (self._object((number(operands[1]) or 0) | DATA), False) if not loaded else ("", True)
+                variable = self._object((number(operands[1]) or 0) | DATA)
+                return _Pointer(variable) if not loads else _Pointer("", row)
             if instruction.address in self._addresses:
-                return self._object(self._addresses[instruction.address]), False
+                return _Pointer(self._object(self._addresses[instruction.address]))
             if instruction.name in ("mov", "movw"):
                 register = operands[1]
+            elif instruction.name in ("adiw", "sbiw") and loads == 1:
+                row += (number(operands[1]) or 0) * (1 if instruction.name == "adiw" else -1)
             elif instruction.name in ("ld", "ldd") and operands[0] == register:
-                if loaded:
-                    return "", True
-                loaded, register = True, _POINTERS[operands[1].strip("-")[0]]
-        return "", not loaded
+                if loads:
+                    return _Pointer("", row)
+                pointer, _, more = operands[1].strip("-").partition("+")
+                loads, register, row = 1, _POINTERS[pointer], number(more) or 0
+        return _Pointer("", row if not loads else None)
 
     def _backwards(self, address: int) -> Iterator[Instruction]:
         for _ in range(_NEAR):
@@ -199,6 +270,16 @@ class MachineCode:
 
     # ---- what belongs to what
 
+    def names(self, addresses: Iterable[int]) -> list[str]:
+        """The names of functions as their text has them, as far as the compiler's names tell: without the kinds of arguments."""
+        known = {address: name for name, address in self.symbols.items()}
+        return [_spoken(known.get(address, hex(address)).partition(".")[0]) for address in addresses]
+
+    @property
+    def objects(self) -> tuple[str, ...]:
+        """The names of the program's variables that last."""
+        return tuple(name for _, name in self._objects)
+
     def part(self, name: str) -> set[int]:
         """The addresses of the instructions of a function."""
         start = self.symbols.get(name)
@@ -207,6 +288,17 @@ class MachineCode:
     def end_of(self, start: int) -> int:
         """Where the function that begins at an address ends."""
         return min((address for address in self.symbols.values() if address > start), default=start)
+
+
+def _spoken(name: str) -> str:
+    begin = _COMPILED.match(name)
+    if begin is None:
+        return name
+    words, at = list[str](), begin.end()
+    while length := _LENGTH.match(name, at):
+        at = length.end() + int(length[0])
+        words.append(name[length.end() : at])
+    return "::".join(words)
 
 
 def number(text: str) -> int | None:

@@ -126,3 +126,84 @@ def test_functions_call_the_next_for_as_long_as_they_like() -> None:
 @pytest.mark.parametrize(("text", "architecture"), [("", "avr"), (LISTING, "arm")])
 def test_no_bound_without_main_or_for_another_processor(text: str, architecture: str) -> None:
     assert stack_bound(text, architecture) is None
+
+
+HANDLERS = """
+SYMBOL TABLE:
+00800100 l     O .bss\t00000001 _ZZ4jobsvE9under_way
+00800110 l     O .data\t00000008 _ZTV4Line
+
+Disassembly of section .text:
+
+00000010 <main>:
+  10:\tpush\tr28
+  12:\tcli
+  14:\trcall\t.+58     \t; 0x50 <far>
+  16:\tsei
+  18:\trcall\t.+38     \t; 0x40 <_Z4jobsv>
+  1a:\tin\tr0, 0x3f\t; 63
+  1c:\tsbrs\tr0, 7
+  1e:\trcall\t.+48     \t; 0x50 <far>
+  20:\tret
+
+00000030 <__vector_1>:
+  30:\tpush\tr0
+  32:\tsei
+  34:\trcall\t.+10     \t; 0x40 <_Z4jobsv>
+  36:\treti
+
+00000040 <_Z4jobsv>:
+  40:\tpush\tr2
+  42:\trcall\t.+2      \t; 0x46 <job>
+  44:\tret
+
+00000046 <job>:
+  46:\tpush\tr3
+  48:\tpush\tr4
+  4a:\tret
+
+00000050 <far>:
+  50:\tpush\tr2
+  52:\tpush\tr3
+  54:\tpush\tr4
+  56:\tpush\tr5
+  58:\tret
+
+0000005a <__vector_2>:
+  5a:\tpush\tr0
+  5c:\tpush\tr1
+  5e:\treti
+
+00000060 <call>:
+  60:\tmovw\tr26, r24
+  62:\tld\tr30, X+
+  64:\tld\tr31, X
+  66:\tldd\tr0, Z+2\t; 0x02
+  68:\tldd\tr31, Z+3\t; 0x03
+  6a:\tmov\tr30, r0
+  6c:\tijmp
+
+Disassembly of section .data:
+
+00800110 <_ZTV4Line>:
+  800110:\t.word\t0x0000
+\t\t\t800114: R_AVR_16_PM\tjob
+\t\t\t800116: R_AVR_16_PM\tfar
+"""
+
+
+def test_interrupts_come_where_they_may_and_what_shuts_itself_is_there_once() -> None:
+    bound = stack_bound(HANDLERS, "avr")
+    assert bound is not None
+    jobs = 1 + 2 + 2
+    main = 2 + 1 + 2 + jobs  # `far`, which is deeper in main's own frame, is called where no interrupt comes, or not at all
+    first, second = 2 + 1 + 2 + 1, 2 + 2  # the handler that lets others in finds the jobs shut, but for the first byte
+    assert (bound.bytes, bound.interrupts) == (main + first + second, first + second)
+    assert bound.deepest == ("main", "jobs", "job")
+    twice = stack_bound(HANDLERS.replace("under_way", "other"), "avr")
+    assert twice is not None
+    assert twice.bytes == bound.bytes + 2 + 2
+
+
+def test_virtual_call_reaches_the_functions_in_its_row_of_the_tables() -> None:
+    assert MachineCode(HANDLERS).reached_from(0x6C) == (0x50,)

@@ -69,11 +69,11 @@ struct GpsReceiver {
 static GpsReceiver gps_receiver;
 
 inline void gps_listen() {  // every millisecond
-  static volatile bool busy = false;
-  if (busy || !gps_receiver.line || !gps_receiver.line->port) return;
-  busy = true;
+  static volatile bool under_way = false;
+  if (under_way || !gps_receiver.line || !gps_receiver.line->port) return;
+  under_way = true;
   while (gps_receiver.line->port->available()) gps_receiver.take((char)gps_receiver.line->port->read());
-  busy = false;
+  under_way = false;
 }
 
 inline void gps_field(uint8_t kind, uint8_t number, char *text) {  // up to 15 characters; an empty field is 0, as there

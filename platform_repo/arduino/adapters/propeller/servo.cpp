@@ -85,12 +85,12 @@ static volatile uint8_t frames_owed;  // that have waited
 static volatile uint8_t frame_age;    // periods of 1,024 us since the frame jobs began last
 
 inline void do_frame_jobs() {
-  static volatile bool busy = false;
+  static volatile bool under_way = false;
   uint8_t old = SREG;
   cli();
-  bool due = frames_owed && frame_age > 7 && !busy;
+  bool due = frames_owed && frame_age > 7 && !under_way;
   if (due) {
-    busy = true;
+    under_way = true;
     frames_owed--;
   }
   SREG = old;
@@ -98,7 +98,7 @@ inline void do_frame_jobs() {
   for (auto job : frame_jobs)
     if (job) job();
   frame_age = 0;
-  busy = false;
+  under_way = false;
 }
 
 inline void frame_period() {

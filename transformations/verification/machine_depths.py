@@ -1,0 +1,387 @@
+"""How much stack the functions of a linked AVR program take, read off its machine code.
+
+The code is what the disassembler prints. From a function on the paths are followed, instruction by instruction, with how far
+the stack has come down (pushes, frames, calls with what they take) and with whether interrupts may come there.
+What calls through pointers reach is told by `machine_code`; how interrupts come upon main is `machine_stack`'s. What nobody can
+tell is said: functions that call themselves, and frames whose size is computed while the program runs.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from robosmi.transformations.verification.machine_code import Instruction, MachineCode, low_of, number
+
+_SP_LOW, _SP_HIGH, _STATUS = 0x3D, 0x3E, 0x3F
+_PAIRS = tuple(f"r{low}" for low in range(0, 32, 2))
+"""The low registers of all pairs: in each a stack pointer may be computed."""
+_CALL_KEPT = (*range(2, 18), 28, 29)
+"""The registers that functions leave as they were."""
+_KEPT = (*range(2, 18, 2), 28)
+"""The low registers of the pairs that functions leave as they were."""
+_SAVES, _RESTORES = "__prologue_saves__", "__epilogue_restores__"
+_TABLES = ("__tablejump2__", "__tablejump__", "__tablejump_elpm__")
+_THROUGH_POINTERS = {"icall": 2, "eicall": 2, "ijmp": 0, "eijmp": 0}
+"""Instructions that go to where r31:r30 points, and the bytes of the address that each returns to."""
+_SKIPS = frozenset(["cpse", "sbrc", "sbrs", "sbic", "sbis"])
+_BRANCHES = re.compile(r"^br\w\w$")
+_COMPUTED = -1
+"""What stands for a depth from which something was taken that is known only while the program runs."""
+_ARITHMETIC = frozenset(["add", "adc", "sub", "sbc", "subi", "sbci", "and", "andi", "or", "ori", "neg", "com", "inc", "dec"])
+_LEAVES = ("call", "rcall", "icall", "eicall")
+"""Instructions that a function which leaves at once does not come to."""
+_LEAVING = frozenset(["out", "st", "std", "sts", "cp", "cpc", "cpi", "tst", "cpse", "sbrc", "sbrs", "sbic", "sbis", "sbi", "cbi"])
+"""Instructions that leave their first register as it was."""
+_LARGEST = 0x4000
+"""Bytes that no stack has: a path on which it grows without end is given up there."""
+ON, OFF = 1, 2
+"""Whether interrupts may come; both where that is not the same on all paths."""
+_ENABLES = 7
+"""The bit of the status that lets interrupts come."""
+
+
+class Taken(NamedTuple):
+    """What a function takes.
+
+    Attributes:
+        most: its bytes with what it calls, without the address that it returns to.
+        open: the same where interrupts may come; below 0 where they never may.
+        leaves: whether they may come behind it.
+    """
+
+    most: int
+    open: int
+    leaves: int
+
+
+class _State(NamedTuple):
+    """What is known before an instruction.
+
+    Attributes:
+        depth: how deep the stack is.
+        interrupts: whether they may come.
+        read: the same at all places where the status was read.
+        kept: the same of the status that a register holds, and its name.
+        pairs: the depth that each pair of registers stands for.
+    """
+
+    depth: int
+    interrupts: int
+    read: int = 0
+    kept: tuple[tuple[str, int], ...] = ()
+    pairs: tuple[int | None, ...] = (None,) * len(_PAIRS)
+
+    def holding(self, low: str, depth: int | None) -> _State:
+        """With another depth in a pair."""
+        if low not in _PAIRS:
+            return self
+        at = _PAIRS.index(low)
+        return self._replace(pairs=(*self.pairs[:at], depth, *self.pairs[at + 1 :]))
+
+    def held(self, low: str) -> int | None:
+        """The depth that a pair stands for; None where it is something else."""
+        return self.pairs[_PAIRS.index(low)] if low in _PAIRS else None
+
+    def deeper(self, other: _State) -> _State:
+        """The worse of two states; a pair that is not the same in both is known only while the program runs."""
+        pairs = (a if a == b else _COMPUTED for a, b in zip(self.pairs, other.pairs, strict=True))
+        kept = tuple(each for each in self.kept if each in other.kept)
+        interrupts, read = self.interrupts | other.interrupts, self.read | other.read
+        return _State(max(self.depth, other.depth), interrupts, read, kept, tuple(pairs))
+
+    def called(self, taken: Taken) -> _State:
+        """Behind a call: with the registers that functions keep."""
+        pairs = tuple(held if 2 * at in _KEPT else None for at, held in enumerate(self.pairs))
+        kept = tuple(each for each in self.kept if int(each[0][1:]) in _CALL_KEPT)
+        return self._replace(interrupts=taken.leaves, kept=kept, pairs=pairs)
+
+    def without(self, register: str) -> _State:
+        """With something else in a register that may have held the status."""
+        return self._replace(kept=tuple(each for each in self.kept if each[0] != register)) if self.kept else self
+
+    @property
+    def open(self) -> int:
+        """How deep the stack is where interrupts may come; below 0 where they may not."""
+        return self.depth if self.interrupts & ON else -1
+
+
+_Key = tuple[int, int]
+"""A function's address, and whether interrupts may come when it is called."""
+_NOTHING = Taken(0, -1, 0)
+
+
+class Depths:
+    """How much stack each function of a program takes.
+
+    Args:
+        machine: the program's code.
+        shut: functions that leave again at once.
+    """
+
+    def __init__(self, machine: MachineCode, shut: frozenset[int] = frozenset()) -> None:
+        self._machine, self._shut = machine, shut
+        self._code, self._symbols, self._next = machine.code, machine.symbols, machine.next
+        self._saves, self._restores = machine.part(_SAVES), machine.part(_RESTORES)
+        self._tables = {machine.symbols[name] for name in _TABLES if name in machine.symbols}
+        self._known: dict[_Key, Taken] = {}
+        self._ways: dict[_Key, tuple[_Key | None, _Key | None]] = {}
+        self._on_way: set[_Key] = set()
+        self._missing: list[_Key] = []
+        self.recursive: set[int] = set()
+        self.unknown: set[int] = set()
+
+    def chain(self, begin: int, *, opens: bool) -> list[int]:
+        """The functions of the deepest chain of calls, or of the deepest one in which interrupts may come."""
+        chain = [(begin, OFF)]
+        following = self._ways[chain[0]][opens]
+        while following is not None and following not in chain:
+            chain.append(following)
+            following = self._ways[following][opens] if following in self._ways else None
+        return [address for address, _ in chain]
+
+    def of(self, entry: int, interrupts: int) -> Taken:
+        """What a function takes.
+
+        Args:
+            entry: its address.
+            interrupts: whether they may come when it is called.
+        """
+        waiting = [(entry, interrupts)]
+        while waiting:  # no recursion: functions may call the next for as long as they like
+            at = waiting[-1]
+            if at in self._known:
+                waiting.pop()
+                continue
+            self._on_way.add(at)
+            self._missing = []
+            taken = self._measured(at)
+            if self._missing:
+                waiting += self._missing
+                continue
+            self._known[at] = taken
+            self._on_way.discard(at)
+        return self._known[entry, interrupts]
+
+    def _measured(self, key: _Key) -> Taken:
+        """What `of` says, where that is known of all that the function calls but for what is under way itself."""
+        entry, interrupts = key
+        shut = entry in self._shut
+        states = {entry: _State(0, interrupts)}
+        waiting = [entry]
+        most, way, opened, open_way, leaves = 0, None, states[entry].open, None, 0
+        table: _State | None = None
+        while waiting:
+            at = waiting.pop()
+            instruction = self._code.get(at)
+            if instruction is None:
+                continue
+            if shut and instruction.name in _LEAVES:
+                continue
+            after, called, own = self._step(instruction, states[at], entry)
+            into, taken = self._deepest(called)
+            if (deep := own + taken.most) > most:
+                most, way = deep, into
+            into, taken = self._deepest(called, opens=True)
+            deep = own + taken.open if into is not None and taken.open >= 0 else max(states[at].open, after.open)
+            if deep > opened:
+                opened, open_way = deep, into
+            following = list(self._follow(instruction, after))
+            if instruction.name in ("ret", "reti", "ijmp", "eijmp"):
+                leaves |= after.interrupts
+            target = instruction.target if instruction.name in ("jmp", "rjmp") else None
+            if target in self._shut and target != entry:  # it ends in what leaves again at once
+                leaves |= after.interrupts
+                continue
+            if target is not None and target in self._tables:
+                table = after if table is None else table.deeper(after)
+                following = []
+            elif target in self._saves:
+                following = [self._next[at]]
+            elif target in self._restores:
+                leaves |= after.interrupts
+                following = []
+            if after.depth > _LARGEST:
+                self.unknown.add(entry)
+                break
+            for address in following:
+                waiting += self._reach(states, address, after)
+            if not waiting and table is not None:
+                waiting += [a for place in self._rows(entry) for a in self._reach(states, place, table)]
+        self._ways[key] = way, open_way
+        return Taken(most, opened, leaves or interrupts)
+
+    def _deepest(self, called: Sequence[_Key], *, opens: bool = False) -> tuple[_Key | None, Taken]:
+        """The deepest of what an instruction may call."""
+        known = {key: self._known[key] for key in called if key in self._known}
+        deepest = max(known, key=lambda key: known[key].open if opens else known[key].most, default=None)
+        return deepest, known[deepest] if deepest is not None else _NOTHING
+
+    @staticmethod
+    def _reach(states: dict[int, _State], address: int, state: _State) -> list[int]:
+        """The address, where a state is news there."""
+        old = states.get(address)
+        new = state if old is None else old.deeper(state)
+        if new == old:
+            return []
+        states[address] = new
+        return [address]
+
+    def _rows(self, entry: int) -> list[int]:
+        """Where the tables of a function's `switch`es may lead."""
+        return [address for address in self._machine.labels if entry <= address < self._machine.end_of(entry)]
+
+    def _step(self, instruction: Instruction, state: _State, entry: int) -> tuple[_State, list[_Key], int]:
+        """The state behind an instruction, what it may call, and the deepest before what that takes."""
+        name, operands = instruction.name, instruction.operands
+        depth, low = state.depth, operands[0] if operands else ""
+        if name == "push":
+            return state._replace(depth=depth + 1), [], depth + 1
+        if name == "pop":
+            return state._replace(depth=max(0, depth - 1)).without(low).holding(low_of(low), None), [], depth
+        if name in ("rcall", "call"):
+            target = instruction.target
+            if not target:  # what is nowhere defined
+                return state.called(Taken(0, 0, state.interrupts)), [], depth + 2
+            if target == self._next.get(instruction.address):
+                return state._replace(depth=depth + 2), [], depth + 2  # a frame of two bytes
+            return self._behind(state, [target], recursive=True), [(target, state.interrupts)], depth + 2
+        if name in _THROUGH_POINTERS:
+            targets = self._machine.reached_from(instruction.address)
+            behind = self._behind(state, targets, recursive=False)
+            return behind, [(target, state.interrupts) for target in targets], depth + _THROUGH_POINTERS[name]
+        if name in ("jmp", "rjmp") and (target := instruction.target) is not None:
+            if target in self._saves:
+                frame = self._frame_for_saves(instruction.address)
+                depth += len([a for a in self._saves if a >= target and self._code[a].name == "push"]) + frame
+                return _State(depth, state.interrupts, state.read).holding("r28", depth), [], depth
+            return state, [], depth
+        return self._computed(instruction, state, entry), [], depth
+
+    def _behind(self, state: _State, targets: Sequence[int], *, recursive: bool) -> _State:
+        """The state behind a call; what is measured of none of the functions yet is noted.
+
+        Args:
+            state: before it.
+            targets: the functions that may be called.
+            recursive: whether what is under way already calls itself so; through a pointer nobody can tell.
+        """
+        leaves = 0
+        for key in ((target, state.interrupts) for target in targets):
+            if key in self._known:
+                leaves |= self._known[key].leaves
+            elif key not in self._on_way:
+                self._missing.append(key)
+            elif recursive:
+                self.recursive.add(key[0])
+        return state.called(Taken(0, 0, leaves or state.interrupts))
+
+    def _computed(self, instruction: Instruction, state: _State, entry: int) -> _State:
+        """The state behind an instruction that neither calls nor jumps."""
+        name, operands = instruction.name, instruction.operands
+        low = operands[0] if operands else ""
+        if name in ("sei", "cli"):
+            return state._replace(interrupts=ON if name == "sei" else OFF)
+        if name == "in" and number(operands[1]) == _STATUS:
+            read = state.without(low)
+            kept = (*read.kept, (low, state.interrupts))
+            return read._replace(read=state.read | state.interrupts, kept=kept).holding(low_of(low), None)
+        if name == "out" and number(low) == _STATUS:
+            return state._replace(interrupts=dict(state.kept).get(operands[1], state.read or ON | OFF))
+        if name == "mov" and operands[1] in dict(state.kept):
+            kept = (*state.without(low).kept, (low, dict(state.kept)[operands[1]]))
+            return self._plain(instruction, state)._replace(kept=kept)
+        if name not in _LEAVING:
+            state = state.without(low)
+        if name == "in" and low in _PAIRS and number(operands[1]) == _SP_LOW:
+            return state.holding(low, state.depth)
+        if name == "in" and number(operands[1]) == _SP_HIGH:
+            return state
+        if name == "out" and number(low) == _SP_LOW:
+            held = state.held(operands[1])
+            if held == _COMPUTED:
+                self.unknown.add(entry)
+            return state._replace(depth=held) if held is not None and held >= 0 else state  # without one it is another stack
+        held = state.held(low_of(low))
+        if held is None or held == _COMPUTED:
+            return self._plain(instruction, state)
+        if name in ("dec", "inc") and low_of(low) != low:
+            return state.holding(low_of(low), held + (0x100 if name == "dec" else -0x100))
+        if name in ("sbiw", "adiw"):
+            change = number(operands[1]) or 0
+            return state.holding(low, held + (change if name == "sbiw" else -change))
+        if name == "subi" and low_of(low) == low:
+            following = self._code.get(self._next.get(instruction.address, -1))
+            if following is not None and following.name in ("sbci", "sbc") and following.operands[0] == _high(low):
+                # sbc takes r1, which holds 0
+                change = (number(operands[1]) or 0) | (number(following.operands[1]) or 0) << 8
+                return state.holding(low, held + (change - 0x10000 if change >= 0x8000 else change))
+            return state.holding(low, _COMPUTED)
+        before = self._code.get(instruction.address - 2)
+        if name in ("sbci", "sbc") and before is not None and before.name == "subi":
+            return state  # taken with the subi before it
+        return self._plain(instruction, state)
+
+    @staticmethod
+    def _plain(instruction: Instruction, state: _State) -> _State:
+        """The state behind an instruction that computes no depth that is known."""
+        name, low = instruction.name, instruction.operands[0] if instruction.operands else ""
+        if name == "movw":
+            return state.holding(low, state.held(instruction.operands[1]))
+        if name in _LEAVING:
+            return state
+        kept = name in _ARITHMETIC and state.held(low_of(low)) is not None
+        return state.holding(low_of(low), _COMPUTED if kept else None)
+
+    def _frame_for_saves(self, address: int) -> int:
+        """The frame that a function asks `__prologue_saves__` for, in r27:r26 before the jump there."""
+        values = {"r26": 0, "r27": 0}
+        for before in range(address - 10, address, 2):
+            instruction = self._code.get(before)
+            if instruction is not None and instruction.name == "ldi" and instruction.operands[0] in values:
+                values[instruction.operands[0]] = number(instruction.operands[1]) or 0
+        return values["r26"] | values["r27"] << 8
+
+    # ---- what leads where
+
+    def _follow(self, instruction: Instruction, state: _State) -> Iterator[int]:
+        """The addresses that may come next, in the same function or in one that it ends in.
+
+        Where a program asks whether interrupts may come, it goes on as they do.
+        """
+        name = instruction.name
+        on = self._asked(instruction, state)
+        following = self._next.get(instruction.address)
+        if name in ("ret", "reti", "ijmp", "eijmp"):
+            return
+        target = instruction.target
+        if name in ("jmp", "rjmp"):
+            if target:  # at 0 are the vectors: what is nowhere defined
+                yield target
+            return
+        if _BRANCHES.match(name) and target is not None and on in (None, name == "brie"):
+            yield target
+        if following is not None:
+            if on is None or on == (name in ("sbrc", "brid")):
+                yield following
+            if name in _SKIPS and following in self._next and on in (None, name == "sbrs"):
+                yield self._next[following]
+
+    def _asked(self, instruction: Instruction, state: _State) -> bool | None:
+        """The answer where an instruction asks whether interrupts may come; None for others, and where it is not known."""
+        name = instruction.name
+        asks = name in ("brie", "brid")
+        if name in ("sbrc", "sbrs") and number(instruction.operands[1]) == _ENABLES:
+            before = self._code.get(instruction.address - 2)
+            asks = before is not None and before.name == "in" and before.operands[0] == instruction.operands[0]
+            asks = asks and before is not None and number(before.operands[1]) == _STATUS
+        return state.interrupts == ON if asks and state.interrupts in (ON, OFF) else None
+
+    def beginnings(self) -> list[int]:
+        """What runs before main: constructors of objects that last."""
+        return [address for name, address in self._symbols.items() if name.startswith("_GLOBAL__")]
+
+
+def _high(register: str) -> str:
+    return f"r{int(register[1:]) + 1}"
