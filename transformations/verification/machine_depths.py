@@ -42,7 +42,7 @@ _ENABLES = 7
 """The bit of the status that lets interrupts come."""
 
 
-class Taken(NamedTuple):
+class FunctionStack(NamedTuple):
     """What a function takes.
 
     Attributes:
@@ -91,7 +91,7 @@ class _State(NamedTuple):
         interrupts, read = self.interrupts | other.interrupts, self.read | other.read
         return _State(max(self.depth, other.depth), interrupts, read, kept, tuple(pairs))
 
-    def called(self, taken: Taken) -> _State:
+    def called(self, taken: FunctionStack) -> _State:
         """Behind a call: with the registers that functions keep."""
         pairs = tuple(held if 2 * at in _KEPT else None for at, held in enumerate(self.pairs))
         kept = tuple(each for each in self.kept if int(each[0][1:]) in _CALL_KEPT)
@@ -109,7 +109,7 @@ class _State(NamedTuple):
 
 _Key = tuple[int, int]
 """A function's address, and whether interrupts may come when it is called."""
-_NOTHING = Taken(0, -1, 0)
+_NOTHING = FunctionStack(0, -1, 0)
 
 
 class Depths:
@@ -125,7 +125,7 @@ class Depths:
         self._code, self._symbols, self._next = machine.code, machine.symbols, machine.next
         self._saves, self._restores = machine.part(_SAVES), machine.part(_RESTORES)
         self._tables = {machine.symbols[name] for name in _TABLES if name in machine.symbols}
-        self._known: dict[_Key, Taken] = {}
+        self._known: dict[_Key, FunctionStack] = {}
         self._ways: dict[_Key, tuple[_Key | None, _Key | None]] = {}
         self._on_way: set[_Key] = set()
         self._missing: list[_Key] = []
@@ -141,7 +141,7 @@ class Depths:
             following = self._ways[following][opens] if following in self._ways else None
         return [address for address, _ in chain]
 
-    def of(self, entry: int, interrupts: int) -> Taken:
+    def of(self, entry: int, interrupts: int) -> FunctionStack:
         """What a function takes.
 
         Args:
@@ -164,7 +164,7 @@ class Depths:
             self._on_way.discard(at)
         return self._known[entry, interrupts]
 
-    def _measured(self, key: _Key) -> Taken:
+    def _measured(self, key: _Key) -> FunctionStack:
         """What `of` says, where that is known of all that the function calls but for what is under way itself."""
         entry, interrupts = key
         shut = entry in self._shut
@@ -210,9 +210,9 @@ class Depths:
             if not waiting and table is not None:
                 waiting += [a for place in self._rows(entry) for a in self._reach(states, place, table)]
         self._ways[key] = way, open_way
-        return Taken(most, opened, leaves or interrupts)
+        return FunctionStack(most, opened, leaves or interrupts)
 
-    def _deepest(self, called: Sequence[_Key], *, opens: bool = False) -> tuple[_Key | None, Taken]:
+    def _deepest(self, called: Sequence[_Key], *, opens: bool = False) -> tuple[_Key | None, FunctionStack]:
         """The deepest of what an instruction may call."""
         known = {key: self._known[key] for key in called if key in self._known}
         deepest = max(known, key=lambda key: known[key].open if opens else known[key].most, default=None)
@@ -243,7 +243,7 @@ class Depths:
         if name in ("rcall", "call"):
             target = instruction.target
             if not target:  # what is nowhere defined
-                return state.called(Taken(0, 0, state.interrupts)), [], depth + 2
+                return state.called(FunctionStack(0, 0, state.interrupts)), [], depth + 2
             if target == self._next.get(instruction.address):
                 return state._replace(depth=depth + 2), [], depth + 2  # a frame of two bytes
             return self._behind(state, [target], recursive=True), [(target, state.interrupts)], depth + 2
@@ -275,7 +275,7 @@ class Depths:
                 self._missing.append(key)
             elif recursive:
                 self.recursive.add(key[0])
-        return state.called(Taken(0, 0, leaves or state.interrupts))
+        return state.called(FunctionStack(0, 0, leaves or state.interrupts))
 
     def _computed(self, instruction: Instruction, state: _State, entry: int) -> _State:
         """The state behind an instruction that neither calls nor jumps."""

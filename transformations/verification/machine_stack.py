@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from itertools import product
+from typing import NamedTuple
 
 from robosmi.transformations.verification.machine_code import MachineCode
 from robosmi.transformations.verification.machine_depths import OFF, Depths
@@ -36,6 +37,30 @@ def stack_bound(disassembly: str, architecture: str) -> StackBound | None:
     return _Contexts(machine).bound() if "main" in machine.symbols else None
 
 
+class StackParts(NamedTuple):
+    """What a program's bound is made of.
+
+    Attributes:
+        main: the bytes that main takes with what it calls.
+        main_open: the same where interrupts may come; below 0 where they never may.
+        interrupts: name of a handler -> bytes that it takes, and those where it lets others in, below 0 where it does not; with
+            the address that it returns to.
+    """
+
+    main: int
+    main_open: int
+    interrupts: dict[str, tuple[int, int]]
+
+
+def stack_parts(disassembly: str) -> StackParts:
+    """What the bound of an AVR program is made of: of what runs once at a time each part has as much as it has in the bound.
+
+    Args:
+        disassembly: of the linked program, which has a `main`.
+    """
+    return _Contexts(MachineCode(disassembly)).parts()
+
+
 class _Contexts:
     """What may take turns on a program's stack: main, with what runs before it, and the interrupts upon it.
 
@@ -50,16 +75,30 @@ class _Contexts:
         begins = {f"_Z{found[1]}" for name in machine.objects if (found := _GUARD.match(name))}
         guarded = sorted(address for name, address in machine.symbols.items() if name in begins)
         self._guarded = guarded if len(guarded) <= _MOST_GUARDS else []
-        self._handlers = [address for name, address in machine.symbols.items() if _VECTOR.match(name)]
+        vectors = {name: address for name, address in machine.symbols.items() if _VECTOR.match(name)}
+        self._names = {vectors[name]: name for name in sorted(vectors, key=lambda each: int(each.rpartition("_")[2]))}
+        self._handlers = list(self._names)
         self._depths: dict[frozenset[int], Depths] = {}
 
     def bound(self) -> StackBound:
         """The bound of the program."""
+        return self._most()[0]
+
+    def parts(self) -> StackParts:
+        """What the bound is made of."""
+        _, holders = self._most()
         main = self._machine.symbols["main"]
-        holders = product((main, *self._handlers), repeat=len(self._guarded))
-        return max(
-            (self._with(main, dict(zip(self._guarded, held, strict=True))) for held in holders), key=lambda each: each.bytes
-        )
+        taken = self._without(main, holders).of(main, OFF)
+        each = {self._names[address]: self._without(address, holders).of(address, OFF) for address in self._handlers}
+        handled = {name: (2 + own.most, 2 + own.open if own.open >= 0 else -1) for name, own in each.items()}
+        return StackParts(taken.most, taken.open, handled)
+
+    def _most(self) -> tuple[StackBound, dict[int, int]]:
+        """The bound, and who holds what runs once at a time there."""
+        main = self._machine.symbols["main"]
+        held = product((main, *self._handlers), repeat=len(self._guarded))
+        ways = (dict(zip(self._guarded, each, strict=True)) for each in held)
+        return max(((self._with(main, way), way) for way in ways), key=lambda found: found[0].bytes)
 
     def _without(self, context: int, holders: Mapping[int, int]) -> Depths:
         """How much functions take in a context that goes only into those that it holds of what runs once at a time."""
