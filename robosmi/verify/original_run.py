@@ -173,7 +173,7 @@ class _HostBench(Bench):
         self._speaker = 0
         self.tick = 0
         self.next_wake = _NEVER
-        self._address = 0
+        self._addressed: dict[int, int] = {}  # bus -> address
 
     @property
     def cycle(self) -> int:
@@ -244,14 +244,14 @@ class _HostBench(Bench):
             self.next_wake = _NEVER if due is None else due
             return 0
         if kind == _BUS_START:
-            self._address = a
-            return int(self.bus_start(a, bool(b)))
+            self._addressed[a] = b >> 1
+            return int(self.bus_start(b >> 1, bool(b & 1)))
         if kind == _BUS_WRITE:
-            return int(self.bus_write(self._address, a))
+            return int(self.bus_write(self._addressed.get(a, -1), b))
         if kind == _BUS_READ:
-            return self.bus_read(self._address)
+            return self.bus_read(self._addressed.get(a, -1))
         if kind == _BUS_STOP:
-            self.bus_stop(self._address)
+            self.bus_stop(self._addressed.get(a, -1))
             return 0
         raise VerificationError(
             "what the original program tells of its pins cannot be read: it writes to files that it has not opened",

@@ -257,6 +257,37 @@ def test_the_bus_reaches_devices_by_their_address() -> None:
     assert told == [0, 1, 5, 16, 18, 4, 4, 17, 16, 0]
 
 
+TWO_BUSES = """
+#include "simpletools.h"
+i2c *bus;
+int stack[100];
+volatile int asked;
+
+void ask(void *unused) {
+  for (unsigned char byte;; asked += byte == 7) i2c_in(bus, 0x69, 0x28, 1, &byte, 1);
+}
+
+int main() {
+  unsigned char set = 0x1F;
+  bus = i2c_newbus(5, 4, 0);
+  i2c_out(bus, 0x69, 0x20, 1, &set, 1);
+  cogstart(ask, 0, stack, sizeof stack);
+  for (int n = 0; n < 20; n++) {
+    ee_putInt(0x01020304 * n, 32768 + 4 * n);
+    if (ee_getInt(32768 + 4 * n) != 0x01020304 * n) print("%d is lost", n);
+  }
+  print(asked > 100 ? "asked" : "not asked");
+}
+"""
+
+
+def test_two_buses_at_other_pins_do_not_meet() -> None:  # a cog asks a sensor while main writes the EEPROM
+    use = DeviceUse("registers", {}, {"address": 0x69, "content": [0] * 0x28 + [7]})
+    seen = run(TWO_BUSES, 1000, [use]).trace
+    assert seen.text == "asked"
+    assert [event.value for event in seen.device_events if event.device == 0] == [[0x20, 0x1F]]
+
+
 def test_the_board_has_an_eeprom_that_is_busy_while_it_writes() -> None:  # eeprom_*.c
     told = said(
         'unsigned t = CNT; ee_putInt(-123456, 32768); print("%d ", (CNT - t) / 80000 >= 5); print("%d ", '

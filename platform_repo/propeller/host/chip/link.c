@@ -143,10 +143,11 @@ int host_console_read(host_time limit) {
 
 int host_millivolts(int channel) { return channel >= 0 && channel < CHANNELS ? millivolts[channel] : 0; }
 
-int host_bus_start(int address, int read) { return link_sync(host_now(), RECORD_BUS_START, address, read); }
-int host_bus_write(int byte) { return link_sync(host_now(), RECORD_BUS_WRITE, byte & 0xFF, 0); }
-int host_bus_read(void) { return link_sync(host_now(), RECORD_BUS_READ, 0, 0); }
-void host_bus_stop(void) { link_sync(host_now(), RECORD_BUS_STOP, 0, 0); }
+int host_bus(int scl, int sda) { return (scl & 31) << 5 | (sda & 31); }
+int host_bus_start(int bus, int address, int read) { return link_sync(host_now(), RECORD_BUS_START, bus, (address & 0x7F) << 1 | !!read); }
+int host_bus_write(int bus, int byte) { return link_sync(host_now(), RECORD_BUS_WRITE, bus, byte & 0xFF); }
+int host_bus_read(int bus) { return link_sync(host_now(), RECORD_BUS_READ, bus, 0); }
+void host_bus_stop(int bus) { link_sync(host_now(), RECORD_BUS_STOP, bus, 0); }
 
 /* ---- the end */
 

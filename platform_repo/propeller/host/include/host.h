@@ -41,10 +41,11 @@ int host_outside_level(int pin);              /* what the world puts on a pin: 0
 void host_console_write(int byte);
 int host_console_read(host_time limit);       /* the next byte that was typed, -1 at the limit */
 int host_millivolts(int channel);             /* the voltage at a channel of the converter */
-int host_bus_start(int address, int read);    /* the two-wire bus: 1 when a device acknowledges */
-int host_bus_write(int byte);
-int host_bus_read(void);
-void host_bus_stop(void);
+int host_bus(int scl, int sda);               /* the two-wire bus at these pins: each pair is a bus of its own */
+int host_bus_start(int bus, int address, int read);  /* 1 when a device acknowledges */
+int host_bus_write(int bus, int byte);
+int host_bus_read(int bus);
+void host_bus_stop(int bus);
 unsigned host_random(void);                   /* 15 bits; another sequence in each varied run */
 void host_unmodelled(const char *name) __attribute__((noreturn));  /* ends the run: nothing is known of what would happen */
 void host_end(const char *status, const char *cause) __attribute__((noreturn));

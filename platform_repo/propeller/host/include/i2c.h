@@ -2,7 +2,7 @@
 #ifndef ROBOSMI_I2C_H
 #define ROBOSMI_I2C_H
 #include <stdint.h>
-typedef struct I2C { int open; } I2C;
+typedef struct I2C { int open, bus; } I2C;
 typedef struct { I2C i2c; } I2C_COGDRIVER;
 typedef struct { I2C i2c; } I2C_SIMPLE;
 I2C *i2cOpen(I2C_COGDRIVER *dev, int scl, int sda, int freq);

@@ -5,17 +5,15 @@
 enum { FASTEST = 400000, BYTE_TICKS = 90 * HOST_TICKS_PER_US };
 
 I2C *i2cOpen(I2C_COGDRIVER *dev, int scl, int sda, int freq) {
-  (void)scl, (void)sda;
   host_call();
   if (freq > FASTEST) return 0;
-  dev->i2c.open = 1;
+  dev->i2c = (I2C){1, host_bus(scl, sda)};
   return &dev->i2c;
 }
 
 I2C *simple_i2cOpen(I2C_SIMPLE *dev, int scl, int sda) {
-  (void)scl, (void)sda;
   host_call();
-  dev->i2c.open = 1;
+  dev->i2c = (I2C){1, host_bus(scl, sda)};
   return &dev->i2c;
 }
 
@@ -29,15 +27,15 @@ int i2cWriteMore(I2C *dev, uint8_t *buffer, int count, int stop) {
   if (!dev->open) return -1;
   for (int k = 0; k < count; k++) {
     host_spend(BYTE_TICKS);
-    if (!host_bus_write(buffer[k])) return -1;
+    if (!host_bus_write(dev->bus, buffer[k])) return -1;
   }
-  if (stop) host_bus_stop();
+  if (stop) host_bus_stop(dev->bus);
   return 0;
 }
 
 int i2cWrite(I2C *dev, int address, uint8_t *buffer, int count, int stop) {
   host_spend(BYTE_TICKS);
-  if (!dev->open || !host_bus_start(address >> 1, 0)) return -1;
+  if (!dev->open || !host_bus_start(dev->bus, address >> 1, 0)) return -1;
   return i2cWriteMore(dev, buffer, count, stop);
 }
 
@@ -45,14 +43,14 @@ int i2cReadMore(I2C *dev, uint8_t *buffer, int count, int stop) {
   if (!dev->open) return -1;
   for (int k = 0; k < count; k++) {
     host_spend(BYTE_TICKS);
-    buffer[k] = host_bus_read();
+    buffer[k] = host_bus_read(dev->bus);
   }
-  if (stop) host_bus_stop();
+  if (stop) host_bus_stop(dev->bus);
   return 0;
 }
 
 int i2cRead(I2C *dev, int address, uint8_t *buffer, int count, int stop) {
   host_spend(BYTE_TICKS);
-  if (!dev->open || !host_bus_start(address >> 1, 1)) return -1;
+  if (!dev->open || !host_bus_start(dev->bus, address >> 1, 1)) return -1;
   return i2cReadMore(dev, buffer, count, stop);
 }

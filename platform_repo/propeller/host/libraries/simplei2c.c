@@ -3,7 +3,16 @@
 #include "simplei2c.h"
 
 enum { BYTE_TICKS = 180 * HOST_TICKS_PER_US };
-static int addressed, expects_address, acknowledged;
+
+/* How far a transfer is, of each pair of pins: programs may describe one bus twice. */
+static struct bus { int number, addressed, expects_address; } buses[32];
+
+static struct bus *bus_of(const i2c *pins) {
+  int number = host_bus(__builtin_ctz(pins->scl_mask | 1u << 31), __builtin_ctz(pins->sda_mask | 1u << 31)) + 1, k = 0;
+  while (buses[k].number && buses[k].number != number && k < 31) k++;
+  buses[k].number = number;
+  return &buses[k];
+}
 
 i2c *i2c_open(i2c *bus, int sclPin, int sdaPin, int sclDrive) {
   host_call();
@@ -16,35 +25,33 @@ i2c *i2c_open(i2c *bus, int sclPin, int sdaPin, int sclDrive) {
 }
 
 void i2c_start(i2c *bus) {
-  (void)bus;
   host_call();
-  expects_address = 1;
+  bus_of(bus)->expects_address = 1;
 }
 
 void i2c_stop(i2c *bus) {
-  (void)bus;
+  struct bus *on = bus_of(bus);
   host_call();
-  if (addressed) host_bus_stop();
-  addressed = expects_address = 0;
+  if (on->addressed) host_bus_stop(on->number - 1);
+  on->addressed = on->expects_address = 0;
 }
 
 int i2c_writeByte(i2c *bus, int byte) {
-  (void)bus;
+  struct bus *on = bus_of(bus);
   host_spend(BYTE_TICKS);
-  if (expects_address) {
-    if (addressed) host_bus_stop();  /* a start without a stop before it */
-    acknowledged = host_bus_start(byte >> 1 & 0x7F, byte & 1);
-    addressed = acknowledged;
-    expects_address = 0;
-    return !acknowledged;
+  if (on->expects_address) {
+    if (on->addressed) host_bus_stop(on->number - 1);  /* a start without a stop before it */
+    on->expects_address = 0;
+    return !(on->addressed = host_bus_start(on->number - 1, byte >> 1, byte & 1));
   }
-  return addressed ? !host_bus_write(byte) : 1;
+  return on->addressed ? !host_bus_write(on->number - 1, byte) : 1;
 }
 
 int i2c_readByte(i2c *bus, int ackState) {
-  (void)bus, (void)ackState;
+  struct bus *on = bus_of(bus);
+  (void)ackState;
   host_spend(BYTE_TICKS);
-  return addressed ? host_bus_read() : 0xFF;
+  return on->addressed ? host_bus_read(on->number - 1) : 0xFF;
 }
 
 int i2c_writeData(i2c *bus, const unsigned char *data, int count) {
