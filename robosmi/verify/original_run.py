@@ -29,7 +29,7 @@ STATES = {"running": "running", "finished": "done"}
 
 _RECORD = struct.Struct("<QIIII")
 _COMMAND = struct.Struct("<iiq")
-_SETTINGS = struct.Struct("<QQQQddddddIIIIIIII")
+_SETTINGS = struct.Struct("<QQQQdddddddIIIIIIII")
 _FLOAT = struct.Struct("<f")
 _WORD = struct.Struct("<I")
 _PIN, _WAVE, _CONSOLE, _SYNC, _BUS_START, _BUS_WRITE, _BUS_READ, _BUS_STOP, _END, _CALL = range(1, 11)
@@ -55,6 +55,8 @@ class Variation:
         early_part: the part of its time by which a call that waits ends earlier, as where a clock is fast.
         line_part: the part by which the console's line is faster: what prints all the time comes round more
             often; a negative part makes it slower.
+        clock_us: by how many microseconds clocks that count seconds are ahead: a program that polls one sees a second begin in
+            another poll.
     """
 
     seed: int = 0
@@ -64,6 +66,7 @@ class Variation:
     late_us: float = 0.0
     early_part: float = 0.0
     line_part: float = 0.0
+    clock_us: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -277,7 +280,7 @@ class _Conversation:
             round(horizon_us * model.clock_hz / 1e6), 0, _MOST_RECORDS,
             _NEVER if calls_from_us is None else max(0, round(calls_from_us * model.clock_hz / 1e6)),
             variation.block_factor, variation.call_factor, variation.noise, variation.late_us,
-            variation.early_part, variation.line_part,
+            variation.early_part, variation.line_part, variation.clock_us,
             model.block_ticks, model.call_ticks, bench.watched, *bench.asking, variation.seed & 0xFFFFFFFF, int(limit_s) + 1,
         )  # fmt: skip
         self._say(settings)

@@ -161,6 +161,19 @@ def test_runs_repeat_and_vary_with_their_seed() -> None:
         assert fast == pytest.approx(4 * slow, rel=0.05)
 
 
+def test_a_clock_that_is_ahead_is_seen_in_another_poll() -> None:
+    text = (
+        "#include <simpletools.h>\n#include <time.h>\n"
+        "int main() { pause(20); int until = time(NULL) + 2; high(5); while (time(NULL) < until) pause(50); low(5); }"
+    )
+    with built(text) as program:
+        lasts = []
+        for ahead_us in (0.0, 45_000.0):
+            (up, _), (down, _) = run_original(program, 3_000_000, variation=Variation(clock_us=ahead_us)).trace.levels("P5")[:2]
+            lasts.append((down - up) / 1000)
+    assert lasts == pytest.approx([2000, 1950], abs=2)
+
+
 def test_coverage_is_that_of_the_users_lines_and_branches() -> None:
     text = (
         "#include <simpletools.h>\nint main() {\n  while (1) {\n    if (input(3) == 1)\n      high(5);\n    else\n      "

@@ -39,11 +39,14 @@ _GAPS_PART = 0.09
 """An interrupt that feeds a line leaves a gap between two bytes: so much of a byte's time on simulators, which have no second
 register for what is sent next."""
 
+_CLOCK_US = 45_000.0
+"""Where in a second a program looks at its clock hangs on what it did before, which may take so much longer or shorter."""
+
 _FACTORS = (
     Variation(1, block_factor=2.0, call_factor=2.0, line_part=-_GAPS_PART),
     Variation(2, block_factor=0.5, call_factor=0.5),
-    Variation(3, noise=0.3, late_us=100.0),
-    Variation(4, block_factor=1.3, call_factor=0.8, noise=0.3, late_us=100.0),
+    Variation(3, noise=0.3, late_us=100.0, clock_us=_CLOCK_US),
+    Variation(4, block_factor=1.3, call_factor=0.8, noise=0.3, late_us=100.0, clock_us=_CLOCK_US / 2),
     Variation(5, early_part=0.001, line_part=_LINE_PART),
 )
 """What the program's steps cost in the varied runs; a microcontroller of another kind is about so much faster or slower."""

@@ -124,6 +124,8 @@ void host_spend(host_time ticks) {
   advance(ticks);
 }
 
+host_time host_clock_ahead(void) { return (host_time)(settings.clock_us * HOST_TICKS_PER_US); }
+
 void host_send_for(host_time ticks) { host_spend((host_time)(ticks * (1 - settings.line_part))); }
 
 void host_turns(unsigned turns) { host_spend((host_time)turns * settings.block_ticks); }

@@ -15,7 +15,7 @@ struct record_out { unsigned long long when; unsigned kind, a, b, c; };
 struct command_in { int kind, a; long long b; };
 struct settings_in {
   unsigned long long horizon, next_wake, most_records, calls_from;
-  double block_factor, call_factor, noise, late_us, early_part, line_part;
+  double block_factor, call_factor, noise, late_us, early_part, line_part, clock_us;
   unsigned block_ticks, call_ticks, watched, asking[3], seed, limit_s;
 };
 enum { GO, LEVEL, VOLTAGE, TYPED };
@@ -69,6 +69,7 @@ void link_open(void) {
   settings.calls_from = in.calls_from;
   settings.early_part = in.early_part;
   settings.line_part = in.line_part;
+  settings.clock_us = in.clock_us;
   noise_state = in.seed * 2654435761ull + 88172645463325252ull;
   random_state = in.seed + 1;
 }

@@ -15,6 +15,7 @@ host_time host_now(void);
 void host_call(void);                         /* the cost of calling a library's function */
 void host_spend(host_time ticks);             /* a computation that takes so long: no other cog is kept waiting */
 void host_send_for(host_time ticks);          /* a byte on the console's line takes so long, which is a little faster in some runs */
+host_time host_clock_ahead(void);             /* by so much a clock that counts seconds is ahead, in varied runs */
 void host_turns(unsigned turns);              /* so many turns of a loop of a library that is compiled as the program is */
 void host_sleep_until(host_time when);        /* a blocking wait; varied runs may end it later or earlier */
 unsigned host_counter(void);                  /* CNT: the lower 32 bits of the time */

@@ -7,7 +7,7 @@ static volatile int seconds, second_begun, cog;
 
 void secondctr(void *par) {
   seconds = (int)par;
-  for (second_begun = CNT;;) {
+  for (second_begun = (int)(CNT - (unsigned)host_clock_ahead());;) {
     second_begun += HOST_HZ;  /* when the running second ends, until then */
     host_wait_counter(second_begun);
     seconds++;

@@ -7,6 +7,8 @@
 
 static time_t offset;
 
+static host_time clock_now(void) { return host_now() + host_clock_ahead(); }
+
 clock_t clock(void) {
   host_call();
   return (clock_t)host_now();
@@ -14,7 +16,7 @@ clock_t clock(void) {
 
 time_t time(time_t *to) {
   host_call();
-  time_t now = offset + (time_t)(host_now() / HOST_HZ);
+  time_t now = offset + (time_t)(clock_now() / HOST_HZ);
   return to ? *to = now : now;
 }
 
@@ -23,15 +25,15 @@ double difftime(time_t end, time_t start) { return end - start; }
 int gettimeofday(struct timeval *to, void *zone) {
   (void)zone;
   host_call();
-  to->tv_sec = offset + (time_t)(host_now() / HOST_HZ);
-  to->tv_usec = (long)(host_now() % HOST_HZ / HOST_TICKS_PER_US);
+  to->tv_sec = offset + (time_t)(clock_now() / HOST_HZ);
+  to->tv_usec = (long)(clock_now() % HOST_HZ / HOST_TICKS_PER_US);
   return 0;
 }
 
 int settimeofday(const struct timeval *from, const void *zone) {
   (void)zone;
   host_call();
-  offset = from->tv_sec - (time_t)(host_now() / HOST_HZ);
+  offset = from->tv_sec - (time_t)(clock_now() / HOST_HZ);
   return 0;
 }
 
