@@ -8,12 +8,13 @@ inputs come a little earlier or later. A source whose values differ from its own
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.alignment import aligned, alike
 from robosmi.verify.difference_words import lasts_otherwise, told_difference
+from robosmi.verify.self_difference import SelfDifference, first_self_difference, first_wrong_line
 
 SAME, DIFFERENT, NOT_EXERCISED, RACY = "same", "different", "not-exercised", "racy"
 
@@ -69,6 +70,7 @@ class ChannelComparison:
         difference: the first one, or None.
         events: how many were compared, or the source has where it is racy, without what it does at the beginning.
         greatest_dt_ms: the greatest distance in time of two events that belong together.
+        itself: where the source first differs from itself, if it does.
     """
 
     channel: str
@@ -76,6 +78,7 @@ class ChannelComparison:
     difference: FirstDifference | None = None
     events: int = 0
     greatest_dt_ms: float = 0.0
+    itself: SelfDifference | None = None
 
 
 @dataclass(frozen=True)
@@ -130,7 +133,7 @@ def compare(
     """
     allowed = tolerances(source, varied)
     if allowed is None or _ends_differ(source, varied, horizon_ms, allowed):
-        return ChannelComparison(channel, RACY, events=max(0, len(source) - 1))
+        return _racy(channel, source, target, varied)
     off = allowed or [EventTolerance()]
 
     def in_time(own: int, other: int) -> bool:
@@ -165,6 +168,33 @@ def compare(
     if matched <= 0:
         return ChannelComparison(channel, NOT_EXERCISED)
     return ChannelComparison(channel, SAME, None, matched, greatest)
+
+
+def _racy(
+    channel: str, source: Sequence[ActivityEvent], target: Sequence[ActivityEvent], varied: Sequence[Sequence[ActivityEvent]]
+) -> ChannelComparison:
+    """A channel on which the source differs from itself: what is sure of it may be different all the same."""
+    itself = first_self_difference(source, varied)
+    found = ChannelComparison(channel, RACY, events=max(0, len(source) - 1), itself=itself)
+    if itself is None:
+        return found
+    until_ms = itself.at_ms - 1.0
+    own, theirs, *others = ([e for e in events if e.at_us / 1000 <= until_ms] for events in (source, target, *varied))
+    if (
+        own
+        and len(own) < len(source)
+        and tolerances(own, others) is not None
+        and not _ends_differ(own, others, until_ms, [EventTolerance()])
+    ):
+        before = compare(channel, own, theirs, others, until_ms)
+        if before.status == DIFFERENT:
+            return replace(before, itself=itself)
+    wrong = first_wrong_line(source, target, varied)
+    if wrong is not None:
+        message = f"{wrong.target} instead of {wrong.source}, which the source prints in each run, though other lines change"
+        first = FirstDifference(wrong.source.at_us / 1000, channel, message, wrong.source, wrong.target)
+        return replace(found, status=DIFFERENT, difference=first)
+    return found
 
 
 def _may_be_beyond(mine: ActivityEvent | None, theirs: ActivityEvent | None, beyond_ms: float, horizon_ms: float) -> bool:

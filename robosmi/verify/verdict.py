@@ -59,7 +59,13 @@ class ScenarioVerdict:
         return {
             "name": self.scenario.name, "origin": self.scenario.origin, "verdict": self.verdict,
             "simulated_s": round(self.simulated_ms / 1000, 6), "reason": self.reason or None, "until_ms": _rounded(self.until_ms),
-            "channels": [{"name": c.channel, "status": c.status, "events": c.events} for c in self.channels],
+            "channels": [
+                {
+                    "name": c.channel, "status": c.status, "events": c.events,
+                    "differs_from_itself": None if c.itself is None else c.itself.to_json(),
+                }
+                for c in self.channels
+            ],
         }  # fmt: skip
 
 
@@ -95,6 +101,7 @@ class Verdict:
         functions: channel -> the platform's functions that use it.
         not_compared: ports that are not compared: lines of buses, and what is not wired on the target.
         calls: those of the source around the first difference.
+        little_room: what the compile report says of a stack for which there is little room; empty where there is enough.
         stand_ins: libraries that are not installed here, so that stand-ins of the repository were simulated.
     """
 
@@ -114,6 +121,7 @@ class Verdict:
     functions: dict[str, tuple[str, ...]] = field(default_factory=dict)
     not_compared: list[str] = field(default_factory=list)
     calls: CallsAround = field(default_factory=CallsAround)
+    little_room: str = ""
     stand_ins: list[str] = field(default_factory=list)
 
     @property
@@ -196,7 +204,12 @@ class Verdict:
             "call": None if self.calls.made is None else self.calls.made.to_json(),
             "calls_around": [call.to_json() for call in self.calls.around],
             "inputs": inputs_until(scenario.scenario, difference.at_ms),
+            "likely_cause": self._likely_cause(difference),
         }
+
+    def _likely_cause(self, difference: FirstDifference) -> str | None:
+        """What the compile report says that explains a crash, None if there is nothing of that kind."""
+        return f"the stack may have run out: {self.little_room}" if self.little_room and difference.channel == PROGRAM else None
 
     def sentence(self) -> str:
         """The verdict in one sentence, for lists of findings."""
@@ -222,7 +235,7 @@ class Verdict:
     def _reached(self) -> str:
         """How much of the source was reached, in words."""
         if not self.counted:
-            return "no source line counts as reached: no scenario was compared to its end"
+            return "no source line counts as reached: no scenario could be decided"
         return f"source lines {self.lines_pct:.1f} %, branches {self.branches_pct:.1f} %"
 
     def all_reasons(self) -> list[str]:
@@ -241,6 +254,8 @@ class Verdict:
             scenario, difference = first
             lines.append(f"  first difference: '{scenario.scenario.name}' at {difference.at_ms:.1f} ms, {difference.channel}:")
             lines.append(f"    {difference.message}")
+            if (cause := self._likely_cause(difference)) is not None:
+                lines.append(f"    likely cause: {cause}")
             functions = self.functions.get(difference.channel, ())
             if self.calls.made is not None:
                 lines.append(f"    called for that channel by the source: {self.calls.made}")

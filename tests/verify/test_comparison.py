@@ -96,6 +96,48 @@ def test_what_the_source_does_not_do_twice_the_same_is_racy() -> None:
     assert compare("x", events(BLINK), events(BLINK), [events([*BLINK, (3999, LEVEL, (1,))])], 4000).status == "same"
 
 
+def test_it_is_told_where_the_source_differs_from_itself() -> None:
+    found = compare("x", events(TEXT), events(TEXT), [events(TEXT), events(changed(TEXT, 1, 905, ("volts 2.49",)))], 4000)
+    assert str(found.itself) == "'volts 2.48' at 900.0 ms, or 'volts 2.49' at 905.0 ms"
+    assert found.itself is not None
+    assert found.itself.to_json() == {
+        "at_ms": 900.0, "source": {"at_ms": 900.0, "what": "'volts 2.48'"}, "again": {"at_ms": 905.0, "what": "'volts 2.49'"},
+    }  # fmt: skip
+    more = compare("x", events(BLINK), events(BLINK), [events(BLINK[:2])], 4000).itself
+    assert str(more) == "low at 1500.0 ms, or nothing more"
+
+
+def test_a_difference_before_the_source_differs_from_itself_is_one() -> None:
+    varied = changed(DRIVE, 2, None, (1440.0,))
+    found = compare("x", events(DRIVE), events(changed(DRIVE, 1, None, (1300.0,))), [events(varied)], 4000)
+    assert (found.status, found.difference is not None and found.difference.at_ms) == ("different", 20)
+    near = compare("x", events(DRIVE), events(changed(DRIVE, 2, None, (1300.0,))), [events(varied)], 4000)
+    assert near.status == "racy"
+
+
+COUNTS: Told = [(100, LINE, ("loops 10",)), (200, LINE, ("tl 0",)), (300, LINE, ("loops 20",)), (400, LINE, ("tl 16",))]
+
+
+@pytest.mark.parametrize(
+    ("target", "status"),
+    [
+        (COUNTS, "racy"),
+        (changed(COUNTS, 2, None, ("loops 90",)), "racy"),  # of a number that wobbles nothing is known
+        (changed(COUNTS, 3, None, ("tl 0",)), "different"),
+        (changed(COUNTS, 3, None, ("tr 16",)), "racy"),  # the program may have gone another way
+        (changed(COUNTS, 3, 900), "racy"),
+    ],
+)
+def test_a_line_that_never_changes_is_compared_beside_lines_that_do(target: Told, status: str) -> None:
+    varied = changed(changed(COUNTS, 0, None, ("loops 11",)), 2, None, ("loops 22",))
+    found = compare("x", events(COUNTS), events(target), [events(varied)], 4000)
+    assert found.status == status
+    assert found.itself is not None
+    if found.difference is not None:
+        assert found.difference.at_ms == 400
+        assert found.difference.message.startswith("'tl 0' instead of 'tl 16', which the source prints in each run")
+
+
 def test_times_may_be_off_by_twice_what_the_source_is_off_from_itself() -> None:
     """A lamp that is on while a button is held lasts as long as a person holds it, and the looks in between."""
     varied = changed(BLINK, 2, 1530)

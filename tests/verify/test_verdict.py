@@ -43,6 +43,17 @@ def test_a_crash_is_the_first_difference_and_ends_what_is_said_of_channels() -> 
     assert Verdict(scenarios=[told("no-difference-found", "same")]).channels()[0]["until_ms"] is None
 
 
+def test_a_crash_where_the_stack_has_little_room_names_that() -> None:
+    crashed = Verdict(
+        scenarios=[told("different", "same", crash=CRASH, until_ms=400.0)], little_room="246 bytes are left [RS807]"
+    )
+    assert "    likely cause: the stack may have run out: 246 bytes are left [RS807]" in crashed.lines()
+    assert crashed.to_json()["first_difference"]["likely_cause"].endswith("[RS807]")
+    late = ChannelComparison("P5", "different", FirstDifference(100.0, "P5", "high is missing", None, None))
+    other = Verdict(scenarios=[ScenarioVerdict(Scenario("s", 1000.0, {}), "different", (late,), 1000.0)], little_room="[RS807]")
+    assert other.to_json()["first_difference"]["likely_cause"] is None
+
+
 def test_lines_of_the_source_are_counted_only_where_a_scenario_counts() -> None:
     dropped = Verdict(reasons=["no scenario is left"], racy=3)
     for text in (dropped.sentence(), dropped.lines()[0]):

@@ -41,7 +41,7 @@ from robosmi.transformations.verification.played_devices import played, signals_
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, reads_console, texts_understood
 from robosmi.transformations.verification.scenario_search import search
 from robosmi.transformations.verification.source_reached import cover
-from robosmi.verify.compile_report import CompileReport
+from robosmi.verify.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.libraries import STAND_IN
 from robosmi.verify.original_build import OriginalProgram
@@ -138,6 +138,7 @@ def verify(
         report = compile_sketch(output, keep=folder / "target")
         verdict = Verdict(compiled=report.ok, compiler=report.tool, binding=[port.to_json() for port in ports])
         verdict.stand_ins = [library.name for library in report.libraries if library.source == STAND_IN]
+        verdict.little_room = next((f"{f.message} [{f.rule}]" for f in report.diagnostics if f.rule == LITTLE_RAM), "")
         verdict.functions = {port.title: port.functions for port in ports}
         verdict.not_compared = [port.title for port in ports if port.line or not port.target]
         if not report.ok:
@@ -174,7 +175,7 @@ def verify(
                 verdict.calls = calls_around(program, ports, scenario, runs, told.first)
         if verdict.nothing_compared:
             verdict.reasons.append(why_nothing_was_compared(verdict, ports))
-        cover(verdict, program, [runs for _, runs in cases], made.racy_counts, plan, output)
+        cover(verdict, program, [runs for _, runs in cases], made.racy_counts, plan, output, ports)
         done = Verified(verdict, report)
         _store(made.new, plan_file.parent / FOLDER, done)
         if cases:

@@ -49,17 +49,30 @@ def calls_around(
         return CallsAround()
     made = library_calls(program, played(ports, scenario, target=False), begin_us, end_us)
     calls = [replace(call, function=_MACRO.sub("", call.function)) for call in made]
-    name = difference.channel.removesuffix(DRIVEN)
-    functions = next((port.functions for port in ports if port.title == name), ())
-    printed = difference.channel == CONSOLE_CHANNEL
-    makes = [call for call in calls if printed and call.prints] or [call for call in calls if call.function in functions] or calls
-    before = [call for call in makes if call.at_us <= at_us + _MARGIN_US / 2]
-    maker = before[-1] if before else makes[0] if makes else None
+    maker = last_call_for(difference.channel, calls, ports, at_us)
     told = {(call.function, call.file, call.line): call for call in calls if call.at_us <= at_us}
     after = {(call.function, call.file, call.line): call for call in reversed(calls) if call.at_us > at_us}
     near = [*sorted(told.values(), key=_when)[-_BEFORE:], *sorted(after.values(), key=_when)[:_AFTER]]
     around = {(call.function, call.file, call.line): call for call in near if call != maker}
     return CallsAround(maker, tuple(sorted(around.values(), key=_when)))
+
+
+def last_call_for(channel: str, calls: Sequence[LibraryCall], ports: Sequence[BoundPort], at_us: float) -> LibraryCall | None:
+    """The last call until an instant that is one for a channel, else the first one after it; None where there is none.
+
+    Args:
+        channel: the console, or what is seen at a port, or of the device there.
+        calls: of the source, by time.
+        ports: the ports, with the functions that use each.
+        at_us: the instant, in microseconds.
+    """
+    name = channel.removesuffix(DRIVEN)
+    functions = next(
+        (port.functions for port in ports if port.title and (name == port.title or name.startswith(f"{port.title} "))), ()
+    )
+    makes = [call for call in calls if (call.prints if channel == CONSOLE_CHANNEL else call.function in functions)]
+    before = [call for call in makes if call.at_us <= at_us + _MARGIN_US / 2]
+    return before[-1] if before else makes[0] if makes else None
 
 
 def _when(call: LibraryCall) -> float:

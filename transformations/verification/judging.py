@@ -75,7 +75,7 @@ def judged(
         message = f"the migrated program crashes on the simulator, where the original {went_on}"
         crash = FirstDifference(crashed_ms, PROGRAM, message, None, None)
         return ScenarioVerdict(scenario, DIFFERENT_VERDICT, found, horizon_ms, crash=crash)
-    reason = _doubt(scenario, runs, [c.channel for c in found if c.status == RACY], crashed_ms)
+    reason = _doubt(scenario, runs, [c for c in found if c.status == RACY], crashed_ms)
     return ScenarioVerdict(scenario, NOT_DECIDABLE if reason else NO_DIFFERENCE, found, horizon_ms, reason)
 
 
@@ -139,7 +139,7 @@ def _given_up(runs: SourceRuns) -> str:
     return f"the original did not run to its end{varied} ({_UNSETTLED[runs.given_up]})"
 
 
-def _doubt(scenario: Scenario, runs: SourceRuns, racy: Sequence[str], crashed_ms: float | None) -> str:
+def _doubt(scenario: Scenario, runs: SourceRuns, racy: Sequence[ChannelComparison], crashed_ms: float | None) -> str:
     """Why nothing can be decided in a scenario without a difference; empty if it can."""
     nominal = runs.nominal
     if nominal.status not in SETTLED:
@@ -155,7 +155,8 @@ def _doubt(scenario: Scenario, runs: SourceRuns, racy: Sequence[str], crashed_ms
             "when its steps cost a little more or less"
         )
     if racy:
-        return f"in '{scenario.name}' the source differs from itself ({', '.join(racy)})"
+        where = "; ".join(f"{c.channel}: {c.itself}" if c.itself is not None else c.channel for c in racy)
+        return f"in '{scenario.name}' the source differs from itself ({where})"
     return ""
 
 

@@ -10,11 +10,14 @@ from robosmi.metamodels import ccode, migration
 from robosmi.model.strict import Element
 from robosmi.transformations.queries.written_bodies import AS_BYTES, open_bodies
 from robosmi.transformations.verification.original_side import SourceRuns
+from robosmi.transformations.verification.played_devices import played
+from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_coverage import SourceCoverage, coverage
+from robosmi.verify.original_run import run_original
 from robosmi.verify.sketch import find_sketch
 from robosmi.verify.toolchain_data import load_toolchains
-from robosmi.verify.verdict import NOT_DECIDABLE, Verdict
+from robosmi.verify.verdict import NOT_DECIDABLE, ScenarioVerdict, Verdict
 
 
 def _open_now(output: Path) -> dict[str, bool]:
@@ -26,7 +29,7 @@ def _open_now(output: Path) -> dict[str, bool]:
 
 def cover(
     verdict: Verdict, program: OriginalProgram, cases: Sequence[SourceRuns], racy: Sequence[bytes], plan: migration.MigrationPlan,
-    output: Path,
+    output: Path, ports: Sequence[BoundPort],
 ) -> None:  # fmt: skip
     """Say in a verdict how much of the source the decidable scenarios reach, and which unfinished adapters were called.
 
@@ -37,13 +40,18 @@ def cover(
         racy: the counters of scenarios that were dropped since the source differs from itself.
         plan: the plan of the migration.
         output: the output folder, whose program as it now stands counts.
+        ports: the ports.
     """
     decided = [
         runs.nominal.counts
         for runs, told in zip(cases, verdict.scenarios, strict=True)
         if runs.nominal.counts and told.verdict != NOT_DECIDABLE and told.crash is None and not verdict.nothing_compared
     ]
-    if called := [runs.nominal.counts for runs in cases if runs.nominal.counts]:
+    if called := [
+        _compared_counts(runs, told, program, ports)
+        for runs, told in zip(cases, verdict.scenarios, strict=True)
+        if runs.nominal.counts
+    ]:
         verdict.reasons += _unfinished(coverage(program, called), plan, _open_now(output))
     verdict.counted = len(decided)
     if not decided:
@@ -57,6 +65,13 @@ def cover(
     verdict.branches_pct = 100.0 * (counted - len(missed)) / counted if counted else 100.0
     verdict.racy_branches = [f"{Path(file).name}:{line}" for file, line, _ in sorted(only_racy)]
     verdict.missed_branches = [f"{Path(file).name}:{line}" for file, line, _ in missed]
+
+
+def _compared_counts(runs: SourceRuns, told: ScenarioVerdict, program: OriginalProgram, ports: Sequence[BoundPort]) -> bytes:
+    """The counters of what was compared of a scenario: where the migrated program crashes, the source runs so far again."""
+    if told.crash is None:
+        return runs.nominal.counts
+    return run_original(program, told.simulated_ms * 1000, played(ports, told.scenario, target=False)).counts
 
 
 def _unfinished(covered: SourceCoverage, plan: migration.MigrationPlan, open_now: Mapping[str, bool]) -> list[str]:
