@@ -8,14 +8,196 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Protocol, TypedDict, Unpack
 
 from robosmi.plugins import content
+
+if TYPE_CHECKING:
+    from robosmi.data_text import Json
+    from robosmi.diagnostics import Finding
+    from robosmi.metamodels import ccode, hardware, migration
+    from robosmi.project import Project
+    from robosmi.recommend.ranking import Recommendation
+    from robosmi.verify.compile_report import CompileReport
+    from robosmi.verify.upload import UploadReport
+
+
+class Analysed(Protocol):
+    """What was found in something that was read."""
+
+    @property
+    def result(self) -> Mapping[str, Json]:
+        """The command's part of the JSON document, as the contract has it."""
+
+    @property
+    def findings(self) -> Sequence[Finding]:
+        """What is worth knowing, in order."""
+
+    def lines(self) -> list[str]:
+        """Text for a terminal."""
+
+
+class AnalysedCode(Analysed, Protocol):
+    """What was found in the source files of a program."""
+
+    @property
+    def program(self) -> ccode.Program:
+        """The code model."""
+
+
+class AnalysedDrawing(Analysed, Protocol):
+    """What was found in a drawing."""
+
+    @property
+    def circuit(self) -> hardware.Circuit:
+        """The hardware model."""
+
+    def picture(self) -> str:
+        """The circuit as SVG."""
+
+    def pin_table(self, target: Path) -> str:
+        """The pins and what they drive, in the form that the ending of a file's name says."""
+
+
+class RankedLibraries(Analysed, Protocol):
+    """Libraries for components, best first."""
+
+    @property
+    def answers(self) -> Sequence[Recommendation]:
+        """One for each component, in their order."""
+
+
+class PlannedMigration(Protocol):
+    """The models of a migration."""
+
+    @property
+    def plan(self) -> migration.MigrationPlan:
+        """The plan, with every decision."""
+
+    @property
+    def program(self) -> ccode.Program:
+        """The code model."""
+
+    @property
+    def circuit(self) -> hardware.Circuit | None:
+        """The hardware model; None without a drawing."""
+
+
+class MadeSketch(Protocol):
+    """What a migration made."""
+
+    @property
+    def models(self) -> PlannedMigration:
+        """Its models, the plan among them."""
+
+    @property
+    def sketch(self) -> Path:
+        """The sketch's folder."""
+
+    @property
+    def contents(self) -> Mapping[str, bytes]:
+        """Every file made, path relative to the output folder -> bytes."""
+
+    @property
+    def output(self) -> Path:
+        """The output folder."""
+
+    @property
+    def diff(self) -> str:
+        """What a dry run would change; else empty, unless it was asked for."""
+
+    @property
+    def written(self) -> bool:
+        """Whether the files were written (not in a dry run)."""
+
+    @property
+    def verification(self) -> tuple[Mapping[str, Json], int] | None:
+        """The comparison with the original as the contract has it, and its exit code; None where nobody asked for it."""
+
+    @property
+    def findings(self) -> Sequence[Finding]:
+        """What is worth knowing."""
+
+    def result(self) -> Mapping[str, Json]:
+        """The command's part of the JSON document, as the contract has it."""
+
+    def tasks(self) -> Sequence[Finding]:
+        """What is left for a person."""
+
+    def artifacts(self) -> list[dict[str, str]]:
+        """Files written, {path, kind}."""
+
+    def lines(self) -> list[str]:
+        """Text for a terminal."""
+
+
+class PlanOptions(TypedDict, total=False):
+    """What a plan of a migration may be made with.
+
+    Attributes:
+        project: the settings of a project; those beside the first source file if they are not given.
+        hardware: the drawing of the new hardware.
+        target: name of the target board.
+        source_platform: platform that the program was written for.
+        include_dirs: folders with headers.
+        defines: macros defined from outside, NAME or NAME=VALUE.
+        libraries: drawn component -> library.
+        bind: port of the source -> pin of the target.
+        adapters: bodies of adapters, `filled` or `placeholders`.
+        history: a file or a URL with earlier choices instead of the user's.
+        widths: `fix` keeps the widths of the source's numbers, `keep` their text.
+        bench: whether a sketch that tries one component at a time is made, too.
+    """
+
+    project: Project | None
+    hardware: str | Path | None
+    target: str | None
+    source_platform: str | None
+    include_dirs: Sequence[Path]
+    defines: Sequence[str]
+    libraries: Mapping[str, str] | None
+    bind: Mapping[str, str] | None
+    adapters: str | None
+    history: str | None
+    widths: str
+    bench: bool
+
+
+class MigrationOptions(PlanOptions, total=False):
+    """What a migration may be made with.
+
+    Attributes:
+        dry_run: whether nothing is written.
+        strict: whether an open choice stops it.
+        verify: whether the sketch is compared with the original at the end.
+    """
+
+    dry_run: bool
+    strict: bool
+    verify: bool
+
+
+class UploadOptions(TypedDict, total=False):
+    """How a sketch is uploaded.
+
+    Attributes:
+        kept_in: the folder that it was compiled into.
+        baud: the speed of the port.
+        unfinished: whether a sketch with open tasks is sent, too.
+        dry_run: whether nothing is sent.
+        project: a folder whose project file counts.
+    """
+
+    kept_in: Path | None
+    baud: int | None
+    unfinished: bool
+    dry_run: bool
+    project: Path | None
 
 
 def load_code(
     *files: str | Path, source_platform: str | None = None, include_dirs: Sequence[Path] = (), defines: Sequence[str] = ()
-) -> Any:
+) -> ccode.Program:
     """Read the source files of one program.
 
     Args:
@@ -31,10 +213,13 @@ def load_code(
         SourceError: a file cannot be read as a program.
     """
     paths = [Path(f) for f in files]
-    return content("chain", "analyse")(paths, source_platform=source_platform, include_dirs=include_dirs, defines=defines).program
+    found: AnalysedCode = content("chain", "analyse")(
+        paths, source_platform=source_platform, include_dirs=include_dirs, defines=defines
+    )
+    return found.program
 
 
-def load_hardware(sketch: str | Path, *, roles: Mapping[str, str] | None = None) -> Any:
+def load_hardware(sketch: str | Path, *, roles: Mapping[str, str] | None = None) -> hardware.Circuit:
     """Read a drawing.
 
     Args:
@@ -47,7 +232,8 @@ def load_hardware(sketch: str | Path, *, roles: Mapping[str, str] | None = None)
     Raises:
         SourceError: it cannot be read, or has no board.
     """
-    return content("chain", "hardware")(Path(sketch), roles=roles or {}).circuit
+    found: AnalysedDrawing = content("chain", "hardware")(Path(sketch), roles=roles or {})
+    return found.circuit
 
 
 def recommend_libraries(
@@ -56,7 +242,7 @@ def recommend_libraries(
     components: str | Path | None = None,
     ranker: str | None = None,
     target: str | None = None,
-) -> Any:
+) -> RankedLibraries:
     """Rank libraries for the components of a drawing, or for components listed in a JSON file.
 
     Returns:
@@ -67,15 +253,16 @@ def recommend_libraries(
         UsageError: there is no such ranker or target.
     """
     drawing, listed = Path(sketch) if sketch is not None else None, Path(components) if components is not None else None
-    return content("chain", "recommend")(drawing, components=listed, ranker=ranker, target=target)
+    ranked: RankedLibraries = content("chain", "recommend")(drawing, components=listed, ranker=ranker, target=target)
+    return ranked
 
 
-def plan_migration(files: Sequence[str | Path], **options: Any) -> Any:
+def plan_migration(files: Sequence[str | Path], **options: Unpack[PlanOptions]) -> PlannedMigration:
     """Make the plan of a migration without generating anything.
 
     Args:
         files: source files of one program.
-        options: hardware, target, source_platform, include_dirs, defines, libraries, bind, project.
+        options: see `PlanOptions`.
 
     Returns:
         The models of the migration; `.plan` is the `migration.MigrationPlan`.
@@ -84,16 +271,17 @@ def plan_migration(files: Sequence[str | Path], **options: Any) -> Any:
         SourceError: an input cannot be read or used.
         UsageError: a choice names what does not exist.
     """
-    return content("chain", "plan")(files, **options)
+    planned: PlannedMigration = content("chain", "plan")(files, **options)
+    return planned
 
 
-def migrate(files: Sequence[str | Path], output: str | Path, **options: Any) -> Any:
+def migrate(files: Sequence[str | Path], output: str | Path, **options: Unpack[MigrationOptions]) -> MadeSketch:
     """Migrate a program: plan, generate, write.
 
     Args:
         files: source files of one program.
         output: the output folder.
-        options: as for `plan_migration`, and dry_run, strict.
+        options: see `MigrationOptions`.
 
     Returns:
         What was made; `.models.plan` is the plan, `.sketch` the sketch's folder.
@@ -103,22 +291,24 @@ def migrate(files: Sequence[str | Path], output: str | Path, **options: Any) -> 
         UsageError: a choice names what does not exist.
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
     """
-    return content("chain", "migrate")(files, output, **options)
+    made: MadeSketch = content("chain", "migrate")(files, output, **options)
+    return made
 
 
 def generate_sketch(
     plan: str | Path, output: str | Path, *, dry_run: bool = False, strict: bool = False, bench: bool = False
-) -> Any:
+) -> MadeSketch:
     """Make the sketch of a stored plan, from it and the models beside it alone.
 
     Raises:
         SourceError: a file cannot be read, or does not match its digest.
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
     """
-    return content("chain", "generate")(Path(plan), Path(output), dry_run=dry_run, strict=strict, bench=bench)
+    made: MadeSketch = content("chain", "generate")(Path(plan), Path(output), dry_run=dry_run, strict=strict, bench=bench)
+    return made
 
 
-def check_model(path: str | Path) -> Any:
+def check_model(path: str | Path) -> Analysed:
     """Hold a drawing, a stored plan or any other model against all constraints registered for its metamodel.
 
     Args:
@@ -131,10 +321,11 @@ def check_model(path: str | Path) -> Any:
         SourceError: it cannot be read.
         ModelError: it contradicts its metamodel.
     """
-    return content("chain", "check")(path)
+    found: Analysed = content("chain", "check")(path)
+    return found
 
 
-def compile_sketch(sketch: str | Path, board: str | None = None, output: str | Path | None = None) -> Any:
+def compile_sketch(sketch: str | Path, board: str | None = None, output: str | Path | None = None) -> CompileReport:
     """Compile a generated sketch with the target's real toolchain.
 
     Args:
@@ -158,14 +349,13 @@ def compile_sketch(sketch: str | Path, board: str | None = None, output: str | P
     return compile_into(Path(sketch), board, into=Path(output))
 
 
-def upload_sketch(sketch: str | Path, port: str, **options: Any) -> Any:
+def upload_sketch(sketch: str | Path, port: str, **options: Unpack[UploadOptions]) -> UploadReport:
     """Put the compiled program of a sketch on the board at a port.
 
     Args:
         sketch: the output folder, or the sketch's own.
         port: the serial port, as the system calls it.
-        **options: `kept_in` (the folder that it was compiled into), `baud`, `unfinished`, `dry_run`; see
-            `robosmi.verify.upload.upload_sketch`.
+        **options: see `UploadOptions`.
 
     Returns:
         A `robosmi.verify.upload.UploadReport`.

@@ -9,7 +9,12 @@ from __future__ import annotations
 import hashlib
 from dataclasses import dataclass, field
 from enum import IntEnum
-from typing import Any
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from robosmi.data_text import Json
 
 
 class Severity(IntEnum):
@@ -38,7 +43,7 @@ class Location:
                 parts.append(str(self.column))
         return ":".join(parts)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> dict[str, Json]:
         """The contract's form of a place."""
         return {
             "path": self.path,
@@ -61,7 +66,7 @@ class FlowStep:
     location: Location
     message: str
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> dict[str, Json]:
         """The form that findings have in JSON."""
         return {"location": self.location.to_json(), "message": self.message}
 
@@ -78,7 +83,7 @@ class TextEdit:
     location: Location
     text: str
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> dict[str, Json]:
         """The form that findings have in JSON."""
         return {"location": self.location.to_json(), "text": self.text}
 
@@ -105,9 +110,14 @@ class Finding:
     location: Location | None = None
     element: str | None = None
     fix: str | None = None
-    evidence: dict[str, Any] = field(default_factory=dict)
+    evidence: Mapping[str, Json] = field(default_factory=dict)
     steps: tuple[FlowStep, ...] = ()
     edits: tuple[TextEdit, ...] = ()
+
+    def listed(self, name: str) -> Sequence[Json]:
+        """The values of a list of the evidence; empty where there is no list of that name."""
+        value = self.evidence.get(name)
+        return value if isinstance(value, (list, tuple)) else ()
 
     @property
     def id(self) -> str:
@@ -117,7 +127,7 @@ class Finding:
         data = text.encode(errors="surrogatepass")  # a path may hold bytes that are no UTF-8
         return f"{self.rule}-{hashlib.sha256(data).hexdigest()[:10]}"
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> dict[str, Json]:
         """The contract's form of a finding or task."""
         return {
             "id": self.id,

@@ -26,7 +26,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from robosmi.chain.graph import Dependencies, graph_of, in_order, missing
 from robosmi.chain.run import ChainResult, ChainRun, Progress
@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from robosmi.chain.languages import Choice  # all languages
     from robosmi.functions import Function
 
+V = TypeVar("V")
 Names = str | Sequence[str]
 Paths = str | Path | Sequence[str | Path]
 ECORE = "ecore"
@@ -167,7 +168,7 @@ class Chain:
         """  # fmt: skip
         self._add(step, "generate", function, models, folder=folder, templates=templates, reads=reads)
 
-    def given(self, *names: str, **defaults: Any) -> None:
+    def given(self, *names: str, **defaults: V) -> None:
         """Declare values that are given from outside when a run starts.
 
         Args:
@@ -294,7 +295,7 @@ class Chain:
         return ordered
 
     def run(
-        self, *, dry_run: bool = False, keep: bool = True, force: bool = False, fix: Choice | None = None, **values: Any
+        self, *, dry_run: bool = False, keep: bool = True, force: bool = False, fix: Choice | None = None, **values: V
     ) -> ChainResult:
         """Do the steps whose inputs have changed since they were done last, or whose outputs are gone.
 
@@ -311,7 +312,7 @@ class Chain:
             RuleError: a rule or template is wrong, or raises.
             StoppedError: what a person changed would be lost.
         """
-        return self.start(dry_run=dry_run, keep=keep, force=force, fix=fix, **values).run()
+        return self.start(dry_run=dry_run, keep=keep, force=force, fix=fix, progress=None, **values).run()
 
     def start(
         self,
@@ -321,7 +322,7 @@ class Chain:
         force: bool = False,
         fix: Choice | None = None,
         progress: Progress | None = None,
-        **values: Any,
+        **values: V,
     ) -> ChainRun:
         """A run in which nothing is done yet: to be asked for values, told others, and asked again.
 

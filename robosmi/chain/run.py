@@ -11,12 +11,12 @@ import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 import robosmi
 from robosmi import inputs
 from robosmi.chain.graph import Dependencies
-from robosmi.chain.results import described, unlike
+from robosmi.chain.results import described, named, unlike
 from robosmi.chain.state import State, StepState, digest_of, digest_of_all, finding_from
 from robosmi.chain.steps import CALL, GIVEN, Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location, Severity
@@ -26,8 +26,11 @@ from robosmi.plugins import raised_by, unloadable
 
 if TYPE_CHECKING:
     from robosmi.chain.languages import Choice, Doing  # all languages
+    from robosmi.model.dynamic import Dynamic
     from robosmi.model.session import Session
 
+T = TypeVar("T")
+V = TypeVar("V")
 Progress = Callable[[Step, StepResult | None], None]
 """Told of a step: without a result before it is done, with it afterwards."""
 
@@ -111,7 +114,7 @@ class ChainRun:
 
     # Values
 
-    def give(self, **values: Any) -> None:
+    def give(self, **values: V) -> None:
         """Say what values are that come from outside; what depends on one that differs from before is done again.
 
         Raises:
@@ -124,16 +127,31 @@ class ChainRun:
                 raise SourceError(f"the chain asks for no value '{name}'{did_you_mean(name, known)}", fix=fix)
             self._set(name, value)
 
-    def value(self, name: str) -> Any:
+    @overload
+    def value(self, name: str) -> Dynamic: ...
+    @overload
+    def value(self, name: str, kind: type[T]) -> T: ...
+    def value(self, name: str, kind: type[T] | None = None) -> Dynamic | T:
         """A model or value, once the steps that it needs are done or up to date.
+
+        Args:
+            name: of the model or value.
+            kind: the class that it is of, for type checkers and those who read; held against what was made.
 
         Raises:
             SourceError: no step makes it, or a value that it needs was not given; and what the steps raise.
+            RuleError: what was made is not of the class.
         """
         if name not in self.makers:
             raise SourceError(f"no step makes '{name}'{did_you_mean(name, self.makers)}", fix="ask for what a step makes")
         self.run([name])
-        return self.model(name)
+        made = self.model(name)
+        if kind is not None and not isinstance(made, kind):
+            raise RuleError(
+                f"the step of '{name}' made {described(made)}; expected is {named(kind)}",
+                fix=f"return {named(kind)}, or ask for the value without a class",
+            )
+        return made
 
     def _set(self, name: str, value: Any) -> None:
         """Keep a value. What it says to later steps is a new number if it differs, or its text where that outlives the run."""
@@ -351,14 +369,15 @@ class ChainRun:
             )  # fmt: skip
         return made
 
-    def model(self, name: str) -> Any:
+    def model(self, name: str) -> Dynamic:
         """A model or value, made by its step or read from the file that the step has made."""
         if name not in self.models:
             maker = self.makers[name]
             if maker.kind != "load" and maker.file is not None and maker.file.is_file():
                 maker = Step(maker.name, "load", makes=name, file=maker.file, metamodel=maker.metamodel)
             self.do(maker)
-        return self.models[name]
+        made: Dynamic = self.models[name]
+        return made
 
     def remember(self, step: Step, inputs: str, result: StepResult) -> None:
         """Note what a step read, made and said."""

@@ -9,11 +9,12 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from robosmi.diagnostics import Finding, Severity
 
 if TYPE_CHECKING:
+    from robosmi.data_text import Json
     from robosmi.functions import Function
 
 
@@ -112,7 +113,7 @@ class StepResult:
     fixed: list[str] = field(default_factory=list)
     saved: list[str] = field(default_factory=list)
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> dict[str, Json]:
         """The step in the contract's result of `run`."""
         return {
             "name": self.step.name, "kind": self.step.kind, "state": self.state, "seconds": round(self.seconds, 6),

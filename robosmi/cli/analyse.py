@@ -13,6 +13,7 @@ from robosmi.project import project_of
 from robosmi.report import Report
 
 if TYPE_CHECKING:
+    from robosmi.api import AnalysedCode
     from robosmi.cli.options import Options
 
 
@@ -27,7 +28,7 @@ def run(arguments: argparse.Namespace) -> Report:
     report = Report("analyse")
     project = project_of(arguments.files[0])
     with progress() as told:
-        done = content("chain", "analyse")(
+        done: AnalysedCode = content("chain", "analyse")(
             arguments.files,
             source_platform=arguments.source_platform or project.source_platform,
             include_dirs=arguments.include_dirs,

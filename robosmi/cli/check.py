@@ -11,6 +11,7 @@ from robosmi.project import project_of
 from robosmi.report import Report
 
 if TYPE_CHECKING:
+    from robosmi.api import Analysed
     from robosmi.cli.options import Options
 
 
@@ -27,7 +28,7 @@ def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("check")
     project = project_of(arguments.model)
-    done = content("chain", "check")(arguments.model, arguments.metamodels)
+    done: Analysed = content("chain", "check")(arguments.model, arguments.metamodels)
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     report.judge(project.severity, project.accept)
     return report

@@ -13,6 +13,7 @@ from robosmi.plugins import content
 from robosmi.report import Report
 
 if TYPE_CHECKING:
+    from robosmi.cli.answers import ChosenSketch
     from robosmi.cli.options import Options
 
 
@@ -44,7 +45,7 @@ def run(arguments: argparse.Namespace) -> Report:
         raise UsageError(f"'{min(twice)}' is chosen and left open", fix="give one of them")
     if not answers and not arguments.reopen:
         raise UsageError("nothing is chosen", fix="give ID=VALUE; robosmi open shows what there is to choose")
-    done = content("chain", "choose")(
+    done: ChosenSketch = content("chain", "choose")(
         arguments.output, answers | dict.fromkeys(arguments.reopen, ""), why=arguments.why, source=arguments.source,
         dry_run=arguments.dry_run, history=arguments.history,
     )  # fmt: skip

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -12,6 +12,7 @@ from robosmi.model.files import ANOTHER_NAME, refuse_link
 
 if TYPE_CHECKING:
     from robosmi.cli.options import Options
+    from robosmi.model.ecore import EObject
 
 
 def add_source_options(parser: Options) -> None:
@@ -78,7 +79,7 @@ def check_replaced(path: Path | None, mark: bytes, what: str) -> None:
         raise StoppedError(f"there is a file already, and it is no {what}", location=Location(str(path)), fix=ANOTHER_NAME)
 
 
-def write_model(root: Any, path: Path) -> dict[str, str]:
+def write_model(root: EObject, path: Path) -> dict[str, str]:
     """Store a model where the user wants it; the artifact's entry of the report."""
     from robosmi.model import save_model
 

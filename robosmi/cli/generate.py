@@ -12,6 +12,7 @@ from robosmi.plugins import content
 from robosmi.report import Report
 
 if TYPE_CHECKING:
+    from robosmi.api import MadeSketch
     from robosmi.cli.options import Options
 
 
@@ -27,7 +28,7 @@ def configure(parser: Options) -> None:
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("generate")
-    done = content("chain", "generate")(
+    done: MadeSketch = content("chain", "generate")(
         arguments.plan, arguments.output, dry_run=arguments.dry_run, strict=arguments.strict, bench=arguments.bench
     )
     return filled(report, done, {}, ())

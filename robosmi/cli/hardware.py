@@ -14,6 +14,7 @@ from robosmi.project import project_of
 from robosmi.report import Report
 
 if TYPE_CHECKING:
+    from robosmi.api import AnalysedDrawing
     from robosmi.cli.options import Options
 
 
@@ -30,7 +31,7 @@ def run(arguments: argparse.Namespace) -> Report:
     report = Report("hardware")
     project = project_of(arguments.sketch)
     with progress() as told:
-        done = content("chain", "hardware")(arguments.sketch, roles=project.roles, progress=told)
+        done: AnalysedDrawing = content("chain", "hardware")(arguments.sketch, roles=project.roles, progress=told)
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     report.judge(project.severity, project.accept)
     if arguments.output:

@@ -46,10 +46,10 @@ def run(arguments: argparse.Namespace) -> Report:
         report.result = {"place": history.place, "forgotten": count}
         report.lines = [f"forgot {count} choice{'s' if count != 1 else ''}"]
     elif arguments.action == "export":
-        entries = content("chain", "history_export")(history, arguments.file)
+        written: list[HistoryEntry] = content("chain", "history_export")(history, arguments.file)
         report.artifacts = [{"path": str(arguments.file), "kind": "history"}]
-        report.result = {"place": history.place, "written": [str(arguments.file)], "count": len(entries)}
-        report.lines = [f"wrote {len(entries)} choices to {arguments.file}"]
+        report.result = {"place": history.place, "written": [str(arguments.file)], "count": len(written)}
+        report.lines = [f"wrote {len(written)} choices to {arguments.file}"]
     else:
         found, changed = content("chain", "history_import")(history, arguments.file)
         report.result = {"place": history.place, "found": found, "added": changed, "skipped": found - changed}

@@ -11,6 +11,8 @@ from robosmi.plugins import content
 from robosmi.report import Report
 
 if TYPE_CHECKING:
+    from robosmi.api import Analysed
+    from robosmi.cli.answers import ImportedLibraries
     from robosmi.cli.options import Options
 
 _SHOWN = 10
@@ -30,18 +32,18 @@ def configure(parser: Options) -> None:
 
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
-    platform = arguments.platform or content("query", "default_library_platform")()
+    platform: str = arguments.platform or content("query", "default_library_platform")()
     return _show(arguments.name, platform) if arguments.action == "show" else _import(arguments.folder, platform)
 
 
 def _show(name: str, platform: str) -> Report:
-    shown = content("chain", "libraries_show")(name, platform)
+    shown: Analysed = content("chain", "libraries_show")(name, platform)
     return Report("libraries", result=shown.result, lines=shown.lines())
 
 
 def _import(folder: Path, platform: str) -> Report:
     report = Report("libraries")
-    done = content("chain", "libraries_import")(folder, platform)
+    done: ImportedLibraries = content("chain", "libraries_import")(folder, platform)
     report.result = {
         "added": [{"name": name, "version": version} for name, version in done.added],
         "skipped": [{"path": path, "reason": reason} for path, reason in done.skipped.items()],

@@ -3,41 +3,21 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING
 
 from robosmi.cli.asking import Answers, may_ask
 from robosmi.cli.common import add_source_options, output_folder, pairs
 from robosmi.cli.progress import progress
-from robosmi.diagnostics import Finding
 from robosmi.model.recovery import recover
 from robosmi.plugins import content
 from robosmi.project import Accepted, project_of
 from robosmi.report import Report
 
 if TYPE_CHECKING:
+    from robosmi.api import MadeSketch
     from robosmi.cli.options import Options
-
-
-class GeneratedReport(Protocol):
-    """What the chains that generate give back (their content is not known to the command line)."""
-
-    @property
-    def findings(self) -> Sequence[Finding]:
-        """What is worth knowing."""
-
-    def result(self) -> dict[str, Any]:
-        """The command's part of the document."""
-
-    def tasks(self) -> Sequence[Finding]:
-        """What is left for a person."""
-
-    def artifacts(self) -> list[dict[str, str]]:
-        """Files written."""
-
-    def lines(self) -> list[str]:
-        """Text for a terminal."""
 
 
 def configure(parser: Options) -> None:
@@ -83,7 +63,7 @@ def run(arguments: argparse.Namespace) -> Report:
     answers = Answers() if may_ask(yes=arguments.yes, as_json=arguments.json) else None
     beside = first if first.is_dir() else first.parent
     with progress() as told:
-        done = content("chain", "migrate")(
+        done: MadeSketch = content("chain", "migrate")(
             arguments.files, arguments.output, project=project, hardware=arguments.hardware, target=arguments.target,
             source_platform=arguments.source_platform, include_dirs=arguments.include_dirs, defines=arguments.defines,
             libraries=pairs(arguments.libraries, "--library"), bind=pairs(arguments.bind, "--bind"), adapters=arguments.adapters,
@@ -102,7 +82,7 @@ def run(arguments: argparse.Namespace) -> Report:
     return report
 
 
-def filled(report: Report, made: GeneratedReport, severity: Mapping[str, str], accept: tuple[Accepted, ...]) -> Report:
+def filled(report: Report, made: MadeSketch, severity: Mapping[str, str], accept: tuple[Accepted, ...]) -> Report:
     """The report of a generation, whether from sources or from a stored plan."""
     report.rest, report.findings, report.tasks = made.result, list(made.findings), list(made.tasks())
     report.artifacts = made.artifacts()

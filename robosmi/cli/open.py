@@ -16,6 +16,7 @@ from robosmi.report.page_server import PageServer
 
 if TYPE_CHECKING:
     from robosmi.cli.options import Options
+    from robosmi.report.page_server import Content
 
 
 def configure(parser: Options) -> None:
@@ -47,10 +48,10 @@ def serve(report: Report, output: Path, port: int = 0, *, browser: bool = True, 
         SourceError, ModelError: the folder has no plan that can be read.
         UsageError: the port cannot be used.
     """
-    page = content("chain", "page")(output, source)
+    page: Content = content("chain", "page")(output, source)
     page.document(live=True, nonce="")  # whatever is wrong with the plan is said before anything is served
     server = PageServer(page, port)
-    report.result |= {"url": server.url, "pid": os.getpid()}
+    report.result = {**report.result, "url": server.url, "pid": os.getpid()}
     report.lines += [f"the page of {output}: {server.url}", "Ctrl-C ends it; all that it shows as saved is in the plan"]
 
     def go_on() -> None:

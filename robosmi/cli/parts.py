@@ -12,6 +12,7 @@ from robosmi.report import Report
 from robosmi.resources import user_data
 
 if TYPE_CHECKING:
+    from robosmi.cli.answers import ImportedParts
     from robosmi.cli.options import Options
 
 
@@ -30,7 +31,7 @@ def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("parts")
     target = arguments.output or _own_file(arguments.folders[0])
-    done = content("chain", "parts_import")(arguments.folders, target)
+    done: ImportedParts = content("chain", "parts_import")(arguments.folders, target)
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     report.artifacts.append({"path": str(done.path), "kind": "parts"})
     return report

@@ -10,6 +10,7 @@ from robosmi.plugins import content
 from robosmi.report import Report
 
 if TYPE_CHECKING:
+    from robosmi.cli.answers import ImportedPlatform
     from robosmi.cli.options import Options
 
 
@@ -36,9 +37,9 @@ def configure(parser: Options) -> None:
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("platform")
-    done = content("chain", "platform_import")(
+    done: ImportedPlatform = content("chain", "platform_import")(
         arguments.folder, arguments.name, arguments.like, arguments.include_dirs, arguments.defines
     )
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
-    report.artifacts = [{"path": path, "kind": "platform"} for path in done.result["written"]]
+    report.artifacts = [{"path": path, "kind": "platform"} for path in done.written]
     return report

@@ -12,6 +12,7 @@ from robosmi.project import project_of
 from robosmi.report import Report
 
 if TYPE_CHECKING:
+    from robosmi.api import RankedLibraries
     from robosmi.cli.options import Options
 
 
@@ -31,7 +32,7 @@ def run(arguments: argparse.Namespace) -> Report:
         raise UsageError("give a drawing or --components, one of them", fix="see: robosmi recommend --help")
     report = Report("recommend")
     project = project_of(arguments.sketch or arguments.components)
-    done = content("chain", "recommend")(
+    done: RankedLibraries = content("chain", "recommend")(
         arguments.sketch,
         components=arguments.components,
         ranker=arguments.ranker,

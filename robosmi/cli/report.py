@@ -25,7 +25,7 @@ def configure(parser: Options) -> None:
 def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("report")
-    text = content("chain", "report_page")(arguments.output, secrets.token_urlsafe(16))
+    text: str = content("chain", "report_page")(arguments.output, secrets.token_urlsafe(16))
     check_replaced(arguments.path, b"<!DOCTYPE html>", "page")
     write_atomic(arguments.path, text.encode("utf-8", "replace"))
     report.result = {"path": str(arguments.path)}

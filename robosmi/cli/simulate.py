@@ -11,6 +11,7 @@ from robosmi.plugins import content
 from robosmi.report import Report
 
 if TYPE_CHECKING:
+    from robosmi.cli.answers import SimulatedSketch
     from robosmi.cli.options import Options
 
 
@@ -27,11 +28,11 @@ def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("simulate")
     check_replaced(arguments.vcd, b"$timescale", "trace")
-    done = content("chain", "simulate")(
+    done: SimulatedSketch = content("chain", "simulate")(
         arguments.output, scenario=arguments.scenario, seconds=arguments.seconds, engine=arguments.engine, vcd=arguments.vcd
     )
     report.ok, report.failure_code = done.trace is not None, 6
-    report.result, report.findings, report.lines = done.result, done.findings, done.lines()
+    report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     if done.written is not None:
         report.artifacts.append({"path": str(done.written), "kind": "vcd"})
     return report

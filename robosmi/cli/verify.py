@@ -11,6 +11,7 @@ from robosmi.plugins import content
 from robosmi.report import Report
 
 if TYPE_CHECKING:
+    from robosmi.cli.answers import ComparedPrograms
     from robosmi.cli.options import Options
 
 
@@ -30,10 +31,10 @@ def run(arguments: argparse.Namespace) -> Report:
     """Run the command."""
     report = Report("verify")
     check_replaced(arguments.vcd, b"$timescale", "trace")
-    done = content("chain", "verify")(
+    done: ComparedPrograms = content("chain", "verify")(
         arguments.output, scenarios=arguments.scenarios, engine=arguments.engine, seed=arguments.seed, vcd=arguments.vcd
     )
     report.ok, report.failure_code = done.verdict.exit_code == 0, done.verdict.exit_code
-    report.result, report.findings, report.lines = done.result, done.findings, done.lines()
+    report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     report.artifacts = [{"path": str(path), "kind": kind} for path, kind in done.written]
     return report

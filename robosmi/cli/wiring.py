@@ -13,6 +13,7 @@ from robosmi.project import project_of
 from robosmi.report import Report
 
 if TYPE_CHECKING:
+    from robosmi.cli.answers import HandedWiring
     from robosmi.cli.options import Options
 
 FORM = "wiring form"
@@ -34,7 +35,7 @@ def run(arguments: argparse.Namespace) -> Report:
     report = Report("wiring")
     if not str(arguments.path).strip("\0 "):
         raise UsageError("the place for the wiring has no name", fix="give a file or a folder: -o PATH")
-    done = content("chain", "wiring")(arguments.output, arguments.form, arguments.path)
+    done: HandedWiring = content("chain", "wiring")(arguments.output, arguments.form, arguments.path)
     report.result = {"form": arguments.form, "path": str(arguments.path), **done.result}
     report.findings, report.artifacts = list(done.findings), done.artifacts()
     report.lines = [f"wrote {artifact['path']}" for artifact in report.artifacts]

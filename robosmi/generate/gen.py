@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from robosmi.diagnostics import Location
 from robosmi.errors import RobosmiError, RuleError, SourceError
@@ -35,9 +35,11 @@ from robosmi.query.settings import Settings
 from robosmi.query.verdicts import guarded
 
 if TYPE_CHECKING:
-    from typing import Protocol, TypeVar
+    from typing import Protocol
 
     from robosmi.functions import Function
+    from robosmi.model.driver import Item
+    from robosmi.query.erl import RuleKind
 
     Giving = TypeVar("Giving", bound=Callable[..., Mapping[str, Any] | None])
 
@@ -48,6 +50,7 @@ if TYPE_CHECKING:
             """The function that was given."""
 
 
+V = TypeVar("V")
 RECORD = ".robosmi/generated"
 """Where the last texts are kept below the output folder, unless said otherwise."""
 
@@ -78,7 +81,7 @@ class Gen(Settings):
         models: Sequence[Given] = (),
         *,
         keep: bool | str = False,
-        values: Mapping[str, Any] | None = None,
+        values: Mapping[str, V] | None = None,
         filters: Mapping[str, Function] | None = None,
     ) -> None:
         self.folder = Path(folder)
@@ -93,7 +96,7 @@ class Gen(Settings):
         self._staging = self._fresh()
         self.settle(Gen)
 
-    def give(self, values: Mapping[str, Any] | None = None, filters: Mapping[str, Function] | None = None) -> None:
+    def give(self, values: Mapping[str, V] | None = None, filters: Mapping[str, Function] | None = None) -> None:
         """Give the templates further values and filters, before the first is rendered: for functions that add rules to a `Gen`.
 
         Args:
@@ -107,12 +110,12 @@ class Gen(Settings):
 
     def rule(
         self,
-        kind: Any = None,
+        kind: RuleKind | None = None,
         /,
         *,
         template: str | Callable[..., str],
         target: str | Callable[..., str | None] | None = None,
-        domain: Iterable[Any] | Callable[[], Iterable[Any]] | None = None,
+        domain: Iterable[V] | Callable[[], Iterable[V]] | None = None,
         greedy: bool = False,
         guard: Flag = True,
         pre: Callable[..., object] | None = None,
@@ -164,7 +167,7 @@ class Gen(Settings):
 
         return decorate
 
-    def text(self, template: str, /, **values: Any) -> Text:
+    def text(self, template: str, /, **values: V) -> Text:
         """Render a template; no file is touched.
 
         Args:
@@ -184,7 +187,7 @@ class Gen(Settings):
         overwrite: bool = True,
         merge: bool = True,
         append: bool = False,
-        elements: Sequence[Any] = (),
+        elements: Sequence[Item] = (),
         rule: str = "",
     ) -> Path:
         """Put a text into a file of this generation; it is written with all others at the end of `run`.
@@ -207,7 +210,7 @@ class Gen(Settings):
         self._put(path, as_text(text), (overwrite, merge, append), rule, tuple(elements))
         return self.folder / path
 
-    def _put(self, path: str, text: Text, flags: tuple[bool, bool, bool], rule: str, elements: tuple[Any, ...]) -> None:
+    def _put(self, path: str, text: Text, flags: tuple[bool, bool, bool], rule: str, elements: tuple[Item, ...]) -> None:
         self._staging.write(Write(path, text, *flags, rule, elements, self.templates.comments.styles))
 
     @property

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from robosmi.errors import ModelError
-from robosmi.model.driver import is_element, name_of, type_of
+from robosmi.model.driver import DynamicNode, Item, is_element, name_of, type_of
 from robosmi.model.ecore import EObject
 from robosmi.model.fragments import own_id
 
 
-def region_id(element: Any, *purpose: str) -> str:
+def region_id(element: Item, *purpose: str) -> str:
     """An id for a region that belongs to an element.
 
     It is the element's own id (the attribute that is the class's id, else its `xmi:id`) where it has one, so that a renamed or
@@ -33,13 +31,13 @@ def region_id(element: Any, *purpose: str) -> str:
     return " ".join([own if own is not None else _names(element), *purpose])
 
 
-def _own_id(element: Any) -> str | None:
+def _own_id(element: DynamicNode) -> str | None:
     return (own_id(element) or None) if isinstance(element, EObject) else None
 
 
-def _names(element: Any) -> str:
+def _names(element: DynamicNode) -> str:
     found: list[str] = []
-    step = element
+    step: DynamicNode | None = element
     while step is not None:
         name = getattr(step, "name", None)
         if not name:

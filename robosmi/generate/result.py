@@ -8,12 +8,16 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, TypeAlias, cast
 
 from robosmi.diagnostics import Finding
 from robosmi.generate.output import Text
 from robosmi.generate.regions import CommentStyle, partition
 from robosmi.generate.three_way import line_map
+
+if TYPE_CHECKING:
+    from robosmi.model.driver import Item
+    from robosmi.model.dynamic import Dynamic
 
 
 @dataclass(slots=True, eq=False, repr=False)
@@ -38,7 +42,7 @@ class Write:
     merging: bool
     append: bool
     rule: str
-    elements: tuple[Any, ...]
+    elements: tuple[Item, ...]
     styles: tuple[CommentStyle, ...]
     line: int = 0
 
@@ -62,7 +66,7 @@ class TextLink:
     line: int
     end_line: int
     rule: str
-    elements: tuple[Any, ...]
+    elements: tuple[Item, ...]
     region: str = ""
     part: str = ""
     step: str = ""
@@ -146,13 +150,13 @@ class TextTrace:
             for element in link.elements:
                 self._by_element.setdefault(id(element), []).append(link)
 
-    def elements(self, path: str, line: int | None = None) -> list[Any]:
+    def elements(self, path: str, line: int | None = None) -> list[Dynamic]:
         """The elements that a line of a file comes from, the narrowest run of lines first; without a line all of the file."""
         links = [k for k in self._by_path.get(path, ()) if line is None or k.line <= line <= k.end_line]
         links.sort(key=lambda k: k.end_line - k.line)
-        return list({id(e): e for link in links for e in link.elements}.values())
+        return list({id(e): cast("Dynamic", e) for link in links for e in link.elements}.values())
 
-    def links_of(self, element: Any) -> list[TextLink]:
+    def links_of(self, element: Item) -> list[TextLink]:
         """All lines that come from an element."""
         return list(self._by_element.get(id(element), ()))
 
@@ -201,11 +205,11 @@ class Generation:
         return TextTrace([link for file in self.files for link in file.links()])
 
 
-_LineRun = tuple[int, int, tuple[Any, ...], str, str]
+_LineRun: TypeAlias = "tuple[int, int, tuple[Item, ...], str, str]"
 """First line, last line (from 0), their elements, the part of the template and its step."""
 
 
-def _at_regions(origin: Write, runs: list[_LineRun]) -> dict[str, tuple[Any, ...]]:
+def _at_regions(origin: Write, runs: list[_LineRun]) -> dict[str, tuple[Item, ...]]:
     """Id of a region -> the elements that the line of its first marker comes from."""
     if not origin.text.regions:
         return {}
@@ -245,7 +249,7 @@ def _runs(numbers: list[int]) -> Iterator[tuple[int, int]]:
 def _by_lines(text: Text) -> Iterator[_LineRun]:
     """The runs of lines that come from the same elements, those that the template looked at."""
     ends = [match.start() for match in re.finditer("\n", text)]
-    found: dict[int, dict[int, Any]] = {}
+    found: dict[int, dict[int, Item]] = {}
     position = 0
     for start, stop, elements in text.sources:
         while position < len(ends) and ends[position] < start:

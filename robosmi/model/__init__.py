@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from robosmi.model.driver import Model
-    from robosmi.model.ecore import EObject
+    from robosmi.model.ecore import DynamicEObject, EObject
     from robosmi.model.emf import EmfModel
     from robosmi.model.metamodel import Metamodel
     from robosmi.model.opening import open_model
@@ -41,7 +41,7 @@ def __getattr__(name: str) -> Any:
     raise AttributeError(f"module 'robosmi.model' has no attribute '{name}'")
 
 
-def load_model(path: str | Path) -> Any:
+def load_model(path: str | Path) -> DynamicEObject:
     """Read an XMI file, with the files it refers to, and return its root element; older versions of metamodels are migrated.
 
     Raises:

@@ -9,9 +9,9 @@ and `xmi_writer`, ids are `fragments`'.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, cast
 
 from robosmi.errors import ModelError
 from robosmi.model.driver import FeatureValue, Kind, ModelElement, Node
@@ -27,6 +27,7 @@ from robosmi.model.structure import contents, root_of, walk
 if TYPE_CHECKING:
     from robosmi.model.open_files import OpenFiles
     from robosmi.model.xmi_document import Document
+    from robosmi.model.xmi_layout import Root
 
 
 class EmfModel(TypedModel):
@@ -109,7 +110,7 @@ class EmfModel(TypedModel):
             open_files.add(place, model, documents)
         return model
 
-    def save(self, path: str | Path | None = None, others: dict[str, Any] | None = None) -> None:
+    def save(self, path: str | Path | None = None, others: Mapping[str, Root] | None = None) -> None:
         """Write the model as XMI, whole or not at all.
 
         Args:
@@ -227,12 +228,12 @@ class EmfModel(TypedModel):
         """Whether the element is in this model."""
         if not isinstance(element, EObject):
             return False
-        root: Any = root_of(element)
+        root = root_of(element)
         return id(root) in self._roots and own_resource_of(root) is not None
 
     # Change
 
-    def add(self, root: Any) -> None:
+    def add(self, root: EObject) -> None:
         """Make an element that is in no container a root of this model.
 
         Raises:
@@ -247,7 +248,7 @@ class EmfModel(TypedModel):
             self._home.contents.append(root)
         elif self._watch not in resource.listeners:
             resource.listeners.append(self._watch)
-        self._roots[id(root)] = root
+        self._roots[id(root)] = cast(DynamicEObject, root)
         self._watch.changed = True
 
     def create(self, kind: Kind, /, **features: FeatureValue) -> DynamicEObject:

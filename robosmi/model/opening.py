@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TypeVar
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -17,6 +17,7 @@ from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.model.driver import Model
 from robosmi.plugins import load, registry
 
+V = TypeVar("V")
 _DRIVERS = {
     "emf": "robosmi.model.emf:open_xmi",
     "xml": "robosmi.model.plain_xml:open_xml",
@@ -37,7 +38,7 @@ def endings() -> dict[str, str]:
     return own | {name: target for name, target in offered.items() if name.startswith(".")}
 
 
-def open_model(path: str | Path, driver: str | None = None, name: str | None = None, **options: Any) -> Model:
+def open_model(path: str | Path, driver: str | None = None, name: str | None = None, **options: V) -> Model:
     """Open a model of any technology.
 
     Args:

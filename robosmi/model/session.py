@@ -14,7 +14,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TypeVar
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -28,6 +28,7 @@ from robosmi.model.metamodel import Metamodel
 from robosmi.model.open_files import OpenFiles
 from robosmi.model.opening import driver_of
 
+V = TypeVar("V")
 Paths = str | Path | Sequence[str | Path]
 
 
@@ -75,7 +76,7 @@ class Session:
         return Metamodel(self._maker.make(described))
 
     def open_model(
-        self, path: str | Path, driver: str | None = None, name: str | None = None, *, metamodel: Paths = (), **options: Any
+        self, path: str | Path, driver: str | None = None, name: str | None = None, *, metamodel: Paths = (), **options: V
     ) -> Model:
         """Open a model of any technology; see `open_model`.
 
@@ -89,13 +90,14 @@ class Session:
         Raises:
             SourceError, ModelError, UsageError: as `open_model` and `metamodel`.
         """
+        more: dict[str, Metamodel | OpenFiles] = {}
         files = [metamodel] if isinstance(metamodel, (str, Path)) else list(metamodel)
         if files:
-            options["metamodel"] = self.metamodel(*files)
+            more["metamodel"] = self.metamodel(*files)
         opened = driver_of(Path(path), driver)
         if opened is open_xmi:
-            options["open_files"] = self._files
-        return opened(Path(path), name, **options)
+            more["open_files"] = self._files
+        return opened(Path(path), name, **options, **more)
 
     def changed(self) -> Path | None:
         """An .ecore file that is no longer what this session read, or None."""

@@ -9,7 +9,7 @@ element is `construct`'s and `lean`'s business.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from robosmi.model import ecore
 from robosmi.model.construct import initialise
@@ -26,9 +26,14 @@ from robosmi.model.structure import resource_of
 __all__ = ["Element", "EnumLiteral", "FeatureValueError", "UnknownFeatureError", "enum_literal"]
 
 if TYPE_CHECKING:
+    from robosmi.model.xmi_layout import Column
+    from robosmi.model.xmi_plan import ClassPlan
 
     class _Base(ecore.EObject):
         """What of pyecore's EObject the typed code uses; what contains an element and what it contains is strict, too."""
+
+        _robosmi_plan: ClassVar[ClassPlan]
+        _robosmi_layout: ClassVar[tuple[bool, list[Column]]]
 
         @property
         def eContents(self) -> list[Element]: ...

@@ -63,7 +63,7 @@ def walk(root: EObject) -> Iterator[DynamicEObject]:
             stack += held
 
 
-def root_of(element: EObject) -> Any:
+def root_of(element: EObject) -> EObject:
     """The outermost container of an element, or the element itself."""
     while (container := element.eContainer()) is not None:
         element = container

@@ -15,7 +15,7 @@ from typing import Any
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError
 from robosmi.model.by_name import feature_values
-from robosmi.model.ecore import EObject
+from robosmi.model.ecore import DynamicEObject, EObject
 from robosmi.model.metamodels import Metamodels
 from robosmi.model.xmi_reader import UnreadableModelError, read_models
 from robosmi.plugins import load, registry
@@ -23,7 +23,7 @@ from robosmi.plugins import load, registry
 KIND = "model migration"
 
 
-def read_current(path: Path, metamodels: Metamodels, *, inside: Path | None = None) -> dict[Path, Any]:
+def read_current(path: Path, metamodels: Metamodels, *, inside: Path | None = None) -> dict[Path, DynamicEObject]:
     """As `read_models`, but roots of older versions are migrated to the current one.
 
     Args:
@@ -57,7 +57,7 @@ def read_current(path: Path, metamodels: Metamodels, *, inside: Path | None = No
     return current
 
 
-def _current(roots: dict[Path, Any], steps: dict[str, Any]) -> tuple[dict[Path, Any], list[Any]]:
+def _current(roots: dict[Path, DynamicEObject], steps: dict[str, Any]) -> tuple[dict[Path, DynamicEObject], list[Any]]:
     """The roots in their current versions, and those that were replaced. Each namespace is migrated once."""
     current = dict(roots)
     replaced: list[Any] = []

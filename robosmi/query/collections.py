@@ -12,23 +12,22 @@ from __future__ import annotations
 import builtins
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import combinations
-from typing import Any, ClassVar, Generic, Protocol, Self, TypeVar, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, Self, overload
 
 from robosmi.model.ecore import ECollection
 from robosmi.model.feature_values import queried_by
 from robosmi.query.changes import Changeable
 from robosmi.query.first_order import FirstOrder
 from robosmi.query.held import HeldByFeature
-from robosmi.query.items import Items
-from robosmi.query.maps import Entries, Fields
+from robosmi.query.items import Items, R, T
+from robosmi.query.maps import Entries, Fields, K, V
 from robosmi.query.totals import Totals
 from robosmi.query.types import AnyKind, EolType, resolve
 from robosmi.query.values import collection_kind, equal, position, unique
 
-T = TypeVar("T")
-R = TypeVar("R")
-K = TypeVar("K")
-V = TypeVar("V")
+if TYPE_CHECKING:
+    from robosmi.model.dynamic import Dynamic
+
 _MISSING: Any = object()
 
 
@@ -104,7 +103,7 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
             raise AttributeError(name)
         return self.get(name)
 
-    def get(self, name: str, default: Any = _MISSING) -> Q[Any]:
+    def get(self, name: str, default: V = _MISSING) -> Q[Dynamic]:
         """A property of every item, also one whose name is an operation here.
 
         Args:
@@ -243,7 +242,7 @@ _CLASSES: dict[str, type[Q[Any]]] = {"Sequence": Q, "Bag": Bag, "Set": Set, "Ord
 _OF_FEATURES = {kind: _of_feature(plain) for kind, plain in _CLASSES.items()}
 
 
-def collection(given: V) -> Q[Any]:
+def collection(given: V) -> Q[Dynamic]:
     """A value as a collection of its kind; a value that is none as a Sequence of one, as EOL's operations take it.
 
     >>> collection({1}), collection("ab")
@@ -258,7 +257,7 @@ def collection(given: V) -> Q[Any]:
     if not isinstance(value, ECollection):
         return _CLASSES[kind]._of(list(value))
     cls = _OF_FEATURES[kind]
-    made: Q[Any] = cls.__new__(cls)
+    made: Q[Dynamic] = cls.__new__(cls)
     made._items, made._feature = list(value), value  # type: ignore[attr-defined]
     return made
 
@@ -321,7 +320,7 @@ class Lazy(Generic[T]):
     (2, 3)
     """
 
-    def __init__(self, source: Iterable[T], kind: type[Q[Any]] | None = None) -> None:
+    def __init__(self, source: Iterable[T], kind: type[Q[T]] | None = None) -> None:
         self._source = source
         self._kind = kind or (type(source._made([])) if isinstance(source, Q) else Q)
 

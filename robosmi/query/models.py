@@ -10,11 +10,11 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TypeVar, cast, overload
 
 from robosmi.errors import ModelError
 from robosmi.model.driver import DynamicNode, FeatureValue, Item, Kind, Model, Node, Type, TypeHandle, unknown_type
-from robosmi.model.ecore import DynamicEObject, EEnumLiteral, EObject, EPackage
+from robosmi.model.ecore import DynamicEObject, EClassifier, EEnum, EEnumLiteral, EObject, EPackage, Package
 from robosmi.model.emf import EmfModel
 from robosmi.model.fragments import fragment_of
 from robosmi.model.making import new, unlink
@@ -23,6 +23,9 @@ from robosmi.model.repository import Repository
 from robosmi.model.structure import root_of
 from robosmi.query.collections import Q
 from robosmi.query.run import current_run
+
+T = TypeVar("T")
+D = TypeVar("D")
 
 
 class ModelView(Model):
@@ -36,7 +39,9 @@ class ModelView(Model):
     `v.Book.all.select(...)`, `v.Book(name="x")`, `v["library::Book"]`; see `robosmi.model.driver.Model` for all the rest.
     """
 
-    def __init__(self, model: Any, packages: Iterable[Any] | None = None, name: str | None = None) -> None:
+    def __init__(
+        self, model: Model | EObject | Iterable[EObject], packages: Iterable[Package] | None = None, name: str | None = None
+    ) -> None:
         self.model: Model = model if isinstance(model, Model) else EmfModel(model, packages, name or "M")
         super().__init__(name or self.model.name, self.model.path)
         self.read_only = self.model.read_only
@@ -44,16 +49,19 @@ class ModelView(Model):
     @property
     def roots(self) -> list[DynamicEObject]:
         """The root elements, of EMF's models only."""
-        model: Any = self.model  # others have a type of this name, or an error
-        return list(model.roots)
+        return list(self._emf.roots)
 
     @property
     def packages(self) -> list[EPackage]:
         """The outermost EPackages, of EMF's models only."""
-        model: Any = self.model
-        return list(model.packages)
+        return list(self._emf.packages)
 
-    def _collected(self, items: Sequence[Any]) -> Q[Any]:
+    @property
+    def _emf(self) -> EmfModel:
+        """The model; others have types of the names that are asked of it, or raise an error."""
+        return cast(EmfModel, self.model)
+
+    def _collected(self, items: Sequence[T]) -> Q[T]:
         return items if isinstance(items, Q) else Q._of(list(items))
 
     def types(self) -> Iterator[tuple[str, Type]]:
@@ -78,11 +86,15 @@ class ModelView(Model):
             raise unknown_type(name, self.type_names())
         return TypeHandle(self, self.model[plain].kind)
 
-    def all_contents(self) -> Iterator[Any]:
+    def all_contents(self) -> Iterator[Node]:
         """All elements in containment pre-order."""
         return self.model.all_contents()
 
-    def all(self, kind: Kind) -> Q[Any]:
+    @overload
+    def all(self, kind: type[T]) -> Q[T]: ...
+    @overload
+    def all(self, kind: str | EClassifier | TypeHandle) -> Q[DynamicNode]: ...
+    def all(self, kind: Kind) -> Q[T] | Q[DynamicNode]:
         """The instances of a type and its subtypes (EOL `T.all`, `T.allInstances`, `T.allOfKind`).
 
         Raises:
@@ -93,7 +105,11 @@ class ModelView(Model):
     all_of_kind = all
     all_instances = all
 
-    def all_of_type(self, kind: Kind) -> Q[Any]:
+    @overload
+    def all_of_type(self, kind: type[T]) -> Q[T]: ...
+    @overload
+    def all_of_type(self, kind: str | EClassifier | TypeHandle) -> Q[DynamicNode]: ...
+    def all_of_type(self, kind: Kind) -> Q[T] | Q[DynamicNode]:
         """The instances of exactly a type (EOL `T.allOfType`).
 
         Raises:
@@ -130,13 +146,18 @@ class ModelView(Model):
         self.model.save(path)
 
 
-def create(kind: Any, /, **features: Any) -> Any:
+@overload
+def create(kind: type[T], /, **features: FeatureValue) -> T: ...
+@overload
+def create(kind: str | EClassifier | TypeHandle, /, **features: FeatureValue) -> DynamicNode: ...
+def create(kind: Kind, /, **features: FeatureValue) -> T | DynamicNode:
     """A new element of a class or EClass, in no model.
 
     Raises:
         ModelError: the class is abstract, or has no such feature.
     """
-    return new(kind, **features)
+    made: T | DynamicNode = new(kind, **features)
+    return made
 
 
 def delete(element: EObject) -> None:
@@ -144,7 +165,11 @@ def delete(element: EObject) -> None:
     unlink(element)
 
 
-def literal_of(enumeration: Any, label: str, *default: Any) -> Any:
+@overload
+def literal_of(enumeration: EEnum, label: str) -> EEnumLiteral: ...
+@overload
+def literal_of(enumeration: EEnum, label: str, default: D, /) -> EEnumLiteral | D: ...
+def literal_of(enumeration: EEnum, label: str, *default: D) -> EEnumLiteral | D:
     """A literal of an EEnum by its name, else by its literal text.
 
     Args:
@@ -170,7 +195,7 @@ def literal_named(name: str) -> EEnumLiteral:
     return Repository(current_run().models).literal(name)
 
 
-def all_instances(name: str) -> Q[Any]:
+def all_instances(name: str) -> Q[DynamicNode]:
     """All instances of a type of the current run's models and its subtypes: `Book`, `library::Book`, `M!Book`.
 
     Unqualified, the first model that has the type counts; if another has it too there is a warning.

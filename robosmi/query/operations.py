@@ -7,7 +7,7 @@ Here a name finds its operation; which built-in operations there are is `built_i
 from __future__ import annotations
 
 import inspect
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from robosmi.errors import RobosmiError, UsageError
 from robosmi.model.driver import Model, TypeHandle, is_element
@@ -24,8 +24,12 @@ from robosmi.query.words import snake
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
+    from robosmi.model.dynamic import Dynamic
+    from robosmi.query.types import AnyKind
 
 
+V = TypeVar("V")
+W = TypeVar("W")
 Table: TypeAlias = "dict[str, Function]"
 
 TABLES: dict[str, Table] = {
@@ -72,7 +76,7 @@ def _built_in(target: Any, name: str) -> Function | None:
     return getattr(Q, name) if name in FIRST_ORDER else None
 
 
-def call(target: Any, name: str, *arguments: Any, **options: Any) -> Any:
+def call(target: V, name: str, *arguments: W, **options: AnyKind) -> Dynamic:
     """Call an operation of anything by name (EOL `target.name(...)`); operations of one's own come first.
 
     Args:
@@ -91,11 +95,12 @@ def call(target: Any, name: str, *arguments: Any, **options: Any) -> Any:
     plain = snake(name)
     own = own_operation(target, plain, len(arguments))
     if own is not None:
-        return own(target, *arguments)
+        made: Dynamic = own(target, *arguments)
+        return made
     return call_built_in(target, name, *arguments, **options)
 
 
-def call_built_in(target: Any, name: str, *arguments: Any, **options: Any) -> Any:
+def call_built_in(target: V, name: str, *arguments: W, **options: AnyKind) -> Dynamic:
     """Call a built-in operation, passing over those of one's own (EOL `target->name(...)`).
 
     Raises:
@@ -116,13 +121,14 @@ def call_built_in(target: Any, name: str, *arguments: Any, **options: Any) -> An
     return _guarded(function, plain, (receiver, *arguments), options)
 
 
-def _guarded(function: Function, name: str, arguments: tuple[Any, ...], options: dict[str, Any]) -> Any:
+def _guarded(function: Function, name: str, arguments: tuple[V, ...], options: dict[str, AnyKind]) -> Dynamic:
     try:
         inspect.signature(function).bind(*arguments, **options)
     except TypeError as error:
         raise OperandError(f"{name}: {error}", fix="see docs/reference/eol.md for what it takes") from error
     try:
-        return function(*arguments, **options)
+        made: Dynamic = function(*arguments, **options)
+        return made
     except RobosmiError:
         raise
     except (TypeError, ValueError, AttributeError, ArithmeticError, LookupError) as error:
@@ -141,7 +147,7 @@ def has_plain_operation(target: Any, name: str) -> bool:
     return True
 
 
-def plain_operation(target: Any, name: str) -> Any:
+def plain_operation(target: V, name: str) -> Dynamic:
     """The value of an operation without arguments, read as a property (`"robot".length`, `{1}.empty`)."""
     plain = snake(name)
     known = own_operation(target, plain, 0) or _built_in(target, plain)

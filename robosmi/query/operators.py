@@ -9,6 +9,7 @@ Source: the operator classes and NumberUtil of Epsilon; measured, docs/reference
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any, TypeVar
 
 from robosmi.query.collections import Q, collection
@@ -164,10 +165,10 @@ def negated(value: V) -> bool:
     return not truth(value, "not")
 
 
-def elvis(value: Any, otherwise: Any) -> Any:
+def elvis(value: V | None, otherwise: W | Callable[[], W]) -> V | W:
     """`value ?: otherwise`: the value unless it is None; otherwise may be a function, called only if it is needed.
 
     >>> elvis(None, 1), elvis(False, 1)
     (1, False)
     """
-    return value if value is not None else _right(otherwise)
+    return value if value is not None else otherwise() if callable(otherwise) else otherwise

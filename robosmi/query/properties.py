@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from operator import attrgetter
 from types import BuiltinFunctionType, CodeType, FrameType, FunctionType, GeneratorType, MethodType, ModuleType, TracebackType
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from robosmi.model.driver import ModelElement
 from robosmi.model.ecore import EClass, EEnumLiteral, EObject
@@ -22,11 +22,15 @@ from robosmi.query.run import ext
 from robosmi.query.types import EolType
 from robosmi.query.values import collection_kind, compares_itself
 
+if TYPE_CHECKING:
+    from robosmi.model.dynamic import Dynamic
+    from robosmi.query.values import Answer
+
 V = TypeVar("V")
 _MISSING: Any = object()
 
 
-def get(target: Any, name: str) -> Any:
+def get(target: V, name: str) -> Dynamic:
     """A property (EOL `target.name`); `~name` is an extended one.
 
     Raises:
@@ -36,12 +40,18 @@ def get(target: Any, name: str) -> Any:
     >>> get([[1, 2], [3]], "size"), get("robot", "length")
     (2, 5)
     """
+    return cast("Dynamic", _property(target, name))
+
+
+def _property(target: V, name: str) -> Answer:
     if target is None:
         raise UndefinedError(f"the property '{name}' of nothing was asked for", fix="use get_safe, or a default")
     if name[:1] == "~":
-        return getattr(ext(target), name[1:])
+        noted: Answer = getattr(ext(target), name[1:])
+        return noted
     if isinstance(target, Tuple):
-        return target.field(name)
+        field: Answer = target.field(name)
+        return field
     if isinstance(target, EObject) and not isinstance(target, EEnumLiteral):
         feature = target.eClass.findEStructuralFeature(name)
         if feature is not None:
@@ -54,19 +64,19 @@ def get(target: Any, name: str) -> Any:
         if value is not _MISSING:
             return collection(value) if isinstance(target, ModelElement) and compares_itself(value.__class__) else value
     if has_plain_operation(target, name):
-        return plain_operation(target, name)
+        return cast("Answer", plain_operation(target, name))
     if collection_kind(target) is not None:
         return collection(target).get(name)
     raise unknown_property(describe(target), name, property_names(target))
 
 
-def get_safe(target: V, name: str) -> Any:
+def get_safe(target: V, name: str) -> Dynamic:
     """A property, or None if the target is None (EOL `target?.name`).
 
     >>> get_safe(None, "name") is None
     True
     """
-    return None if target is None else get(target, name)
+    return cast("Dynamic", None if target is None else _property(target, name))
 
 
 def has_property(target: V, name: str) -> bool:
@@ -117,7 +127,7 @@ _CLOSED = (
 )  # fmt: skip
 
 
-def _of(target: Any, name: str) -> Any:
+def _of(target: V, name: str) -> Dynamic:
     return get(target, name)
 
 

@@ -10,11 +10,15 @@ from __future__ import annotations
 import weakref
 from collections.abc import Hashable, Set
 from contextvars import ContextVar, Token
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from robosmi.model.driver import Model, ModelElement
 from robosmi.model.ecore import EObject
 from robosmi.query.values import key
+
+if TYPE_CHECKING:
+    from robosmi.functions import Function
+    from robosmi.query.values import Answer
 
 V = TypeVar("V")
 
@@ -30,14 +34,15 @@ class Run:
     def __init__(self, *models: Model, closed: Set[str] = frozenset()) -> None:
         self.models = models
         self.closed = closed
-        self._kept: dict[Hashable, tuple[Any, dict[Any, Any]]] = {}
+        self._kept: dict[int, tuple[Function, dict[Hashable, Answer]]] = {}
+        self._of_values: dict[Hashable, dict[Hashable, Answer]] = {}
         self._tokens: list[Token[Run]] = []
 
-    def notes_of(self, target: V) -> dict[Any, Any]:
+    def notes_of(self, target: V) -> dict[Hashable, Answer]:
         """The run's own dictionary about one object, empty at first; for values (numbers, texts) one per value."""
         if self is _DEFAULT and isinstance(target, (EObject, ModelElement)) and hasattr(target, "__dict__"):
             # what is noted may refer to the element: a table of the run would hold both for ever
-            found: dict[Any, Any] = target.__dict__.setdefault(_NOTES, {})
+            found: dict[Hashable, Answer] = target.__dict__.setdefault(_NOTES, {})
             return found
         try:
             place = id(target)
@@ -46,7 +51,7 @@ class Run:
                 kept = self._kept
                 entry = kept[place] = (weakref.ref(target, lambda _, p=place: kept.pop(p, None)), {})  # type: ignore[misc]
         except TypeError:  # no weak reference to numbers and texts
-            entry = self._kept.setdefault(("value", key(target)), (target, {}))
+            return self._of_values.setdefault(key(target), {})
         return entry[1]
 
     def __enter__(self) -> Run:

@@ -7,7 +7,7 @@ A type may be given as a Python class (generated ones too), an EClass, a model's
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 from robosmi.model import driver
 from robosmi.model.driver import TypeHandle, is_element, unknown_type
@@ -152,7 +152,7 @@ def matching(items: Iterable[V], kind: AnyKind, exact: bool = False) -> list[V]:
     return [x for x in items if isinstance(x, wanted)]
 
 
-def type_of(value: V) -> Any:
+def type_of(value: V) -> driver.Type | EolType | None:
     """The type of a value (EOL `type`): an `EolType`, an EClass or a class for model elements, None for anything else.
 
     >>> type_of(1), type_of({1}), type_of(None)

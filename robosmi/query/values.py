@@ -13,12 +13,20 @@ from collections import Counter
 from collections.abc import Hashable, Iterable, Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from decimal import Decimal
-from typing import Any, TypeGuard, TypeVar, cast
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard, TypeVar, cast
 
 from robosmi.model.ecore import ECollection, EEnumLiteral
 
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from robosmi.model.driver import Item, Model, Type
+    from robosmi.query.types import EolType
+
 V = TypeVar("V")
 W = TypeVar("W")
+Answer: TypeAlias = "Item | Type | EolType | Model | Iterable[Answer] | Mapping[Answer, Answer]"
+"""What an expression may give: an element, a plain value, a type, a model, or a collection or map of these."""
 INT_MIN, INT_MAX = -(2**31), 2**31 - 1
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 import re
-from typing import Any
 
+from robosmi.data_text import Json
 from robosmi.quoting.text import one_line, visible
 
 _PLAIN = re.compile(r"[A-Za-z0-9_/(][\w./()+:@,;=<>~^*&!?$%-]*(?: +[\w./()+:@,;=<>~^*&!?$%-]+)*")
@@ -75,7 +75,7 @@ def csv_text(cell: str) -> str:
     return cell[1:] if cell.startswith("'") and csv_cell(cell[1:]) == cell else cell
 
 
-def json_text(document: Any, *, ascii_only: bool = False) -> str:
+def json_text(document: Json, *, ascii_only: bool = False) -> str:
     """A document as JSON that a terminal may show: what acts there is written as an escape of JSON.
 
     Args:

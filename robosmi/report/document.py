@@ -5,10 +5,13 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.project import Accepted
+
+if TYPE_CHECKING:
+    from robosmi.data_text import Json
 
 SCHEMA = "robosmi/1"
 
@@ -31,8 +34,8 @@ class Report:
     """
 
     command: str
-    result: dict[str, Any] = field(default_factory=dict)
-    rest: Callable[[], dict[str, Any]] | None = None
+    result: Mapping[str, Json] = field(default_factory=dict)
+    rest: Callable[[], Mapping[str, Json]] | None = None
     findings: list[Finding] = field(default_factory=list)
     tasks: list[Finding] = field(default_factory=list)
     artifacts: list[dict[str, str]] = field(default_factory=list)
@@ -69,13 +72,13 @@ class Report:
             return 0
         return int(any(finding.severity >= Severity[fail_on] for finding in self.findings))
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> dict[str, Json]:
         """The contract's document."""
         return {
             "schema": SCHEMA,
             "command": self.command,
             "ok": self.ok,
-            "result": self.result if self.rest is None else self.rest() | self.result,
+            "result": self.result if self.rest is None else {**self.rest(), **self.result},
             "findings": [f.to_json() for f in self.findings],
             "tasks": [t.to_json() for t in self.tasks],
             "artifacts": self.artifacts,

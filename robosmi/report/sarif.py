@@ -11,7 +11,6 @@ import hashlib
 import json
 import re
 from collections import Counter
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -140,7 +139,8 @@ def _locations(finding: Finding, places: SarifPlaces, about: Path | None) -> lis
     first: dict[str, Any] = {"physicalLocation": places.physical(place)}
     if logical:
         first["logicalLocations"] = logical
-    more = [p for p in finding.evidence.get("places", ()) if isinstance(p, Sequence) and len(p) == 4][1:]
+    ranges = [p for p in finding.listed("places") if isinstance(p, (list, tuple)) and len(p) == 4][1:]
+    more = [[part if isinstance(part, int) else None for part in p] for p in ranges]
     return [first, *({"physicalLocation": places.physical_at(place.path, *p)} for p in more)]
 
 

@@ -6,8 +6,8 @@ Targets live in the target models' handles; nothing is written to a file here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, overload
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard, TypeVar, cast, overload
 
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.model.driver import Model, TypeHandle
@@ -22,11 +22,16 @@ from robosmi.transform.schedule import Demand, Match, Schedule
 from robosmi.transform.trace import Trace
 
 if TYPE_CHECKING:
-    from robosmi.functions import Function
+    from robosmi.functions import Function, NamedFunction
+    from robosmi.model.driver import Item, Node
+    from robosmi.model.dynamic import Dynamic
     from robosmi.query.decorating import Decorator
+    from robosmi.query.erl import RuleKind
 
-P = ParamSpec("P")
-R = TypeVar("R")
+F = TypeVar("F", bound="NamedFunction")
+T = TypeVar("T")
+Sources: TypeAlias = "Item | Iterable[Item]"
+"""What something may be made from: an element or value, or several."""
 SCHEDULES = ("auto", "match", "demand")
 
 
@@ -82,11 +87,11 @@ class ETL(Settings):
         self._chosen = chosen
 
     @overload
-    def rule(self, body: Callable[P, R], /) -> Callable[P, R]: ...
+    def rule(self, body: F, /) -> F: ...
     @overload
     def rule(
         self,
-        transform: Any = None,
+        transform: RuleKind | None = None,
         /,
         to: type | str | TypeHandle | Sequence[type | str | TypeHandle] | None = None,
         *,
@@ -164,7 +169,7 @@ class ETL(Settings):
             )
         return self._running
 
-    def _names(self, rules: Sequence[Any]) -> list[str]:
+    def _names(self, rules: Sequence[Function | str]) -> list[str]:
         running = self._schedule()
         given = [called(rule) for rule in rules]
         for name in given:
@@ -173,12 +178,17 @@ class ETL(Settings):
                 self.warnings.append(said)
         return given
 
-    def equivalent(self, source: Any, *rules: Function | str) -> Any:
+    @overload
+    def equivalent(self, source: Sources, *rules: Function | str) -> Dynamic: ...
+    @overload
+    def equivalent(self, source: Item, *rules: Function | str, kind: type[T]) -> T | None: ...
+    def equivalent(self, source: Sources, *rules: Function | str, kind: type[T] | None = None) -> Dynamic | T | None:
         """What was made from a source (ETL `s.equivalent()`, `s.equivalent("R")`).
 
         Args:
             source: an element, a value, or a collection of them.
             rules: names of rules, or their functions; all if none. A name that is no rule gives nothing, and a warning.
+            kind: the class of what is wanted; all classes if None. Of one source, no collection.
 
         Returns:
             The first target, or None; of a collection all targets of all members, in a flat list.
@@ -186,14 +196,17 @@ class ETL(Settings):
         Raises:
             RuleError: a rule that runs for it raises.
         """
-        if _is_collection(source):
-            return Q([t for targets in self.equivalents(source, *rules) for t in targets])
         if source is None:
             return None
-        found = self._schedule().equivalents(source, self._names(rules) if rules else ())
-        return found[0] if found else None
+        running, names = self._schedule(), self._names(rules) if rules else ()
+        if _is_collection(source):
+            return cast("Dynamic", Q([t for targets in self._of_all(source, running, names) for t in targets]))
+        found = running.equivalents(cast("Item", source), names)
+        if kind is not None:
+            return next((target for target in found or () if isinstance(target, kind)), None)
+        return cast("Dynamic", found[0]) if found else None
 
-    def equivalents(self, source: Any, *rules: Function | str) -> Any:
+    def equivalents(self, source: Sources, *rules: Function | str) -> Dynamic:
         """All that was made from a source (ETL `s.equivalents()`), in the order of the rules, primary ones first.
 
         Returns:
@@ -202,20 +215,25 @@ class ETL(Settings):
         Raises:
             RuleError: a rule that runs for it raises.
         """
-        if source is None:
-            return None
-        running, names = self._schedule(), self._names(rules) if rules else ()
-        if not _is_collection(source):
-            found = running.equivalents(source, names)
-            return Q(found) if found is not None else None
-        distinct: dict[tuple[int, ...], Any] = {}
-        for member in source:
+        made: Q[Node] | Q[Q[Node]] | None = None
+        if source is not None:
+            running, names = self._schedule(), self._names(rules) if rules else ()
+            if _is_collection(source):
+                made = self._of_all(source, running, names)
+            elif (found := running.equivalents(cast("Item", source), names)) is not None:
+                made = Q(found)
+        return cast("Dynamic", made)
+
+    def _of_all(self, sources: Iterable[Item], running: Schedule, names: Sequence[str]) -> Q[Q[Node]]:
+        """What was made from each of several sources, equal lists once."""
+        distinct: dict[tuple[int, ...], Q[Node]] = {}
+        for member in sources:
             found = running.equivalents(member, names) if member is not None else None
             if found is not None:
                 distinct.setdefault(tuple(id(x) for x in found), Q(found))
         return Q(distinct.values())
 
-    def set(self, target: Any, /, **features: Any) -> None:
+    def set(self, target: Node, /, **features: Sources) -> None:
         """Set features to the equivalents of values (ETL `target.feature ::= value`).
 
         Args:
@@ -233,7 +251,7 @@ class ETL(Settings):
 _COLLECTIONS: dict[type, bool] = {}
 
 
-def _is_collection(value: Any) -> bool:
+def _is_collection(value: Sources) -> TypeGuard[Iterable[Item]]:
     """Whether the value is a collection; that is asked at every equivalent, and its class decides."""
     cls = value.__class__
     known = _COLLECTIONS.get(cls)

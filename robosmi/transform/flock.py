@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeVar, cast, overload
 
 from robosmi.errors import RuleError, UsageError, did_you_mean
 from robosmi.model.driver import TypeHandle, class_of
@@ -27,8 +27,12 @@ from robosmi.transform.conservative_copy import ConservativeCopy, restore_order
 
 if TYPE_CHECKING:
     from robosmi.functions import Function as AnyFunction
-    from robosmi.model.driver import FeatureValue, Kind, Model, Node, Type
+    from robosmi.model.driver import FeatureValue, Item, Kind, Model, Node, Type
+    from robosmi.model.dynamic import Dynamic
     from robosmi.query.decorating import Decorator, Function
+
+
+T = TypeVar("T")
 
 
 @dataclass(eq=False)
@@ -147,14 +151,31 @@ class Flock(Settings):
 
         return add
 
-    def equivalent(self, original: Any) -> Any:
+    @overload
+    def equivalent(self, original: FeatureValue) -> Dynamic: ...
+    @overload
+    def equivalent(self, original: Item, kind: type[T]) -> T: ...
+    def equivalent(self, original: FeatureValue, kind: type[T] | None = None) -> Dynamic | T:
         """What became of an element: its migrated one, None if it has none; of a collection a list without those.
 
         Elements of other models and plain values are their own equivalent, as in the engine.
+
+        Args:
+            original: an element or value, or a collection of them.
+            kind: the class that the migrated element is of, so that type checkers know it.
+
+        Raises:
+            RuleError: what became of it is not of that class.
         """
         if collection_kind(original) is not None:
-            return Q([e for e in (self._equivalent(x) for x in original) if e is not None])
-        return self._copy.value(original) if original is not None else None
+            return cast("Dynamic", Q([e for e in map(self._equivalent, cast("Iterable[EObject]", original)) if e is not None]))
+        made: Item = self._copy.value(original) if original is not None else None
+        if kind is None:
+            return cast("Dynamic", made)
+        if not isinstance(made, kind):
+            said = f"what became of {original!r} is no {kind.__name__}: {made!r}"
+            raise RuleError(said, fix="ask for the class that it is of now")
+        return made
 
     def set(self, target: Node, /, **features: FeatureValue) -> None:
         """Set features to the equivalents of values (Flock `migrated.feature ::= original.feature`).

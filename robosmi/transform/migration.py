@@ -9,9 +9,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 
 from robosmi.errors import RuleError
+from robosmi.model.ecore import EObject, Package
 from robosmi.model.emf import EmfModel
 from robosmi.model.features import eclass_of
 from robosmi.model.metamodel import Metamodel
@@ -48,11 +48,11 @@ class ModelMigration:
     def _new(self) -> Metamodel:
         return self.new or Metamodel(built_in().packages)
 
-    def packages(self) -> list[Any]:
+    def packages(self) -> list[Package]:
         """The packages of the older version."""
         return list(self._metamodel.packages)
 
-    def __call__(self, roots: Mapping[Path, Any]) -> dict[Path, Any]:
+    def __call__(self, roots: Mapping[Path, EObject]) -> dict[Path, EObject]:
         """The roots of models in the newer version, migrated together; the model for the rules is at the first one's path.
 
         Args:
@@ -66,8 +66,8 @@ class ModelMigration:
         f = Flock(original, EmfModel((), self._new, "New"), keep_order=True)
         self.rules(f)
         left = f.run().roots
-        made = {file: f.equivalent(root) for file, root in roots.items()}
-        if len(left) != len(made) or None in made.values():
+        made: dict[Path, EObject] = {file: new for file, root in roots.items() if isinstance(new := f.equivalent(root), EObject)}
+        if len(left) != len(roots) or len(made) != len(roots):
             (first, *_), several = roots.values(), len(roots) > 1
             wanted = f"{len(roots)} roots" if several else "one"
             raise RuleError(

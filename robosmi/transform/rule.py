@@ -243,7 +243,7 @@ class BoundRule:
                 raise failed(error, f"a target of the rule {self.name}", init or self.body, source, self.models) from error
         return made
 
-    def run(self, source: Item, targets: list[Node]) -> None:
+    def run(self, source: Item, targets: Sequence[Node]) -> None:
         """The bodies of the rules it extends, then its own.
 
         Raises:

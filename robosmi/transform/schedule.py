@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from robosmi.query.deep import LEVELS, in_thread
 from robosmi.transform.rule import BoundRule
@@ -42,14 +42,14 @@ class Schedule(ABC):
         """
 
     @abstractmethod
-    def equivalents(self, source: Item, names: Sequence[str]) -> list[Any] | None:
+    def equivalents(self, source: Item, names: Sequence[str]) -> list[Node] | None:
         """The targets of a source, of the named rules or of all.
 
         Raises:
             RuleError: a rule that runs for it raises.
         """
 
-    def _run_nested(self, rule: BoundRule, source: Item, targets: list[Node]) -> None:
+    def _run_nested(self, rule: BoundRule, source: Item, targets: Sequence[Node]) -> None:
         """Run a rule inside another; chains of them may be as long as the model."""
         self._nested += 1
         try:
@@ -89,10 +89,10 @@ class Match(Schedule):
         by_name = self.by_name
         for link in list(self.trace):
             rule = by_name[link.rule]
-            if (source := link.sources[0]) not in rule.done:
-                rule.run(source, link.targets)
+            if (read := link.sources[0]) not in rule.done:
+                rule.run(read, link.targets)
 
-    def equivalents(self, source: Item, names: Sequence[str]) -> list[Any] | None:
+    def equivalents(self, source: Item, names: Sequence[str]) -> list[Node] | None:
         """The targets of a source in the order of the rules, primary ones in front; None if there are none, or not yet.
 
         Raises:
@@ -145,7 +145,7 @@ class Demand(Schedule):
         self._run_nested(rule, source, targets)
         return targets
 
-    def equivalents(self, source: Item, names: Sequence[str]) -> list[Any] | None:
+    def equivalents(self, source: Item, names: Sequence[str]) -> list[Node] | None:
         """The targets of a source; rules that apply run first, all of them or the named ones. Empty if there are none.
 
         Raises:

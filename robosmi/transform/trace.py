@@ -6,7 +6,7 @@ Looking up costs the same however long the trace is. Links of generated text are
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
 from robosmi.errors import ModelError
 from robosmi.model.driver import Model, is_element
@@ -18,8 +18,12 @@ from robosmi.query.values import key
 if TYPE_CHECKING:
     from robosmi.metamodels import trace
     from robosmi.model.driver import Item, Node
+    from robosmi.model.dynamic import Dynamic
 
 _BY_VALUE = (int, float, bool)
+
+
+T = TypeVar("T")
 
 
 class Link:
@@ -34,16 +38,16 @@ class Link:
 
     __slots__ = ("rule", "sources", "step", "targets")
 
-    def __init__(self, rule: str, sources: tuple[Any, ...], targets: list[Any], step: str = "") -> None:
+    def __init__(self, rule: str, sources: tuple[Item, ...], targets: list[Node], step: str = "") -> None:
         self.rule = rule
         self.sources = sources
-        self.targets = targets
+        self.targets = cast("list[Dynamic]", targets)
         self.step = step
 
     @property
-    def source(self) -> Any:
+    def source(self) -> Dynamic:
         """The first source, in ETL the only one; None if there is none."""
-        return self.sources[0] if self.sources else None
+        return cast("Dynamic", self.sources[0] if self.sources else None)
 
     def __repr__(self) -> str:
         return f"<{self.rule}: {', '.join(repr(x) for x in self.sources)} -> {', '.join(repr(x) for x in self.targets)}>"
@@ -67,7 +71,7 @@ class Trace:
         self._indexed = 0
         self._of_other_copies: _OtherCopies | None = None
 
-    def add(self, rule: str, source: Item, targets: list[Any]) -> Link:
+    def add(self, rule: str, source: Item, targets: list[Node]) -> Link:
         """Record that a rule made the targets from the one source."""
         made = Link(rule, (source,), targets, self.step)
         self.links.append(made)
@@ -127,13 +131,22 @@ class Trace:
             self._of_other_copies.refuse(target)
         return found or []
 
-    def equivalents(self, source: Item) -> list[Any]:
-        """Everything that was made from a source, in the order it was made."""
-        return [target for link in self.links_from(source) for target in link.targets]
+    @overload
+    def equivalents(self, source: Item) -> list[Dynamic]: ...
+    @overload
+    def equivalents(self, source: Item, kind: type[T]) -> list[T]: ...
+    def equivalents(self, source: Item, kind: type[T] | None = None) -> list[Dynamic] | list[T]:
+        """Everything that was made from a source, in the order it was made; of a class alone if one is given."""
+        if kind is not None:
+            found: list[T] = []
+            for link in self.links_from(source):
+                found += [target for target in link.targets if isinstance(target, kind)]
+            return found
+        return cast("list[Dynamic]", [target for link in self.links_from(source) for target in link.targets])
 
-    def origins(self, target: Node) -> list[Any]:
+    def origins(self, target: Node) -> list[Dynamic]:
         """Everything that a target was made from."""
-        return [source for link in self.links_to(target) for source in link.sources]
+        return cast("list[Dynamic]", [source for link in self.links_to(target) for source in link.sources])
 
     def __len__(self) -> int:
         return len(self.links)

@@ -7,15 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar, overload
 
 from robosmi.diagnostics import Location, Severity
 from robosmi.query.erl import type_name
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
-    from robosmi.model.driver import TypeHandle
+    from robosmi.model.driver import Held, TypeHandle
     from robosmi.query.decorating import Decorator
+    from robosmi.query.erl import RuleKind
 
 R = TypeVar("R")
 E = TypeVar("E")
@@ -52,13 +53,32 @@ class Fail:
 
     __slots__ = ("extras", "fixes", "message")
 
-    def __init__(self, message: str | None = None, /, *fixes: Fix, **extras: Any) -> None:
+    def __init__(self, message: str | None = None, /, *fixes: Fix, **extras: Held) -> None:
         self.message = message
         self.fixes = fixes
         self.extras = extras
 
     def __bool__(self) -> bool:
         return False
+
+
+class Constrained(Protocol):
+    """A context, whatever the class of its elements."""
+
+    name: str
+    constraints: list[Constraint]
+
+    @property
+    def kind(self) -> RuleKind | None:
+        """The type of its elements; None for the models as a whole."""
+
+    @property
+    def guard(self) -> Function | None:
+        """For which elements its constraints are evaluated, or None for all."""
+
+    @property
+    def lazy(self) -> bool:
+        """Whether none of its constraints is evaluated unless asked for."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +104,7 @@ class Constraint:
 
     name: str
     check: Function
-    context: Context[Any]
+    context: Constrained
     critique: bool = False
     info: bool = False
     guard: Function | None = None
@@ -94,7 +114,7 @@ class Constraint:
     severity: Severity = Severity.error
     id: str = ""
     advice: str | Callable[..., str] | None = None
-    location: Callable[[Any], Location | None] | None = None
+    location: Callable[..., Location | None] | None = None
     terminate: bool = False
 
     @property

@@ -15,7 +15,7 @@ from robosmi.model.driver import Model
 from robosmi.query.deep import LEVELS, in_thread
 from robosmi.query.erl import RuleType, called, failed, told
 from robosmi.query.verdicts import guarded, verdict_of
-from robosmi.validate.constraint import Constraint, Context, Fail
+from robosmi.validate.constraint import Constrained, Constraint, Fail
 from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
 
 
@@ -85,10 +85,10 @@ class Evaluation:
         UnknownTypeError: a context is about a type that no model has.
     """
 
-    def __init__(self, contexts: Sequence[Context[Any]], models: list[Model]) -> None:
+    def __init__(self, contexts: Sequence[Constrained], models: list[Model]) -> None:
         self.models = models
         self.result = Validation(models)
-        self._contexts: list[tuple[Context[Any], RuleType | None, list[_State], set[Any]]] = []
+        self._contexts: list[tuple[Constrained, RuleType | None, list[_State], set[Any]]] = []
         self._named: dict[str, list[_State]] = {}
         self._asked: dict[tuple[_State, Any], None] = {}
         self._found: set[tuple[Constraint, Any, str]] = set()
@@ -110,7 +110,7 @@ class Evaluation:
             if not context.lazy:
                 self._sweep(self._elements(context, kind), [s for s in states if not s.constraint.lazy], done)
 
-    def _elements(self, context: Context[Any], kind: RuleType | None) -> Iterator[Any]:
+    def _elements(self, context: Constrained, kind: RuleType | None) -> Iterator[Any]:
         if kind is None:
             yield None
             return

@@ -14,13 +14,13 @@ from robosmi.model.driver import Model, TypeHandle
 from robosmi.model.ordering import post_order
 from robosmi.query.erl import Given, RuleBlocks, as_model, run_over
 from robosmi.query.settings import Settings
-from robosmi.validate.constraint import Constraint, Context, E, Fix, R
+from robosmi.validate.constraint import Constrained, Constraint, Context, E, Fix, R
 from robosmi.validate.evaluation import Evaluation
 from robosmi.validate.findings import Applied, OfferedFix, Unsatisfied, Validation
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
-    from robosmi.model.driver import Item
+    from robosmi.model.driver import DynamicNode, Item
     from robosmi.query.decorating import Decorator
 
 
@@ -40,9 +40,9 @@ class EVL(Settings):
         self.models: list[Model] = [as_model(m) for m in models]
         self.pre = RuleBlocks()
         self.post = RuleBlocks()
-        self.contexts: list[Context[Any]] = []
-        self._constraints: Context[Any] = Context(None)
-        self._critiques: Context[Any] = Context(None)
+        self.contexts: list[Constrained] = []
+        self._constraints: Context[DynamicNode] = Context(None)
+        self._critiques: Context[DynamicNode] = Context(None)
         self._included: list[EVL] = []
         self._evaluation: Evaluation | None = None
         self.settle(EVL)
@@ -54,7 +54,7 @@ class EVL(Settings):
     @overload
     def context(
         self, kind: str | TypeHandle, *, guard: Function | None = None, lazy: bool = False, name: str | None = None
-    ) -> Context[Any]: ...
+    ) -> Context[DynamicNode]: ...
     def context(
         self,
         kind: type[E] | str | TypeHandle,

@@ -5,16 +5,21 @@ A fix that raises is rolled back. Elements are named as they were when all check
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RuleError, UsageError
 from robosmi.model.driver import Model
 from robosmi.query.erl import failed, place_in_model, technology, told
+from robosmi.query.values import as_string
 from robosmi.validate.constraint import Constraint, Fix
+
+if TYPE_CHECKING:
+    from robosmi.data_text import Json
+    from robosmi.model.driver import Held, Item
 
 
 class OfferedFix:
@@ -83,10 +88,10 @@ class Unsatisfied:
     """
 
     constraint: Constraint
-    element: Any
+    element: Item
     message: str
     default_message: bool = False
-    extras: dict[str, Any] = field(default_factory=dict)
+    extras: Mapping[str, Held] = field(default_factory=dict)
     fixes: list[OfferedFix] = field(default_factory=list)
     fixed: bool = False
     advice: str | None = None
@@ -177,7 +182,7 @@ class Validation:
             found.append(Finding(c.id, u.severity, u.message, located, self.place(u), advice, evidence))
         return found
 
-    def to_json(self) -> dict[str, Any]:
+    def to_json(self) -> dict[str, Json]:
         """The report as JSON values: `unsatisfied` and `fixed`, in order."""
         return {
             "unsatisfied": [self._entry(u) for u in self.unsatisfied],
@@ -186,7 +191,7 @@ class Validation:
             ],
         }
 
-    def _entry(self, u: Unsatisfied) -> dict[str, Any]:
+    def _entry(self, u: Unsatisfied) -> dict[str, Json]:
         c = u.constraint
         return {
             "constraint": c.name, "context": c.context.name, "kind": c.kind, "info": c.info, "severity": u.severity.name,
@@ -194,9 +199,10 @@ class Validation:
             "fixes": [f.title for f in u.fixes],
         }  # fmt: skip
 
-    def _plain(self, value: Any) -> Any:
-        plain = value is None or isinstance(value, (str, int, float, bool))
-        return value if plain else place_in_model(value, self.models)
+    def _plain(self, value: Held) -> Json:
+        if value is None or isinstance(value, (str, int, float, bool)):
+            return value
+        return as_string(value) if isinstance(value, Sequence) else place_in_model(value, self.models)
 
     def text(self) -> str:
         """The report for a person: a line for each finding, below it the fixes that apply, then a summary."""

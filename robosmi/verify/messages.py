@@ -55,9 +55,9 @@ def compiler_findings(text: str, patterns: DataTable, folder: Path) -> tuple[lis
         place = Location(own or match["path"], int(match["line"]), column)
         if match["severity"] not in _SEVERITY:
             if last is not None:
-                notes = [*findings[last].evidence.get("notes", []), {"message": match["message"], "location": place.to_json()}]
+                notes = [*findings[last].listed("notes"), {"message": match["message"], "location": place.to_json()}]
                 steps = (*findings[last].steps, FlowStep(place, match["message"]))
-                findings[last] = replace(findings[last], evidence=findings[last].evidence | {"notes": notes}, steps=steps)
+                findings[last] = replace(findings[last], evidence={**findings[last].evidence, "notes": notes}, steps=steps)
             continue
         finding = _finding(match["message"], _SEVERITY[match["severity"]], place, patterns)
         if own is None and finding.severity is Severity.warning:

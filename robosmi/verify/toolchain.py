@@ -91,7 +91,7 @@ def _with_offers(finding: Finding, toolchain: Toolchain, project: Path | None) -
     if finding.rule != MISSING_HEADER:
         return finding
     try:
-        header = PurePosixPath(finding.evidence["header"]).name
+        header = PurePosixPath(str(finding.evidence["header"])).name
         found = content("query", "libraries_by_header")(header, toolchain.platform, project)
     except RobosmiError:
         return finding  # there is no index of libraries; the finding is true without
@@ -100,7 +100,7 @@ def _with_offers(finding: Finding, toolchain: Toolchain, project: Path | None) -
     if not names:
         return finding
     fix = f"{finding.fix}; libraries that offer it: {', '.join(repr(name) for name in names)}"
-    return replace(finding, fix=fix, evidence=finding.evidence | {"libraries": names})
+    return replace(finding, fix=fix, evidence={**finding.evidence, "libraries": names})
 
 
 def _too_big(report: CompileReport, sketch: Sketch) -> Finding:

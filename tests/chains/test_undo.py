@@ -13,6 +13,7 @@ import robosmi
 from robosmi.errors import RobosmiError, SourceError, StoppedError
 from robosmi.generate.undo import undo
 from robosmi.model import runs
+from robosmi.transformations.chains.migrate import migrate
 from tests.running import run, tree
 
 FIRST = '#include "simpletools.h"\nint main() { while (1) { high(3); pause(5); } }\n'
@@ -143,8 +144,7 @@ def test_a_choice_is_counted_once_whatever_runs_come_between(examples: Path, tmp
 
     def moved(**libraries: str) -> int:
         named = {title.replace("_", " "): name for title, name in libraries.items()}
-        made = robosmi.migrate([source], out, hardware=drawing, libraries=named, history=history)
-        return len(made.new_choices)
+        return len(migrate([source], out, hardware=drawing, libraries=named, history=history).new_choices)
 
     assert moved(Basic_Servo1="Servo") == 1
     assert moved(Basic_Servo1="Servo") == 0

@@ -84,7 +84,8 @@ def test_what_cannot_be_read_is_exit_code_3(tmp_path: Path, capsys: pytest.Captu
 
 def test_the_python_function_gives_the_same(sketch: Path) -> None:
     done = robosmi.check_model(sketch / "models" / "plan.xmi")
-    assert done.result["models"][0]["model"] == "plan"
+    result: Any = done.result
+    assert result["models"][0]["model"] == "plan"
 
 
 def test_checking_writes_nothing(sketch: Path) -> None:

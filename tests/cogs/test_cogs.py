@@ -12,8 +12,7 @@ from pathlib import Path
 
 import pytest
 
-import robosmi
-from robosmi.transformations.chains.migrate import plan_migration
+from robosmi.transformations.chains.migrate import migrate, plan_migration
 from robosmi.transformations.chains.output import Generated
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
@@ -41,8 +40,7 @@ def moved(name: str, folder: Path, board: str = "uno") -> Generated:
     bind = {port: pin for port, pin in BIND.items() if re.search(rf"\b(?:high|low|toggle|input)\({port[1:]}\)", text)}
     if '#include "abdrive.h"' in text:
         bind |= dict(zip(("abdrive.left_servo", "abdrive.right_servo"), SERVOS, strict=True))
-    made: Generated = robosmi.migrate(files, folder, bind=bind, target=board)
-    return made
+    return migrate(files, folder, bind=bind, target=board)
 
 
 def run(name: str, folder: Path, milliseconds: float, board: str = "uno") -> PinTrace:

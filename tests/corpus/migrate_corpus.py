@@ -23,10 +23,10 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from robosmi.api import MadeSketch
 from robosmi.diagnostics import Severity
 from robosmi.errors import InternalError, ModelError, RobosmiError
 from robosmi.metamodels import ccode
-from robosmi.transformations.chains.output import Generated
 from robosmi.transformations.t2m.c_source.side_file import project_beside, read_side
 
 _MAIN = re.compile(rb"^[^\S\n]*(?:[A-Za-z_]\w*\s+)*(?:int|void)\s+main\s*\(", re.MULTILINE)
@@ -240,18 +240,20 @@ def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
     )
 
 
-def _untrue(made: Generated) -> tuple[str, ...]:
+def _untrue(made: MadeSketch) -> tuple[str, ...]:
     """What does not add up in a report, and whether its first screen is longer than one."""
     from robosmi.transformations.m2t.first_screen import LINES
     from tests.transformations.m2t.truth import report_faults
 
     report = made.contents[f"{made.models.plan.name}/MIGRATION.md"].decode()
     first = re.split(r"^## (?:Findings|[\w ]+, continued)$", report, maxsplit=1, flags=re.MULTILINE)[0].rstrip().splitlines()
-    faults = report_faults(made.models.plan, made.result()["plan"], report)
+    said = made.result()["plan"]
+    assert isinstance(said, dict)
+    faults = report_faults(made.models.plan, said, report)
     return (*faults, *([f"first screen: {len(first)} lines"] if len(first) > LINES else []))
 
 
-def _missing(made: Generated) -> tuple[str, ...]:
+def _missing(made: MadeSketch) -> tuple[str, ...]:
     """The functions of a program that no file of its sketch defines, under their name or the one that they were given."""
     plan = made.models.plan
     text = "".join(data.decode("utf-8", "replace") for name, data in made.contents.items() if name.startswith(f"{plan.name}/"))

@@ -82,12 +82,12 @@ def of_evl(v: EVL, models: list[Any]) -> dict[str, Any]:
     """Findings and fixes."""
     if v.result is None:
         return {"unsatisfied": [], "fixed": []}
-    report = v.result.to_json()
+    report: Any = v.result.to_json()
     for entry, found in zip(report["unsatisfied"], v.unsatisfied, strict=True):
         del entry["severity"]
         if found.default_message:
             entry["message"] = f"Invariant {found.name} failed for <element>"
-    return report
+    return dict(report)
 
 
 def of_etl(t: ETL, models: list[Any]) -> dict[str, Any]:

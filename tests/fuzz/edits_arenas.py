@@ -56,8 +56,7 @@ class Sketch:
     def make(self, folder: Path) -> list[Finding]:
         files = [self.source, self.helper] if self.helper.exists() else [self.source]
         history = str(self.source.parent / "history.sqlite")
-        found: list[Finding] = robosmi.migrate(files, folder, hardware=self.drawing, history=history).findings
-        return found
+        return list(robosmi.migrate(files, folder, hardware=self.drawing, history=history).findings)
 
     def fresh(self) -> dict[str, bytes]:
         with tempfile.TemporaryDirectory() as empty:

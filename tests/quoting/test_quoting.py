@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from lxml import etree
 
 from robosmi import quoting
+from robosmi.data_text import Json
 from robosmi.quoting import code, data, markdown_text, markup, text
 from tests.quoting import judges
 from tests.quoting.judges import (
@@ -210,7 +211,7 @@ def test_a_terminal_is_told_nothing(one: str) -> None:
     assert not acts_on_terminal(quoting.terminal(one))
     assert "\n" not in quoting.terminal(one)
     assert not acts_on_terminal(quoting.terminal_lines(one))
-    document = {"a": one, one: [1]}
+    document: dict[str, Json] = {"a": one, one: [1]}
     for ascii_only in (False, True):
         shown = quoting.json_text(document, ascii_only=ascii_only)
         assert not acts_on_terminal(shown)

@@ -15,6 +15,7 @@ from robosmi.errors import PlatformDataError, UsageError
 from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.report.rules import FindingRule, finding_rules, page, plain_text, rule_called, sentence
+from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.queries.plan import said
 from tests.running import run
 
@@ -34,7 +35,7 @@ def findings_of(rule: str, program: Path, out: Path) -> list[Finding]:
     if rule in MIGRATED | CHECKED:
         made = robosmi.migrate([program], out)
         return list(content("chain", "check")(out / "models" / "code.xmi", None).findings if rule in CHECKED else made.findings)
-    models = robosmi.plan_migration([program], widths="keep")
+    models: MigrationModels = content("chain", "plan")([program], widths="keep")
     return list(said(Q(models.plan.findings), models.places))
 
 

@@ -372,6 +372,7 @@ def test_parameters_with_defaults_are_no_targets_and_wrapped_functions_count_as_
     def second(c: L.Comic, n: G.Node) -> None:  # type: ignore[name-defined]
         n.label = c.name
 
-    t.rule(wraps(second)(lambda *given: second(*given)))
+    wrapped: Any = wraps(second)(lambda *given: second(*given))
+    t.rule(wrapped)
     t.run()
     assert [n.label for n in G.Node.all] == ["Zap!", "Zap"]

@@ -87,7 +87,7 @@ def test_references_to_other_models_stay_what_they_are(tmp_path: Path) -> None:
     f.run()
     (made,) = after.A.all
     assert f.equivalent(second) is made
-    assert f.equivalent(unit) is unit
+    assert f.equivalent(unit, ccode.SourceUnit) is unit
     assert f.equivalent(first) is None
     assert list(made.links) == []
     assert f.equivalent([first, second, unit]) == [made, unit]

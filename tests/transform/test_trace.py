@@ -61,10 +61,12 @@ def test_links_that_are_added_later_are_found_too() -> None:
 
 def test_values_are_sources_like_elements() -> None:
     made = Trace()
-    one, true = object(), object()
+    one, true = trace.TextTrace(path="one"), trace.TextTrace(path="true")
     made.add("r", 1, [one])
     made.add("r", True, [true])
-    assert (made.equivalents(1), made.equivalents(True), made.equivalents(1.0)) == ([one], [true], [])
+    assert made.equivalents(1) == [one]
+    assert made.equivalents(True) == [true]
+    assert made.equivalents(1.0) == []
 
 
 def test_a_trace_is_a_model_that_is_stored_and_read_again(tmp_path: Path) -> None:
@@ -98,4 +100,5 @@ def test_traces_of_steps_become_one() -> None:
     part.add("second", two, [one])
     whole.take(part)
     assert [(k.rule, k.step) for k in whole.links] == [("first", "a"), ("second", "b")]
-    assert (whole.equivalents(two), whole.origins(two), whole.origins(one)) == ([one], [one], [two])
+    assert whole.equivalents(two) == whole.origins(two) == [one]
+    assert whole.origins(one) == [two]

@@ -315,7 +315,8 @@ def test_a_fix_that_raises_is_rolled_back_and_the_others_go_on() -> None:
     assert "touched" in ants.tags
     assert [a.name for a in L.Author.all].count("new") == 1
     assert len(L.Member.all) == 1
-    assert result.to_json()["fixed"][0]["error"] == error.message
+    shown: Any = result.to_json()
+    assert shown["fixed"][0]["error"] == error.message
 
 
 def test_a_fix_applied_by_hand_that_raises_says_so() -> None:

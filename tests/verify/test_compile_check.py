@@ -120,7 +120,7 @@ def test_a_missing_header_says_what_to_do() -> None:
 def test_a_missing_header_names_the_libraries_that_offer_it() -> None:
     (finding,) = compiled("missing_library").diagnostics
     assert finding.rule == "RS803"
-    assert finding.evidence["libraries"][0] == "Adafruit BMP085 Library"
+    assert finding.listed("libraries")[0] == "Adafruit BMP085 Library"
     assert finding.fix is not None
     assert "libraries that offer it: 'Adafruit BMP085 Library'" in finding.fix
     (unknown,) = compiled("missing_header").diagnostics

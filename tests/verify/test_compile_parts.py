@@ -80,7 +80,9 @@ def test_compiler_messages_become_findings_once_with_their_notes(tmp_path: Path)
     )
     found, elsewhere = messages.compiler_findings(said, load_toolchains()[0].messages, tmp_path)
     assert [str(f.location) for f in found] == [f"{tmp_path}/x.ino:3:5", "/usr/lib/core.h:7:1"]
-    assert [note["message"] for note in found[0].evidence["notes"]] == ["declared here"]
+    (note,) = found[0].listed("notes")
+    assert isinstance(note, dict)
+    assert note["message"] == "declared here"
     assert elsewhere == 1
 
 

@@ -113,5 +113,4 @@ def analyse(
         progress=progress, paths=paths, source_platform=source_platform, include_dirs=include_dirs, defines=defines
     )
     with project_of_input(paths[0]), read_once():
-        made: Analysis = run.value("analysis")
-    return made
+        return run.value("analysis", Analysis)

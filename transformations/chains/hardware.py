@@ -151,5 +151,4 @@ def hardware(
     """
     run = (chain or hardware_chain()).start(progress=progress, path=path, roles=roles or {})
     with project_of_input(path), read_once():
-        made: HardwareAnalysis = run.value("analysis")
-    return made
+        return run.value("analysis", HardwareAnalysis)

@@ -313,8 +313,7 @@ def plan_migration(
         history=history, widths=widths, bench=bench, stored=NOTHING,
     )  # fmt: skip
     with project_of_input(files[0]), read_once():
-        made: MigrationModels = run.value("models")
-    return made
+        return run.value("models", MigrationModels)
 
 
 def _started(chain: Chain | None, progress: Progress | None, **values: Any) -> ChainRun:
@@ -376,15 +375,15 @@ def migrate(
     )  # fmt: skip
     with project_of_input(files[0]):
         with read_once():
-            models: MigrationModels = run.value("models")
+            models = run.value("models", MigrationModels)
             left = [library_json(choice) for choice in models.plan.libraryChoices if choice.open]
             if ask is not None and left and (answers := ask(left)):
                 run.give(libraries={**chosen, **answers})
-                models = run.value("models")
+                models = run.value("models", MigrationModels)
             ports_left = [binding_json(b) for b in models.plan.portBindings if b.open]
             if ask_ports is not None and ports_left and (pins := ask_ports(ports_left, pins_to_choose(models.plan))):
                 run.give(bind={**(bind or {}), **pins})
-                models = run.value("models")
+                models = run.value("models", MigrationModels)
         models.notes += adopted.notes
         beyond = outside() if outside is not None else {}
         made = produce(models, Path(output), inputs=adopted.inputs, outside=beyond, dry_run=dry_run, strict=strict)

@@ -30,6 +30,7 @@ from robosmi.metamodels import migration, trace
 from robosmi.model.commit import update
 from robosmi.model.elsewhere import Elsewhere
 from robosmi.model.recovery import at_work, look_only
+from robosmi.model.strict import Element
 from robosmi.model.xml_comments import comments_lost
 from robosmi.model.xml_comments import told as told_of_comments
 from robosmi.plugins import content
@@ -326,9 +327,13 @@ def _trace_texts(plan: migration.MigrationPlan, made: Generation, files: Mapping
         return  # making them anew takes ten times as long
     plan.trace.texts.clear()
     plan.trace.texts.extend(
-        trace.TextTrace(path=k.path, line=k.line, endLine=k.end_line, step=k.step, rule=k.part, elements=k.elements)
+        trace.TextTrace(path=k.path, line=k.line, endLine=k.end_line, step=k.step, rule=k.part, elements=_elements(k))
         for k in links
     )
+
+
+def _elements(link: TextLink) -> list[Element]:
+    return [element for element in link.elements if isinstance(element, Element)]
 
 
 def _traces(text: trace.TextTrace, link: TextLink) -> bool:

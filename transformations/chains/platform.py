@@ -31,11 +31,12 @@ _KINDS = ("functions", "macros", "vars", "consts", "types", "registers")
 
 @dataclass(frozen=True)
 class PlatformImport:
-    """What an import did: the platform's folder, the contract's result, and what was left out."""
+    """What an import did: the platform's folder, the contract's result, what was left out, and the files written."""
 
     folder: Path
     result: dict[str, Any]
     findings: list[Finding]
+    written: list[str]
 
     def lines(self) -> list[str]:
         """What a person reads."""
@@ -77,6 +78,7 @@ def import_platform(
         written.append(target / "platform.toml")
     forget_platforms()
     counts = [_counts(entry) for entry in found.headers.values()]
+    names = [str(path) for path in written]
     result = {
         "platform": name,
         "like": base.name,
@@ -86,11 +88,11 @@ def import_platform(
         ],
         "skipped": [{"path": path, "why": why} for path, why in sorted(found.skipped.items())],
         "missing": found.missing,
-        "written": [str(path) for path in written],
+        "written": names,
         "totals": {kind: sum(each[kind] for each in counts) for kind in _KINDS},
         "known": len(headers),
     }
-    return PlatformImport(target, result, _findings(found.skipped, found.missing))
+    return PlatformImport(target, result, _findings(found.skipped, found.missing), names)
 
 
 def _base(name: str, like: str | None) -> ApiIndex:

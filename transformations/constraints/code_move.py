@@ -11,12 +11,12 @@ import re
 from collections.abc import Iterable, Sequence
 from contextvars import ContextVar
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.diagnostics import Location
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.model import EmfModel
-from robosmi.model.strict import enum_literal
+from robosmi.model.strict import Element, enum_literal
 from robosmi.query import ancestor_of_kind
 from robosmi.query.run import current_run
 from robosmi.transformations.knowledge.platform_api import ApiIndex
@@ -34,6 +34,9 @@ from robosmi.transformations.queries.signature_text import function_type
 from robosmi.transformations.queries.values import Values
 from robosmi.typed import distinct
 from robosmi.validate import EVL, Fail, Unsatisfied
+
+if TYPE_CHECKING:
+    from robosmi.model.driver import Held
 
 moved = EVL()
 """The constraints on a program that is moved; run them over its plan and its model."""
@@ -259,7 +262,7 @@ def move_findings(plan: migration.MigrationPlan, seen: Sequence[CodeView]) -> li
         return []
     files: dict[tuple[str, str], list[Unsatisfied]] = {}
     for one in moved.run(Given(Move(plan, seen))).unsatisfied:
-        where = place(one.element)
+        where = place(one.element) if isinstance(one.element, (ccode.Located, ccode.SourceUnit)) else None
         files.setdefault((where.path if where else "", one.constraint.id), []).append(one)
     found = []
     for (path, _), same in files.items():
@@ -269,15 +272,20 @@ def move_findings(plan: migration.MigrationPlan, seen: Sequence[CodeView]) -> li
     return sorted(found, key=lambda f: (f.path, f.line, f.column, f.rule))
 
 
+def _elements(kept: Held) -> list[Element]:
+    return [e for e in (kept if isinstance(kept, Sequence) else (kept,)) if isinstance(e, Element)]
+
+
 def _finding(path: str, same: Sequence[Unsatisfied]) -> migration.PlanFinding:
     first = same[0]
-    elements = [e for u in same for e in u.extras.get(PLACES, (u.element,))]
-    if len(same) == 1:
-        elements = list(first.extras.get(FLOW, elements))
+    elements = [e for u in same for e in _elements(u.extras.get(PLACES, u.element))]
+    if len(same) == 1 and FLOW in first.extras:
+        elements = _elements(first.extras[FLOW])
     located = next((e for e in elements if isinstance(e, ccode.Located)), None)
     message = first.message
     if len(same) > 1:
-        message += f"; and {len(same) - 1} more of this kind in the file ({in_lines(u.element for u in same)})"
+        places = in_lines(u.element for u in same if isinstance(u.element, ccode.Located))
+        message += f"; and {len(same) - 1} more of this kind in the file ({places})"
     return migration.PlanFinding(
         rule=first.constraint.id, severity=enum_literal(migration.SeverityLevel, first.severity.name), message=message, path=path,
         fix=first.advice or "", line=located.line if located is not None else 0,

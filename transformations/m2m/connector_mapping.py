@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from itertools import islice
 
 from robosmi import quoting
+from robosmi.data_text import Json
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware, migration, platform
@@ -57,7 +58,7 @@ class _State:
     on_boards: dict[int, list[hardware.Connector]] = field(default_factory=dict)
     """Of a net, by its identity: the connectors that boards have on it."""
 
-    def report(self, rule: str, severity: Severity, message: str, fix: str | None = None, **evidence: object) -> None:
+    def report(self, rule: str, severity: Severity, message: str, fix: str | None = None, **evidence: Json) -> None:
         self.findings.append(Finding(rule, severity, message, Location(self.path), fix=fix, evidence=evidence))
 
 

@@ -65,7 +65,7 @@ def _adapted(finding: Finding, plan: migration.MigrationPlan) -> bool:
     if finding.rule != "RS108":
         return False
     left = {str(use.name) for use in plan.adapterUses if use.status is migration.AdapterStatus.todo and not use.written}
-    return left.isdisjoint(finding.evidence.get("functions", left))
+    return left.isdisjoint(finding.listed("functions") if "functions" in finding.evidence else left)
 
 
 def _stored(path: str, paths: Mapping[str, str], kept: set[str]) -> str:

@@ -149,7 +149,7 @@ def partition(
         code, Known(api, target, result.divisions, apart, {s.name for s in result.symbols}, choice.index.headers)
     )
     judged.run()
-    result.dispositions = [d for element in code.all_contents() for d in judged.trace.equivalents(element)]
+    result.dispositions = [d for element in code.all_contents() for d in judged.trace.equivalents(element, migration.Disposition)]
     _change_unit_texts(views, sources, functions, prototypes, shared, result, judged, target.language == CPLUSPLUS)
     trace.take(judged.trace)
     for made in result.adapters:
@@ -251,7 +251,7 @@ def _change_unit_texts(
     wanted: dict[migration.Disposition, list[tuple[str, str, str]]] = {}
 
     def change(element: ccode.Located, rule: str, word: str, reason: str) -> None:
-        old = next(iter(judged.trace.equivalents(element)), None)
+        old = next(iter(judged.trace.equivalents(element, migration.Disposition)), None)
         if old is not None and old.action is rewrite and (TEXT_RULES - {rule}).issuperset(old.rules):
             old.rules.append(rule)
             old.reasons.append(reason)
@@ -259,7 +259,8 @@ def _change_unit_texts(
             return
         if old is not None and old.action is not migration.Action.retain:
             return  # it does not stay as it is anyway
-        made = old if old is not None else judged.equivalent(element, "Rewritten")
+        made = old if old is not None else judged.equivalent(element, "Rewritten", kind=migration.Disposition)
+        assert made is not None
         made.action, made.choice = rewrite, rewrite.name
         made.rules[:], made.reasons[:] = [rule], [reason]
         wanted[made] = [(rule, word, reason)]
@@ -275,7 +276,7 @@ def _change_unit_texts(
         for declared in view.of_kind(ccode.Function):
             if declared.name in served and not declared.definition:
                 change(declared, "adapter-declared", declared.name, "the adapter of that name is declared with the others")
-                verdict = judged.trace.equivalents(declared)[0]
+                verdict = judged.trace.equivalents(declared, migration.Disposition)[0]
                 verdict.action, verdict.choice = migration.Action.drop, migration.Action.drop.name
     in_lists = declared_in_lists(views)
     for name, prototype in prototypes.items():
@@ -283,13 +284,16 @@ def _change_unit_texts(
             word = target_signature(next(a for a in result.adapters if a.name == name)) if id(prototype) in in_lists else ""
             reason = "the program declares it and defines it nowhere: its body is to be written here"
             change(prototype, "adapter-in-place", word, reason)
-            verdict = judged.trace.equivalents(prototype)[0]
+            verdict = judged.trace.equivalents(prototype, migration.Disposition)[0]
             verdict.action, verdict.choice = migration.Action.adapt, migration.Action.adapt.name
     for view in views:
         for found in changes(view, sources[view.unit.path], functions, cplusplus=cplusplus):
             text = _WORD.sub(lambda word: renamed[word[0]].new if word[0] in renamed else word[0], found.text)
             change(found.element, found.rule, text, found.reason)
-            if found.rule == LEFT_OUT and (verdict := judged.trace.equivalents(found.element)[0]).rules[:] == [LEFT_OUT]:
+            if found.rule != LEFT_OUT:
+                continue
+            verdict = judged.trace.equivalents(found.element, migration.Disposition)[0]
+            if verdict.rules[:] == [LEFT_OUT]:
                 verdict.action, verdict.choice = migration.Action.unsupported, migration.Action.unsupported.name
     texts = [SourceText(view.unit, sources[view.unit.path], ()) for view in views]
     for disposition in result.dispositions:

@@ -94,8 +94,9 @@ def _net(finding: Finding, circuit: hardware.Circuit) -> hardware.Net | None:
 
 def _pins(finding: Finding, components: Iterable[hardware.Component]) -> list[hardware.Connector]:
     """The connectors of pins that a finding names; with its component, those of that which are on a pin's net."""
-    named = finding.evidence.get("pins") or _LABEL.findall(finding.message)
-    labels = {label.strip() for label in (named.split(",") if isinstance(named, str) else (str(each) for each in named))}
+    told = finding.evidence.get("pins")
+    named = told.split(",") if told and isinstance(told, str) else [str(each) for each in finding.listed("pins")]
+    labels = {label.strip() for label in named or (match[0] for match in _LABEL.finditer(finding.message))}
     return [c for component in components for c in component.connectors if labels & _labels(c)]
 
 

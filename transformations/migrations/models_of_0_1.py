@@ -129,17 +129,19 @@ def _platforms(f: Flock) -> None:
     def _(o: Any, m: platform.PlatformRepository) -> None:
         for old in o.platforms:
             for board in old.boards:
-                own: platform.Board = f.equivalent(board)
+                own = f.equivalent(board, platform.Board)
                 own.microcontroller = _microcontroller(board)
                 m.boards.append(own)
                 m.microcontrollers.append(own.microcontroller)
-                m.targets.append(_target(f.equivalent(old), own))
+                m.targets.append(_target(f.equivalent(old, platform.Platform), own))
 
     @f.migrate("Platform")
     def _(o: Any, m: platform.Platform) -> None:
         for board in o.boards:
-            names = [platform.PinName(pin=f.equivalent(pin), literal=pin.literal) for pin in board.pins if pin.literal]
-            m.boardMappings.append(platform.BoardMapping(board=f.equivalent(board), boardId=board.fqbn, pinNames=names))
+            named = [pin for pin in board.pins if pin.literal]
+            names = [platform.PinName(pin=f.equivalent(pin, platform.Pin), literal=pin.literal) for pin in named]
+            now = f.equivalent(board, platform.Board)
+            m.boardMappings.append(platform.BoardMapping(board=now, boardId=board.fqbn, pinNames=names))
 
 
 def _microcontroller(board: Any) -> platform.Microcontroller:

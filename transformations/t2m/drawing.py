@@ -11,6 +11,7 @@ from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from robosmi.data_text import Json
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.metamodels import hardware
@@ -56,7 +57,7 @@ class CircuitBuilder:
         self._placed: dict[str, str] = {}
 
     def report(
-        self, rule: str, severity: Severity, message: str, line: int | None = None, fix: str | None = None, **evidence: object
+        self, rule: str, severity: Severity, message: str, line: int | None = None, fix: str | None = None, **evidence: Json
     ) -> None:
         """Say what was unknown, odd or left out."""
         self.findings.append(Finding(rule, severity, message, Location(self.path, line), fix=fix, evidence=evidence))

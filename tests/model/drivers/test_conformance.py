@@ -146,7 +146,8 @@ def test_one_query_reads_alike_on_all(driver: Driver, model: Model) -> None:
         assert id_of(found[0]) == model.id_of(found[0])
         assert call(found[0], "isTypeOf", driver.kind)
         assert call(found[0], "hasProperty", driver.feature)
-        assert call(found[0], "owningModel") is model
+        owner: object = call(found[0], "owningModel")
+        assert owner is model
 
 
 def test_an_expression_reads_alike_on_all(driver: Driver, model: Model) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -46,7 +47,8 @@ def places(path: Path, findings: list[Finding]) -> list[Place]:
     for f in findings:
         assert f.location is not None
         one = (f.location.line, f.location.column, f.location.end_line, f.location.end_column)
-        ranges += [tuple(p) for p in f.evidence.get("places", [one])]
+        given: Any = f.listed("places") or [one]
+        ranges += [tuple(p) for p in given]
     assert all(line == end for line, _, end, _ in ranges)
     return sorted((line, lines[line - 1][column - 1 : to - 1]) for line, column, _, to in ranges)
 
@@ -85,7 +87,7 @@ def test_many_findings_of_a_rule_are_one_with_all_places(tmp_path: Path) -> None
     path.write_text(f'#include "simpletools.h"\nint a[] = {{{"70000, " * (MANY + 1)}}};\nint main(void)\n{{\n{lines}\n}}\n')
     (finding,) = (f for f in found(path) if f.rule == "RS311")
     assert f"and {MANY} more of this kind in the file (line 2)" in finding.message
-    assert len(finding.evidence["places"]) == MANY + 1
+    assert len(finding.listed("places")) == MANY + 1
     few = path.read_text().replace("70000, " * (MANY + 1), "70000, " * MANY)
     path.write_text(few)
     assert sum(f.rule == "RS311" for f in found(path)) == MANY

@@ -4,25 +4,25 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Unpack
 
 import pytest
 
 import robosmi
+from robosmi.api import PlannedMigration, PlanOptions
 from robosmi.errors import UsageError
 from robosmi.metamodels import migration
-from robosmi.transformations.chains.models import MigrationModels
 from tests.tools import require_tools
 
 
-def planned(folder: Path, text: str, **options: str) -> MigrationModels:
+def planned(folder: Path, text: str, **options: Unpack[PlanOptions]) -> PlannedMigration:
     """The plan of a program."""
     path = folder / "program.c"
     path.write_text(text)
-    made: MigrationModels = robosmi.plan_migration([path], **options)
-    return made
+    return robosmi.plan_migration([path], **options)
 
 
-def uses(models: MigrationModels) -> dict[str, migration.AdapterUse]:
+def uses(models: PlannedMigration) -> dict[str, migration.AdapterUse]:
     """The uses of functions, by name."""
     return {str(use.name): use for use in models.plan.adapterUses}
 

@@ -99,7 +99,7 @@ def test_each_disposition_has_one_link_from_its_element(plan: migration.Migratio
         (link,) = trace.links_to(disposition)
         assert link.sources == (disposition.element,)
         assert link.step == "code"
-        assert trace.equivalents(disposition.element)[0] is disposition
+        assert trace.equivalents(disposition.element, migration.Disposition)[0] is disposition
 
 
 def test_dispositions_stand_in_the_order_of_the_model(plan: migration.MigrationPlan) -> None:

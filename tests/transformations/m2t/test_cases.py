@@ -25,6 +25,7 @@ import pytest
 import robosmi
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
+from robosmi.transformations.chains.migrate import migrate
 from robosmi.transformations.chains.output import Generated
 from robosmi.transformations.queries.plan import element_title
 from tests.running import tree
@@ -49,11 +50,10 @@ def migrated(name: str, folder: Path, examples: Path, adapters: str | None = Non
     named = said.get("files") or sorted(p.name for p in (folder / "input").glob("*.c"))
     drawing = next((examples / said["hardware"]).glob("*.fzz")) if "hardware" in said else None
     files = [folder / "input" / file for file in named]
-    made: Generated = robosmi.migrate(
+    return migrate(
         files, folder / "out", hardware=drawing, bind=said.get("bind"), libraries=said.get("libraries"),
         adapters=adapters or said.get("adapters", "placeholders"),
     )  # fmt: skip
-    return made
 
 
 def sketch_files(made: Generated) -> dict[str, str]:

@@ -69,7 +69,7 @@ def test_what_is_bound_works_and_what_is_open_waits(tmp_path: Path) -> None:
     flags = {answer["subject"]: answer["flag"] for answer in before["decide"]["answers"]}
     assert flags["lamp"] == "--bind lamp=PIN"
     pins = {subject: f"D{number}" for number, subject in enumerate(flags, 2)}
-    after = robosmi.migrate(sorted(case.glob("*.c")), tmp_path / "after", bind=pins).result()["plan"]
+    after: Any = robosmi.migrate(sorted(case.glob("*.c")), tmp_path / "after", bind=pins).result()["plan"]
     assert after["work"]["calls"]["working"] == after["work"]["calls"]["total"] == 6
     assert after["work"]["decide"]["open"] == after["open_choices"] == 0
     assert after["verdicts"]["needs_you"] == 0
@@ -80,7 +80,8 @@ def test_what_the_first_screen_says_to_type_is_taken_by_the_project_file(tmp_pat
     folder = tmp_path / "project"
     folder.mkdir()
     (folder / "robot.c").write_bytes((case / "robot.c").read_bytes())
-    answers = robosmi.migrate([folder / "robot.c"], tmp_path / "out").result()["plan"]["work"]["decide"]["answers"]
+    plan: Any = robosmi.migrate([folder / "robot.c"], tmp_path / "out").result()["plan"]
+    answers = plan["work"]["decide"]["answers"]
     lines = [a["robosmi_toml"]["line"].replace("PIN", f"D{number}") for number, a in enumerate(answers, 2)]
     assert {a["robosmi_toml"]["table"] for a in answers} == {"bind"}
     (folder / "robosmi.toml").write_text("[bind]\n" + "\n".join(lines) + "\n")
@@ -140,7 +141,8 @@ def test_a_compiled_program_says_what_it_takes_until_it_changes(tmp_path: Path) 
     source.write_bytes((Path(__file__).parent / "reports" / "open_ports" / "robot.c").read_bytes())
     robosmi.migrate([source], output)
     compiled = run("compile", output, "--json").result
-    needs = robosmi.migrate([source], output).result()["plan"]["needs"]
+    plan: Any = robosmi.migrate([source], output).result()["plan"]
+    needs = plan["needs"]
     assert (needs["compiled"]["flash_bytes"], needs["compiled"]["ram_bytes"]) == (compiled["flash_bytes"], compiled["ram_bytes"])
     report = (output / "robot" / "MIGRATION.md").read_text()
     assert f"flash {compiled['flash_bytes']} of {compiled['flash_limit']} bytes, RAM {compiled['ram_bytes']}" in report
@@ -149,5 +151,6 @@ def test_a_compiled_program_says_what_it_takes_until_it_changes(tmp_path: Path) 
     robosmi.generate_sketch(output / "models" / "plan.xmi", output)
     assert tree(output) == before
     source.write_text(source.read_text().replace("pause(50)", "pause(60)"))
-    assert robosmi.migrate([source], output).result()["plan"]["needs"]["compiled"] is None
+    again: Any = robosmi.migrate([source], output).result()["plan"]
+    assert again["needs"]["compiled"] is None
     assert "compiled" not in (output / "robot" / "MIGRATION.md").read_text().partition("## ")[0]

@@ -105,7 +105,8 @@ def summary(plan: migration.MigrationPlan) -> list[Any]:
 @pytest.mark.usefixtures("registered")
 def test_an_older_plan_is_the_same_as_the_current_one(old_plan: Path, sketch: Path) -> None:
     old, current = load_model(old_plan), load_model(sketch / "plan.xmi")
-    assert type(old) is migration.MigrationPlan
+    assert isinstance(old, migration.MigrationPlan)
+    assert isinstance(current, migration.MigrationPlan)
     assert summary(old) == summary(current)
     assert len(current.portBindings) > 2
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -52,7 +53,8 @@ def test_what_does_not_fit_is_said_before_it_is_compiled(tmp_path: Path) -> None
         '#include "simpletools.h"\nint samples[900];\nint main() { for (int i = 0; ; i++) samples[i % 900] += samples[i % 7]; }\n'
     )
     made = robosmi.migrate([program], tmp_path / "out")
-    needs = made.result()["plan"]["needs"]["memory"]
+    plan: Any = made.result()["plan"]
+    needs = plan["needs"]["memory"]
     assert needs["variables"] == 3600
     assert needs["largest"][0] == {"name": "samples", "bytes": 3600, "line": 2}
     assert needs["estimated_bytes"] > needs["ram_bytes"] == 2048

@@ -41,7 +41,7 @@ def test_a_project_file_that_does_not_list_the_source_is_another_programs(tmp_pa
     (tmp_path / "other.side").write_text("robot.c\n>compiler=C\n")
     (tmp_path / "turn.h").write_text("void turn(int degrees);\n")
     made = robosmi.migrate([tmp_path / "other.c"], tmp_path / "out")
-    assert [unit.path for unit in made.models.plan.program.units] == ["source/other.c", "source/turn.h"]
+    assert [unit.path for unit in made.models.program.units] == ["source/other.c", "source/turn.h"]
 
 
 def test_headers_beside_the_archives_of_libraries_are_found(tmp_path: Path) -> None:
@@ -58,7 +58,7 @@ def test_headers_beside_the_archives_of_libraries_are_found(tmp_path: Path) -> N
 def test_several_files_that_are_given_are_the_program(tmp_path: Path) -> None:
     files = [FOLDER / "robot" / "robot.c", FOLDER / "robot" / "eyes.c"]
     made = robosmi.migrate(files, tmp_path / "out", include_dirs=[FOLDER / "include", FOLDER / "libturn"])
-    assert "source/turn.c" not in [unit.path for unit in made.models.plan.program.units]
+    assert "source/turn.c" not in [unit.path for unit in made.models.program.units]
 
 
 @pytest.mark.parametrize(

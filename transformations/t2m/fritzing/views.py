@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
+from robosmi.data_text import Json
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.transformations.t2m.connectivity import Leaders
 from robosmi.transformations.t2m.fritzing.document import VIEWS, Instance
@@ -65,7 +66,7 @@ def _differences(
     return [_finding("RS202", message, path, "compare the two views in Fritzing", connectors=odd[:20])]
 
 
-def _finding(rule: str, message: str, path: str, fix: str, **evidence: object) -> Finding:
+def _finding(rule: str, message: str, path: str, fix: str, **evidence: Json) -> Finding:
     return Finding(rule, Severity.warning, message, Location(path), fix=fix, evidence=evidence)
 
 

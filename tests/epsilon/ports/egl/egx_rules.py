@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.generate import Gen
-from robosmi.query import type_of
 
 TEMPLATES = {
     "book.egl": """\
@@ -32,7 +31,7 @@ def port(folder: Path, L: Any, script: str, target: str | None) -> Gen:
     def Books(b: Any) -> dict[str, Any]:
         return {"title": b.name.upper(), "extra": [1, 2]}
 
-    @g.rule(L.Item, greedy=True, template=lambda i: "item.egl", target=lambda i: f"{type_of(i).name}/{i.name}.txt")
+    @g.rule(L.Item, greedy=True, template=lambda i: "item.egl", target=lambda i: f"{i.eClass.name}/{i.name}.txt")
     def Items(i: Any) -> None: ...
 
     @g.rule(template="index.egl", target="index.txt")

@@ -1,0 +1,108 @@
+"""What the chains behind the commands answer, as far as a command reads it; for type checkers, import it under `TYPE_CHECKING`.
+
+A command knows a chain by its name alone. What `robosmi` itself offers answers with is stated in `robosmi.api`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Protocol
+
+from robosmi.api import Analysed, MadeSketch
+from robosmi.data_text import Json
+from robosmi.diagnostics import Finding
+from robosmi.project import Project
+from robosmi.verify.simulation import PinTrace
+from robosmi.verify.verdict import Verdict
+
+
+class ImportedLibraries(Protocol):
+    """Libraries that were read into the user's own index."""
+
+    @property
+    def index(self) -> Path:
+        """The index."""
+
+    @property
+    def added(self) -> Sequence[tuple[str, str]]:
+        """Name and version of each library."""
+
+    @property
+    def skipped(self) -> Mapping[str, str]:
+        """Folder that was left out -> the reason."""
+
+    @property
+    def known(self) -> int:
+        """How many libraries the index has now."""
+
+
+class HandedWiring(Protocol):
+    """A wiring that was written for another tool."""
+
+    @property
+    def result(self) -> Mapping[str, Json]:
+        """What its form adds to the JSON document."""
+
+    @property
+    def findings(self) -> Sequence[Finding]:
+        """What is worth knowing."""
+
+    def artifacts(self) -> list[dict[str, str]]:
+        """Files written, {path, kind}."""
+
+
+class ImportedParts(Analysed, Protocol):
+    """Parts that were read into the catalogue."""
+
+    @property
+    def path(self) -> Path:
+        """The file of the catalogue."""
+
+
+class ImportedPlatform(Analysed, Protocol):
+    """A source platform that was made of headers."""
+
+    @property
+    def written(self) -> Sequence[str]:
+        """The files written."""
+
+
+class ToldAdapters(Analysed, Protocol):
+    """Adapters that were listed, shown or saved."""
+
+    @property
+    def written(self) -> Sequence[str]:
+        """The files written; empty unless they were saved."""
+
+
+class ComparedPrograms(Analysed, Protocol):
+    """The original and the migrated program, run under the same scenarios."""
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether they do the same."""
+
+    @property
+    def written(self) -> Sequence[tuple[Path, str]]:
+        """Path and kind of each file written."""
+
+
+class SimulatedSketch(Analysed, Protocol):
+    """A sketch that was run in a simulator."""
+
+    @property
+    def trace(self) -> PinTrace | None:
+        """What the pins did; None where it did not run."""
+
+    @property
+    def written(self) -> Path | None:
+        """The trace's file; None where nobody asked for one."""
+
+
+class ChosenSketch(MadeSketch, Protocol):
+    """A sketch that was made again after a choice."""
+
+    @property
+    def settings(self) -> Project:
+        """The settings of its project."""
