@@ -155,6 +155,7 @@ def _plan(cls: type) -> Plan:
                     put = None
             else:
                 kind = _Known(feature)
+                lean.quick(feature)
                 opposite = feature.eOpposite
                 if opposite is None:
                     put = _put_many if feature.many else _put_reference

@@ -21,10 +21,11 @@ from robosmi.model.ecore import (
     EEnum,
     EEnumLiteral,
     EObject,
+    EReference,
     EStructuralFeature,
     EValue,
 )
-from robosmi.model.feature_values import FeatureCollection, FeatureOrderedSet, kind_of
+from robosmi.model.feature_values import FeatureCollection, FeatureList, FeatureOrderedSet, kind_of
 from robosmi.model.pyecore_internals import (
     CONTAINER,
     CONTAINING_FEATURE,
@@ -39,6 +40,7 @@ from robosmi.model.pyecore_internals import (
     hold,
     inverse_references_of,
     key_of,
+    target_in,
     value_in,
 )
 from robosmi.model.structure import resource_of
@@ -74,12 +76,20 @@ BARE: frozenset[type[int | str | float | EEnumLiteral]] = frozenset([int, str, b
 """Classes of the values that lie bare in an element, by their exact class."""
 
 
+_HOLDS_ONE = frozenset({EValue, AttributeValue, ReferenceValue, ContainedValue})
+"""Classes of holders that give what they hold and do nothing else when they are read, by their exact class."""
+_HOLDS_MANY = frozenset({FeatureOrderedSet, FeatureList})
+"""Classes of collections that are themselves what is read."""
+
+
 def _value_of(self: EAttribute, instance: EObject, owner: type | None = None) -> Any:
     if instance is None:
         return self
     value = instance.__dict__.get(key_of(self), _NOTHING)
     if value.__class__ in BARE:
         return value
+    if value.__class__ in _HOLDS_ONE:
+        return value_in(value)
     if value is _NOTHING and REFUSAL in instance.__dict__:
         return self.get_default_value()  # an element that nobody can change needs no holder for what it has not
     return EAttribute.__get__(self, instance, owner)
@@ -98,6 +108,28 @@ def _change(self: EAttribute, instance: EObject, value: Any) -> None:
 _Quiet: Any = type("_Quiet", (type(EAttribute),), {"__init__": type.__init__})  # what it makes becomes part of no metamodel
 _BareAttribute: Any = _Quiet(EAttribute.__name__, (EAttribute,), {"__get__": _value_of, "__set__": _change})
 """An attribute of one value that may lie bare in the element: without a holder, which is made when it is changed."""
+
+
+def _target_of(self: EReference, instance: EObject, owner: type | None = None) -> object:
+    if instance is None:
+        return self
+    slot: object = instance.__dict__.get(key_of(self))
+    if slot.__class__ in _HOLDS_MANY:
+        return slot
+    if slot.__class__ in _HOLDS_ONE:
+        return target_in(slot)  # type: ignore[arg-type]
+    found: object = EReference.__get__(self, instance, owner)  # type: ignore[attr-defined]
+    return found
+
+
+_QuickReference: type = _Quiet(EReference.__name__, (EReference,), {"__get__": _target_of})
+"""A reference that is read without the two calls that pyecore makes for it."""
+
+
+def quick(feature: EStructuralFeature) -> None:
+    """Let a reference be read the short way; one that is computed stays pyecore's."""
+    if feature.__class__ is EReference and not (feature.derived or feature.volatile):
+        feature.__class__ = _QuickReference
 
 
 def bare(feature: EStructuralFeature) -> bool:

@@ -25,7 +25,7 @@ _KEPT = 1 << 10  # texts of values of one feature
 FEATURE_MAP, VALUE, VALUES, LINKS, CHILDREN = range(5)
 """How a feature is written: not at all if it is empty, an attribute, elements with text, references, contained elements."""
 
-_PLAIN = {"EInt": int, "ELong": int, "EString": str, "EIntegerObject": int, "ELongObject": int}
+_PLAIN = {"EInt": int, "ELong": int, "EString": str, "EIntegerObject": int, "ELongObject": int, "EDouble": float, "EFloat": float}
 
 Root: TypeAlias = "EObject | ModuleType | Sequence[EObject | ModuleType]"
 """What a file of models is written from: a root element or several; a generated package stands for its EPackage."""
@@ -147,7 +147,7 @@ def _column(eclass: EClass, feature: EStructuralFeature) -> Column | None:
     if isinstance(kind, ecore.EEnum):
         column.plain = ecore.EEnumLiteral
     else:
-        column.plain = _PLAIN.get(kind.name) if features.is_of_ecore(kind) else None  # no float: 0.0 and -0.0 are equal
+        column.plain = _PLAIN.get(kind.name) if features.is_of_ecore(kind) else None
     if not feature.many:
         try:
             column.default = datatypes.default(feature, kind)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Mapping
+from functools import lru_cache
 from pathlib import PurePosixPath
 from typing import Any
 from urllib.parse import quote
@@ -210,6 +211,7 @@ def metamodel_place(element: EModelElement | type) -> tuple[EPackage, str]:
     return root, f"/{''.join(f'/{step}' for step in reversed(steps))}"
 
 
+@lru_cache(maxsize=256)
 def relative(source: str, target: str) -> str:
     """The URI of one file seen from another, both relative to the same folder."""
     folder = PurePosixPath(source).parent

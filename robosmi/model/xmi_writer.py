@@ -68,9 +68,9 @@ class _Writer:
         self.qualified: dict[EClass, str] = {}
         self.uses_xsi = False
         self.ids: dict[str, EObject] = {}
-        self.hrefs: dict[str, str] = {}
         self.local: dict[int, str] = {}  # elements of this file that were referred to -> their fragments
         self.found: dict[int, tuple[str, str]] = {}  # elements that were referred to -> their files and fragments
+        self.elsewhere: dict[int, str] = {}  # elements of other files that were referred to -> their links as they are written
 
     def write(self) -> bytes:
         """The bytes of the file."""
@@ -217,7 +217,8 @@ class _Writer:
         if value != column.default:
             text = f'{column.start}{in_attribute(self.value_text(element, column, value))}"'
             append(text)
-        if value.__class__ is column.plain and len(column.rendered) < 1 << 16:
+        is_zero = value.__class__ is float and not value  # 0.0 and -0.0 are equal, and written in two ways
+        if value.__class__ is column.plain and not is_zero and len(column.rendered) < 1 << 16:
             column.rendered[value] = text
         return later
 
@@ -327,6 +328,8 @@ class _Writer:
         for target in targets:
             fragment = local.get(id(target))
             if fragment is None:
+                if id(target) in self.elsewhere:
+                    break
                 file, fragment = self.place(element, column, real(target))
                 if file != self.name:
                     break
@@ -339,9 +342,7 @@ class _Writer:
                 return self.nothing(element, column, None, append, indent, later)
             return later
         for given in targets:
-            target = real(given)
-            file, fragment = self.place(element, column, target)
-            later = self.more(later, self.href(element, column, target, file, fragment, indent))
+            later = self.more(later, self.href(element, column, real(given), indent))
         return later
 
     def place(self, element: EObject, column: Column, target: EObject) -> tuple[str, str]:
@@ -360,22 +361,24 @@ class _Writer:
             raise self.problem(element, column, what, fix) from None
         return known
 
-    def href(self, element: EObject, column: Column, target: EObject, file: str, fragment: str, indent: str) -> str:
+    def href(self, element: EObject, column: Column, target: EObject, indent: str) -> str:
         """An element with a reference to another file. Its type is given if the declared one is abstract (EMF's rule)."""
         kind = ""
-        eclass = target.eClass if isinstance(target, ecore.EObject) else type(target).eClass
-        if eclass is not column.declared and column.names_types:
-            self.uses_xsi = True
-            kind = f' xsi:type="{self.name_of(eclass)}"'
-        if not file:
-            link = fragment
-        elif file == self.name:
-            link = f"#{fragment}"
-        else:
-            if file not in self.hrefs:
-                self.hrefs[file] = relative(self.name, file)
-            link = f"{self.hrefs[file]}#{fragment}"
-        return f'{indent}  <{column.name}{kind} href="{in_attribute(link)}"/>\n'
+        if column.names_types:
+            eclass = target.eClass if isinstance(target, ecore.EObject) else type(target).eClass
+            if eclass is not column.declared:
+                self.uses_xsi = True
+                kind = f' xsi:type="{self.name_of(eclass)}"'
+        link = self.elsewhere.get(id(target)) or self.link(element, column, target)
+        return f'{indent}  <{column.name}{kind} href="{link}"/>\n'
+
+    def link(self, element: EObject, column: Column, target: EObject) -> str:
+        """The URI of a target as it is written; that of one in another file is kept for the next time."""
+        file, fragment = self.place(element, column, target)
+        if file == self.name:
+            return in_attribute(f"#{fragment}")
+        link = f"{relative(self.name, file)}#{fragment}" if file else fragment
+        return self.elsewhere.setdefault(id(target), in_attribute(link))
 
     def child(self, element: EObject, column: Column, child: EObject, indent: str, later: list[Piece] | None) -> list[Piece]:
         """A child of a class that is met for the first time here, or one that is the root of another file."""
@@ -391,8 +394,7 @@ class _Writer:
                 kind = f' xsi:type="{self.name_of(eclass)}"'
             begun = column.rendered[child.__class__] = f"<{column.name}{kind}"
             return self.more(later, (begun, column.name, child))
-        file, fragment = self.place(element, column, child)
-        if file == self.name:
+        if self.place(element, column, child)[0] == self.name:
             fix = "take it out of the roots, or out of here"
             raise self.problem(element, column, f"contains {shown(child)}, which is a root", fix)
-        return self.more(later, self.href(element, column, child, file, fragment, indent))
+        return self.more(later, self.href(element, column, child, indent))

@@ -22,6 +22,9 @@ _DECISIONS = ("portBindings", "libraryChoices")
 _CHOSEN = ("choice", "chosenBy", "chosenAt", "confidence", "open", "connection", "pin", "chosen", "evidence")
 """What of such a decision says what is chosen, by whom, when and why."""
 
+_LOOSE = "//text()[preceding-sibling::* or normalize-space(.) != string(.)]"
+"""Texts that may have blanks around them, and those behind elements."""
+
 
 def beside_choices(plan: bytes) -> str:
     """The digest of a stored plan without the choices of pins and libraries; empty where it has no canonical form."""
@@ -35,7 +38,7 @@ def beside_choices(plan: bytes) -> str:
                 del decision.attrib[name]
             for child in decision.findall(name):
                 decision.remove(child)
-    for text in cast("list[etree._ElementUnicodeResult]", root.xpath("//text()")):
+    for text in cast("list[etree._ElementUnicodeResult]", root.xpath(_LOOSE)):
         parent = text.getparent()
         assert parent is not None
         if text.is_tail:

@@ -7,6 +7,7 @@ findings are those of reading, which the stored models were made by.
 from __future__ import annotations
 
 from robosmi.metamodels import migration
+from robosmi.model import EmfModel
 from robosmi.transformations.constraints.electrical_plan import plan_faults, plan_rules
 from robosmi.transformations.constraints.plan_ports import by_words, port_faults, ports
 from robosmi.transformations.m2m.plan_tasks import plan_findings
@@ -26,7 +27,8 @@ def renew_findings(plan: migration.MigrationPlan, words: bool = True) -> None:
     before = [f for f in plan.findings if f.rule != "RS327" or not ports_of_runs_bound(plan)]
     at = next((number for number, finding in enumerate(before) if finding.rule in rules), len(before))
     stored = {str(entry.path): str(entry.path) for entry in plan.inputs}
-    new = plan_findings(plan, [*plan_faults(plan), *port_faults(plan, words)], stored)
+    model = EmfModel(plan, name="plan")
+    new = plan_findings(plan, [*plan_faults(plan, model), *port_faults(plan, words, model)], stored)
     kept = [[f for f in some if f.rule not in rules] for some in (before[:at], before[at:])]
     plan.findings.clear()
     plan.findings.extend([*kept[0], *new, *kept[1]])

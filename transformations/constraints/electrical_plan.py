@@ -30,11 +30,12 @@ TONE = "tone"
 """The core's function that sounds a speaker, as the data of microcontrollers calls it."""
 
 
-def plan_faults(plan: migration.MigrationPlan) -> list[Finding]:
+def plan_faults(plan: migration.MigrationPlan, model: EmfModel | None = None) -> list[Finding]:
     """What the constraints on the drawing, and those on program, drawing and libraries together, find in a plan, the worst first.
 
     Args:
         plan: the plan; without a drawing nothing is found.
+        model: the plan as a model, where one is at hand: its extents are known then.
     """
     if plan.circuit is None:
         return []
@@ -45,7 +46,8 @@ def plan_faults(plan: migration.MigrationPlan) -> list[Finding]:
     def BoardIsThatOfThePlan() -> None:  # the first to ask makes the wiring of a run: stored plans need no repository
         wired(plan)
 
-    return worst_first(judged.run(EmfModel(plan.circuit, name="hardware"), EmfModel(plan, name="plan")).findings())
+    model = model if model is not None else EmfModel(plan, name="plan")
+    return worst_first(judged.run(EmfModel(plan.circuit, name="hardware"), model).findings())
 
 
 def plan_rules() -> frozenset[str]:

@@ -37,18 +37,19 @@ MANY = 3
 """So many components on one pin are a warning: of two, one may well be a pull-up or an indicator."""
 
 
-def port_faults(plan: migration.MigrationPlan, words: bool = True) -> list[Finding]:
+def port_faults(plan: migration.MigrationPlan, words: bool = True, model: EmfModel | None = None) -> list[Finding]:
     """What these constraints find in a plan.
 
     Args:
         plan: the plan.
         words: also those that ask the repository which kinds of components words mean.
+        model: the plan as a model, where one is at hand: its extents are known then.
     """
     judged = EVL()
     judged.include(ports)
     if words:
         judged.include(by_words)
-    return judged.run(EmfModel(plan, name="plan")).findings()
+    return judged.run(model if model is not None else EmfModel(plan, name="plan")).findings()
 
 
 def plan_of(decision: Element) -> migration.MigrationPlan:

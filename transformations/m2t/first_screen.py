@@ -98,19 +98,21 @@ class Counted(NamedTuple):
     Attributes:
         needs: what the program needs of its board.
         judged: its constructs with their verdicts.
+        calls: how many calls of platform functions are in each state.
     """
 
     needs: BoardNeeds
     judged: Sequence[Construct]
+    calls: dict[str, int]
 
 
 def counted(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Counted:
     """Find it out; it holds until the plan is changed."""
-    return Counted(board_needs(plan), constructs(plan, sources))
+    return Counted(board_needs(plan), constructs(plan, sources), Work(plan).calls)
 
 
 def first_screen(
-    plan: migration.MigrationPlan, sources: Mapping[str, bytes], taken: int = 0, needs: BoardNeeds | None = None
+    plan: migration.MigrationPlan, sources: Mapping[str, bytes], taken: int = 0, known: Counted | None = None
 ) -> FirstScreen:
     """The first screen of a plan.
 
@@ -118,15 +120,15 @@ def first_screen(
         plan: the plan, complete.
         sources: path of a unit -> its bytes.
         taken: lines that something else of the first screen needs.
-        needs: what the program needs of its board, where that is known.
+        known: what was counted of the plan as it is.
     """
-    work = Work(plan)
+    work = Work(plan, known.calls if known is not None else None)
     lists = (
         Listed("Decide", decided(work), tuple(_choice(plan, task, sources) for task in work.decide), _decide_hint(plan, work)),
         Listed("Write", written(work), tuple(_bodies(work)), _write_hint(plan, work)),
         Listed("Check on the bench", checked(work), tuple(_checks(work))),
     )
-    needs = needs if needs is not None else board_needs(plan)
+    needs = known.needs if known is not None else board_needs(plan)
     short = tuple(shortages(needs))
     room = _shared([len(each.first) for each in lists], sum(_SHARES) - taken - 2 * bool(short))
     return FirstScreen(
@@ -177,12 +179,13 @@ def works(plan: migration.MigrationPlan, work: Work) -> str:
 
 def decided(work: Work) -> str:
     """How many choices are open."""
-    numbers = work.to_json()["decide"]
-    if not numbers["total"]:
+    choices, left = work.choices()
+    total = len(choices)
+    if not total:
         return "nothing to choose"
-    if not numbers["open"]:
-        return f"nothing is open; {numbers['total']} choice{'s are' if numbers['total'] != 1 else ' is'} made"
-    return f"{numbers['open']} open of {numbers['total']} choice{'s' * (numbers['total'] != 1)}"
+    if not left:
+        return f"nothing is open; {total} choice{'s are' if total != 1 else ' is'} made"
+    return f"{len(left)} open of {total} choice{'s' * (total != 1)}"
 
 
 def written(work: Work) -> str:

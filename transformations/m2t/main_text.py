@@ -51,16 +51,21 @@ def hoisted_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode
 
 def _loop(plan: migration.MigrationPlan, main: ccode.Function) -> ccode.Loop | None:
     """The loop of main that becomes `loop`, if one does."""
-    found = next((d.element for d in _inside(plan, main) if "main-loop" in d.rules), None)
+    found = next((d.element for d in plan.dispositions if "main-loop" in d.rules and _is_inside(d, main)), None)
     return found if isinstance(found, ccode.Loop) else None
 
 
 def _inside(plan: migration.MigrationPlan, main: ccode.Function) -> list[migration.Disposition]:
-    return [d for d in plan.dispositions if d.element is not None and ancestor_of_kind(d.element, ccode.Function) is main]
+    return [d for d in plan.dispositions if _is_inside(d, main)]
+
+
+def _is_inside(disposition: migration.Disposition, main: ccode.Function) -> bool:
+    element = disposition.element
+    return element is not None and ancestor_of_kind(element, ccode.Function) is main
 
 
 def _hoists(plan: migration.MigrationPlan, main: ccode.Function) -> list[migration.Disposition]:
-    hoisted = (d for d in _inside(plan, main) if d.hoisted is not None)
+    hoisted = (d for d in plan.dispositions if d.hoisted is not None and _is_inside(d, main))
     return sorted(hoisted, key=lambda d: d.element.startOffset if d.element is not None else 0)
 
 

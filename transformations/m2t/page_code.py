@@ -63,9 +63,11 @@ def _lines(prefix: str, text: str) -> list[_Line]:
 def _of(element: Any, old: Mapping[str, list[_Line]]) -> list[_Line]:
     """The lines of an element of the program; none of a whole file."""
     unit = ancestor_of_kind(element, ccode.SourceUnit) if isinstance(element, ccode.Located) else None
-    if unit is None or unit.path not in old:
+    lines = old.get(unit.path) if unit is not None else None
+    if lines is None:
         return []
-    return old[unit.path][element.line - 1 : max(element.endLine, element.line)]
+    first = element.line
+    return lines[first - 1 : max(element.endLine, first)]
 
 
 def _origins(link: trace.TextTrace) -> Iterable[Any]:

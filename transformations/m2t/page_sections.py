@@ -34,7 +34,7 @@ SEVERITIES = {"error": "Errors", "warning": "Warnings", "info": "Worth knowing"}
 def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Counted | None = None) -> dict[str, Json]:
     """How much works, and how many constructs have each verdict; `known` is what was counted of the plan as it is."""
     known = known if known is not None else counted(plan, sources)
-    screen = first_screen(plan, sources, needs=known.needs)
+    screen = first_screen(plan, sources, known=known)
     counts = verdict_counts(known.judged)
     return {
         "works": screen.works, "needs": screen.needs, "shortages": list(screen.shortages),

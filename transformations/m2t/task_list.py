@@ -37,7 +37,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
     verdicts = [f for f in plan.findings if f.rule in VERDICT_RULES]
     of_macros = MacroCalls(plan)
     taken = sum(4 if f.rule in DRAWN_RULES else 2 for f in verdicts)
-    screen = first_screen(plan, sources, taken, known.needs)
+    screen = first_screen(plan, sources, taken, known)
     return {
         "name": plan.name,
         "called": called(plan),
@@ -100,8 +100,11 @@ _TASKS = {"RS101": "RS504", "RS103": "RS503", "RS107": "RS503", "RS109": "RS501"
 
 def _is_task(finding: migration.PlanFinding, plan: migration.MigrationPlan) -> bool:
     """Whether a task says what a finding says, so that the report has it once."""
-    wanted = (_TASKS.get(str(finding.rule)), finding.path, finding.line)
-    return wanted[0] is not None and any((task.rule, task.path, task.line) == wanted for task in plan.tasks)
+    rule = _TASKS.get(str(finding.rule))
+    if rule is None:
+        return False
+    wanted = (rule, finding.path, finding.line)
+    return any((task.rule, task.path, task.line) == wanted for task in plan.tasks)
 
 
 def _said(task: migration.PlanTask, plan: migration.MigrationPlan) -> dict[str, Json]:

@@ -24,7 +24,7 @@ def terminal_lines(
         known: what was counted of the plan as it is; None where nothing was.
     """
     board = plan.board.title if plan.board else "the target"
-    screen = first_screen(plan, sources, needs=known.needs if known is not None else None)
+    screen = first_screen(plan, sources, known=known)
     lines = [f"{'made' if made else 'would make'} {sketch} for {board}"]
     lines += [_sum("too big", short) for short in screen.shortages]
     lines.append(_sum("works", screen.works))

@@ -16,7 +16,7 @@ from robosmi.model.strict import Element
 from robosmi.query import all_of_kind
 from robosmi.transformations.queries.answered_calls import calls_at_no_pin, ignored_arguments, unwritten_calls
 from robosmi.transformations.queries.folded_code import FoldedCode
-from robosmi.transformations.queries.folded_values import PURE, Key
+from robosmi.transformations.queries.folded_values import PURE, Key, ReadProgram
 from robosmi.transformations.queries.live_code import identity, in_macros, is_global
 from robosmi.transformations.queries.names import named_type
 from robosmi.transformations.queries.values import Values
@@ -47,14 +47,14 @@ class CompiledCode:
     arguments: dict[int, list[int | None]] = field(default_factory=dict)
 
 
-def compiled_code(plan: migration.MigrationPlan, *, pins: bool = True) -> CompiledCode:
+def compiled_code(plan: migration.MigrationPlan, program: ReadProgram, *, pins: bool = True) -> CompiledCode:
     """What a compiler keeps of a plan's program.
 
     Args:
         plan: the plan, complete.
+        program: its program.
         pins: whether the compiler sees that a pin is none.
     """
-    units = list(plan.program.units) if plan.program is not None else []
     answers = unwritten_calls(plan) | (calls_at_no_pin(plan) if pins else {})
     ignored = {id(each) for use in plan.adapterUses for each in ignored_arguments(use, answers)} | set(answers)
     moved = {id(v) for d in plan.dispositions if d.hoisted is not None for v in declared_in(d.element)}
@@ -64,12 +64,11 @@ def compiled_code(plan: migration.MigrationPlan, *, pins: bool = True) -> Compil
     def answer(call: ccode.Call) -> int | None:
         return answers.get(id(call))
 
-    first = FoldedCode(units, answer, {}, moved, names)
+    first = FoldedCode(program, answer, {}, moved, names)
     ignored = _with_unused(first, ignored, moved)
     uses = uses_of(first.elements, ignored)
-    named = in_macros(units)
+    named = in_macros(program.units)
     lasting = [v for v in first.elements if isinstance(v, ccode.Variable) and _lasts(v, moved) and str(v.name) not in named]
-    values = Values(plan.program, units[0]) if plan.program is not None and units else None
     fixed: dict[Key, int | None] = {}
     unread: set[Key] = set()
     for variable in lasting:
@@ -79,10 +78,10 @@ def compiled_code(plan: migration.MigrationPlan, *, pins: bool = True) -> Compil
             continue
         begins = variable.initializer is not None and id(variable) in moved and not _is_number(variable.initializer)
         if not begins and not ways & {"written", "both"}:
-            fixed[identity(variable)] = _first_value(variable, values)
+            fixed[identity(variable)] = _first_value(variable, program.values)
         elif not any(id(each) in first.loads for each in references):
             unread.add(identity(variable))
-    second = FoldedCode(units, answer, fixed, moved, names)
+    second = FoldedCode(program, answer, fixed, moved, names)
     for each in second.elements:
         if isinstance(each, ccode.Assignment) and isinstance(each.left, ccode.NameReference):
             target = each.left.target

@@ -8,13 +8,13 @@ the model does not know and what nests deeper than `DEPTH` count as carried out,
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeGuard
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.query import all_contents
-from robosmi.transformations.queries.folded_values import DEPTH, Answer, FoldedValues, Key, State, join
+from robosmi.transformations.queries.folded_values import DEPTH, Answer, FoldedValues, Key, ReadProgram, State, join
 from robosmi.transformations.queries.live_code import identity
 
 _NESTED = 5
@@ -28,13 +28,13 @@ class FoldedCode(FoldedValues):
 
     def __init__(
         self,
-        units: Sequence[ccode.SourceUnit],
+        program: ReadProgram,
         answers: Answer,
         known: Mapping[Key, int | None],
         lasting: Iterable[Key] = (),
         names: Mapping[str, int] | None = None,
     ) -> None:
-        super().__init__(units, answers, known, lasting, names)
+        super().__init__(program, answers, known, lasting, names)
         self._breaks: list[list[State]] = []
         self._continues: list[list[State]] = []
         while self.pending:

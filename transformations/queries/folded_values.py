@@ -33,11 +33,31 @@ PURE = frozenset([
 """Functions of the C library that change no variable."""
 
 
+class ReadProgram:
+    """What is found out of a program once, however often it is gone through.
+
+    Args:
+        units: of the program.
+
+    Attributes:
+        defined: name -> the function with that body, or the variable that several files may declare.
+        beginnings: what is carried out or named whatever else is.
+        values: those that its text gives; None for no program.
+    """
+
+    def __init__(self, units: Sequence[ccode.SourceUnit]) -> None:
+        self.units = units
+        self.defined = what_is_defined(units)
+        self.beginnings = beginnings(units)
+        program = units[0].program if units else None
+        self.values = Values(program, units[0]) if program is not None else None
+
+
 class FoldedValues:
     """Expressions of a program, the values that they have, and what of them is carried out and reads memory.
 
     Args:
-        units: of the program.
+        program: the program.
         answers: what calls give, where that is known.
         known: values of variables that never change, by `live_code.identity`; None for one that is no whole number.
         lasting: identities of local variables that last as long as the program.
@@ -51,7 +71,7 @@ class FoldedValues:
 
     def __init__(
         self,
-        units: Sequence[ccode.SourceUnit],
+        program: ReadProgram,
         answers: Answer,
         known: Mapping[Key, int | None],
         lasting: Iterable[Key] = (),
@@ -63,13 +83,12 @@ class FoldedValues:
         self._names = names or {}
         self._answers, self._known, self._lasting = answers, known, frozenset(lasting)
         self.seen: set[int] = set()
-        self._defined = what_is_defined(units)
-        self.pending = beginnings(units)
+        self._defined = program.defined
+        self.pending = list(program.beginnings)
         self._started = {id(each) for each in self.pending}
         self._trackable: dict[int, bool] = {}
         self.depth = 0
-        program = units[0].program if units else None
-        self._values = Values(program, units[0]) if program is not None else None
+        self._values = program.values
 
     def see(self, element: Element) -> None:
         """Something may be carried out; so may what it leads to."""

@@ -16,6 +16,7 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.model.strict import Element
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.queries.compiled_code import CompiledCode, compiled_code
+from robosmi.transformations.queries.folded_values import ReadProgram
 from robosmi.transformations.queries.lasting_variables import Share, lasting_variables
 from robosmi.transformations.queries.memory_texts import bytes_of_initial_values, bytes_of_texts
 from robosmi.transformations.queries.plan import platform_of
@@ -88,12 +89,13 @@ def memory(plan: migration.MigrationPlan) -> Memory:
     Args:
         plan: the plan, complete.
     """
-    code = compiled_code(plan)
+    program = ReadProgram(list(plan.program.units) if plan.program is not None else [])
+    code = compiled_code(plan, program)
     sizes = on_target(plan)
     chip = plan.board.microcontroller if plan.board is not None else None
     pieces = _pieces(plan, code)
     if _shared_access(plan, code, pieces):
-        code = compiled_code(plan, pins=False)
+        code = compiled_code(plan, program, pins=False)
         pieces = _pieces(plan, code)
     variables, unknown = lasting_variables(plan, code, sizes)
     shared = plan.concurrency

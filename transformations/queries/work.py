@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from robosmi.data_text import Json
 from robosmi.metamodels import migration, platform
-from robosmi.query import ancestor_of_kind
+from robosmi.query import Q, ancestor_of_kind
 from robosmi.transformations.queries.answers import answer
 from robosmi.transformations.queries.board_needs import board_needs
 from robosmi.transformations.queries.plan import decisions
@@ -45,15 +45,17 @@ class Work:
 
     Args:
         plan: the plan, complete.
+        calls: what `calls` gives, where it is known.
     """
 
-    def __init__(self, plan: migration.MigrationPlan) -> None:
+    def __init__(self, plan: migration.MigrationPlan, calls: dict[str, int] | None = None) -> None:
         self.plan = plan
+        self._calls = calls
 
     @cached_property
     def calls(self) -> dict[str, int]:
         """How many calls of platform functions are in each state of `waiting_calls`, and `total`."""
-        return CallStates(self.plan).counts()
+        return self._calls if self._calls is not None else CallStates(self.plan).counts()
 
     @cached_property
     def unread(self) -> int:
@@ -81,6 +83,11 @@ class Work:
         """What is to be seen on the bench: the plan's checks, then what is drawn and not used."""
         return [*self.plan.checks, *(task for task in self.plan.tasks if task.rule == UNUSED)]
 
+    def choices(self) -> tuple[Q[migration.Decision], Q[migration.Decision]]:
+        """All choices of a person, and those of them that are open."""
+        found = decisions(self.plan)
+        return found, found.select(lambda d: d.open)
+
     def groups(self) -> list[Group]:
         """What is to be written, by cause: what the target cannot serve by header, all else alone."""
         reasons = unserved_headers(self.plan)
@@ -93,8 +100,7 @@ class Work:
     def to_json(self) -> dict[str, Any]:
         """The contract's `work`."""
         efforts = Counter(str(task.effort) for task in self.write)
-        all_choices = decisions(self.plan)
-        left = all_choices.select(lambda d: d.open)
+        all_choices, left = self.choices()
         return {
             "calls": {**self.calls, "working": self.working},
             "unread_calls": self.unread,
