@@ -15,7 +15,7 @@ from robosmi.transformations.queries.made_calls import MadeCalls
 from robosmi.transformations.queries.pin_uses import PinUse, made_uses_of, negative_uses_of, pin_uses_of, says_its_ports
 from robosmi.transformations.queries.pointers import pointed_functions
 from robosmi.transformations.queries.register_bits import register_bits
-from robosmi.transformations.queries.waiting_calls import ports_of_runs_bound
+from robosmi.transformations.queries.waiting_calls import kept_raw, ports_of_runs_bound
 from robosmi.typed import distinct
 from robosmi.validate import Fail
 
@@ -68,17 +68,25 @@ def _unknown(u: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Located]]:
     """The calls, macros and registers of a unit that are given ports which the text does not say."""
     m = the_move()
     view = m.view(u)
-    flows = [flow for flow in m.plan.portFlows if flow.anything]
-    for flow in flows:
-        raw = not flow.changes and not flow.bindings
-        calls = [call for call in flow.calls if ancestor_of_kind(call, ccode.SourceUnit) is u]
-        yield from ((f"'{call.calleeName}'", call) for call in calls if raw or not says_its_ports(call, view))
+    flows = [flow for flow in m.plan.portFlows if flow.anything and (flow.changes or flow.bindings)]
+    calls = [call for flow in flows for call in flow.calls if ancestor_of_kind(call, ccode.SourceUnit) is u]
+    yield from ((f"'{call.calleeName}'", call) for call in calls if not says_its_ports(call, view))
     used = MadeCalls(m.views).used if any(not flow.calls for flow in flows) else frozenset()
     places = {int(change.startOffset) for flow in flows if not flow.calls for change in flow.changes if change.unit is u}
     macros = [c for c in u.macros if str(c.name) in used and any(c.startOffset <= at < c.endOffset for at in places)]
     yield from ((f"'{macro.name}'", macro) for macro in macros)
     bits: list[PinUse] = register_bits(view, m.masks)
     yield from ((f"'{use.function}'", use.call) for use in bits if use.pin is None and use.direction != "unknown")
+
+
+@units.constraint(id="RS335", location=place, advice="write these calls without the macro")
+def PortsOfMacrosAreLookedUp(u: ccode.SourceUnit) -> bool | Fail:
+    """A port that a macro gives to a function of the platform is written where the sketch can look it up."""
+    calls = [c for flow in the_move().plan.portFlows if kept_raw(flow) for c in flow.calls]
+    here = [c for c in calls if ancestor_of_kind(c, ccode.SourceUnit) is u]
+    names = ", ".join(distinct(f"'{call.calleeName}'" for call in here))
+    wrong = f"macros give {names} a port in a text that is more than a port, so that it stays a number of the source"
+    return not here or Fail(f"{wrong}: another pin may be driven ({in_lines(here)})", places=tuple(here))
 
 
 @units.constraint(

@@ -101,7 +101,7 @@ def _unit(view: code.CodeView, views: list[code.CodeView], user_calls: dict[str,
         "types": [
             _type(d) for d in unit.declarations if isinstance(d, (ccode.Typedef, ccode.Record, ccode.Enumeration)) and d.name
         ],
-        "platform_calls": [_platform_call(f) for f in (*view.functions_of("platform"), *view.made_by_headers())],
+        "platform_calls": [_platform_call(f) for f in view.functions_of("platform")],
         "unknown_calls": [
             {"name": f.name, "count": len(f.calls), "lines": f.lines, "signature": f.signature} for f in view.unknown()
         ],

@@ -154,8 +154,8 @@ class CodeView:
             for name in self._called_in_macros():
                 found.setdefault(name, CalledFunction(name)).in_macro = True
             for name, made in self.made.items():
-                if name in found:
-                    found[name].made = made
+                if name in found or (not self.defined(name) and self.resolve(name) is not None):  # a body may not show the name
+                    found.setdefault(name, CalledFunction(name, in_macro=True)).made = made
             for function in found.values():
                 self._describe(function)
             self._functions = dict(sorted(found.items()))
@@ -168,15 +168,6 @@ class CodeView:
         for call in self.of_kind(ccode.Call):
             if call.viaMacro and call.calleeName:
                 found.setdefault(str(call.calleeName), []).append(call)
-        return found
-
-    def made_by_headers(self) -> list[CalledFunction]:
-        """The platform's functions that the unit calls only by macros which headers of the program define, by name."""
-        found = []
-        for name, made in sorted(self.made.items()):
-            if name not in self.called() and not self.defined(name):
-                self._describe(function := CalledFunction(name, in_macro=True, made=made))
-                found += [function] if function.entry is not None and self.api.kind_of(function.entry) == "platform" else []
         return found
 
     def _called_in_macros(self) -> Iterator[str]:

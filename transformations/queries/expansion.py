@@ -140,7 +140,8 @@ class MacroTexts:
             name = pending.pop()
             if name in self._macros and name not in self._known:
                 self._known[name] = [made] if (made := _definition_of(self._macros[name])) is not None else []
-                pending += [word for each in self._known[name] for kind, _, _, word in each.body if kind == "name"]
+                words = [token[3] for each in self._known[name] for token in each.body]
+                pending += self._macros if "##" in words else words  # it may make the name of any
         starts = (start for kind, start, _, word in found if kind == "name" and word in self._macros)
         whole = Expanded("", data, found, starts, self._known, MOST_TOKENS_OF_A_NUMBER)
         return whole.data.decode("latin-1").strip() if whole.whole else None
@@ -214,25 +215,35 @@ class Expanded:
         if macro is None:
             return None
         pieces = [MacroToken(plain[number][0], plain[number][3], (Frame(self.unit, plain[number][1], plain[number][2], False),))]
-        behind = number + 1
-        if macro.parameters is not None:
-            if behind >= len(plain) or plain[behind][3] != "(":
-                return None
-            depth = 0
-            while behind < len(plain):
-                kind, start, end, text = plain[behind]
-                if kind == "directive":
-                    return None
-                pieces.append(MacroToken(kind, text, (Frame(self.unit, start, end, False),)))
-                depth += {"(": 1, ")": -1}.get(text, 0) if kind == "punct" else 0
-                behind += 1
-                if depth == 0:
-                    break
-            if depth:
-                return None
-        made = self._expanded(pieces, frozenset(), plain[number][1])
+        at, behind = plain[number][1], number + 1
+        if macro.parameters is not None and (behind := self._arguments(plain, behind, pieces)) == number + 1:
+            return None
+        made = self._expanded(pieces, frozenset(), at)
+        while made and self._takes_more(made[-1], frozenset(), at) and (end := self._arguments(plain, behind, pieces)) > behind:
+            behind, made = end, self._expanded(pieces, frozenset(), at)
         self.whole &= made is not None
         return (made, behind, pieces[-1].path[-1].end) if made is not None else None
+
+    def _arguments(self, plain: Sequence[Token], number: int, pieces: list[MacroToken]) -> int:
+        """Take the tokens of the file in parentheses; the number behind them, the same one where there are none."""
+        if number >= len(plain) or plain[number][3] != "(":
+            return number
+        found: list[MacroToken] = []
+        depth = 0
+        for kind, start, end, text in plain[number:]:
+            if kind == "directive":
+                return number
+            found.append(MacroToken(kind, text, (Frame(self.unit, start, end, False),)))
+            depth += {"(": 1, ")": -1}.get(text, 0) if kind == "punct" else 0
+            if depth == 0:
+                pieces += found
+                return number + len(found)
+        return number
+
+    def _takes_more(self, piece: MacroToken, hidden: frozenset[str], offset: int) -> bool:
+        """Whether a token that a macro has made is a macro with arguments, which may stand behind that macro's use."""
+        macro = self._meant(piece.text, offset) if piece.kind == "name" and piece.text not in hidden else None
+        return macro is not None and macro.parameters is not None
 
     def _meant(self, name: str, offset: int) -> Definition | None:
         """The definition that a name has at an offset of the file, else the one of a header of the program's."""
@@ -258,17 +269,19 @@ class Expanded:
                 number += 1
                 continue
             arguments, behind = used
-            level = len(piece.path) - 1
-            last = pieces[behind - 1].path
-            if last[:level] != piece.path[:level]:
-                return None  # the use ends in another text than it begins
+            level, last = len(piece.path) - 1, pieces[behind - 1].path
+            while level and (last[:level] != piece.path[:level] or len(last) <= level):
+                level -= 1  # its arguments stand behind the use that made its name
             frame = Frame(piece.path[level].unit, piece.path[level].start, last[level].end, piece.path[level].body)
             made = self._substituted(macro, arguments, (*piece.path[:level], frame), level, hidden, offset)
             again = self._expanded(made, hidden | {macro.name}, offset) if made is not None else None
             if again is None:
                 return None
+            if again and behind < len(pieces) and pieces[behind].text == "(" and self._takes_more(again[-1], hidden, offset):
+                pieces, number = [again.pop(), *pieces[behind:]], 0
+            else:
+                number = behind
             out += again
-            number = behind
         return out
 
     @staticmethod

@@ -7,14 +7,16 @@ uses is a pin, so that no other function is given one. What has no such place is
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from bisect import bisect_left
+from collections.abc import Hashable, Iterator, Sequence
+from functools import cached_property
 from typing import NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.api_facts import PinParameter
-from robosmi.transformations.queries.argument_places import TokenText
+from robosmi.transformations.queries.argument_places import TokenText, bare
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.expansion import Expanded, TextPlace, expanded_unit, macros_of
+from robosmi.transformations.queries.expansion import Expanded, Path, TextPlace, expanded_unit, macros_of
 from robosmi.transformations.queries.flow_reader import FlowReader, view_text
 from robosmi.transformations.queries.port_macros import body_names, follow_argument
 from robosmi.transformations.queries.value_flows import PinArgument
@@ -33,7 +35,7 @@ class _MadePin(NamedTuple):
 
     Attributes:
         text: where it is.
-        first: index of its first token there.
+        first, behind: index of its first token there, and of the one behind its last.
         function, pin: what takes it.
         places: where it is written, the outermost first.
         use: where the macro is used that makes the call: start and end in the unit.
@@ -41,6 +43,7 @@ class _MadePin(NamedTuple):
 
     text: _Text
     first: int
+    behind: int
     function: str
     pin: PinParameter
     places: tuple[TextPlace, ...]
@@ -75,6 +78,11 @@ class _MadePins:
             expanded = expanded_unit(view.unit, reader.sources[view.unit.path], macros)
             self.texts.append(_Text(view, expanded, TokenText(expanded.data)))
         self.pins = [pin for text in self.texts for pin in self._found(text)]
+        self.at: dict[TextPlace, set[tuple[int, int]]] = {}
+        """Place -> the text and first token of each pin that is written there and that an adapter takes."""
+        for one in self.pins:
+            for place in one.places if _translated(one.pin) else ():
+                self.at.setdefault(place, set()).add((id(one.text), one.first))
 
     def follow(self, made: Sequence[tuple[CodeView, ccode.Call, PinParameter]]) -> None:
         """Give each pin of made calls that no body shows its place.
@@ -88,33 +96,66 @@ class _MadePins:
         found: dict[tuple[TextPlace, str, PinParameter], list[_MadePin]] = {}
         for one in self.pins:
             places = reversed(one.places) if id(one) not in known else ()
-            place = next((p for p in places if self._is_pin_everywhere(p)), None)
+            place = next((p for p in places if not _translated(one.pin) or self._is_pin_everywhere(p)), None)
             if place is not None:
                 found.setdefault((place, one.function, one.pin), []).append(one)
+        uses = _Uses(made)
         for (place, function, pin), here in found.items():
-            calls = [c for view, c, _ in made if any(one.text.view is view and _makes(one, c, pin) for one in here)]
-            self._reach(place, function, pin, calls)
+            self._reach(place, function, pin, [call for one in here for call in uses.calls(one)])
             seen += here
+        sure = {(id(call), one.pin.position) for one in seen for call in uses.calls(one)}
         for view, call, pin in made:
-            if not any(one.text.view is view and _makes(one, call, pin) for one in seen):
+            if (id(call), pin.position) not in sure:
                 self._keep(view, call, pin)
+        keys = self.reader.flows.keys()
+        for one in seen:
+            self._close(one, next(key for p in one.places if (key := keys.get((p.unit, p.start, p.end))) is not None))
 
     def _found(self, text: _Text) -> Iterator[_MadePin]:
         """The pins of the calls in an expanded text whose function is named by a macro."""
         for index, token in enumerate(text.tokens.tokens):
             way = text.expanded.path(token[1]) if token[0] == "name" else ()
             pins = self.reader.pins(token[3], text.view) if len(way) > 1 else ()
-            arguments = text.tokens.arguments(index) if pins else None
+            closed = [t[3] for t in text.tokens.tokens[max(index - 1, 0) : index + 2]] == ["(", token[3], ")"]
+            arguments = text.tokens.arguments(index + closed) if pins else None
             for pin in pins if arguments is not None else ():
                 if arguments is not None and pin.position < len(arguments) and arguments[pin.position]:
                     first, last = arguments[pin.position][0], arguments[pin.position][-1]
                     places = text.expanded.places(first[1], last[2])
-                    yield _MadePin(text, text.tokens.at(first[1]), token[3], pin, places, (way[0].start, way[0].end))
+                    range_ = text.tokens.at(first[1]), text.tokens.at(last[2])
+                    yield _MadePin(text, *range_, token[3], pin, places, (way[0].start, way[0].end))
 
     def _is_pin_everywhere(self, place: TextPlace) -> bool:
         """Whether all that a place stands for in the program is a pin that an adapter takes."""
-        pins = {(id(one.text), one.first) for one in self.pins if place in one.places and _translated(one.pin)}
-        return bool(pins) and all((id(text), index) in pins for text in self.texts for index in _uses(text, place))
+        return place in self.at and self.at[place] >= self._written.of(place)
+
+    @cached_property
+    def _written(self) -> _Written:
+        return _Written(self.texts)
+
+    def _close(self, one: _MadePin, key: Hashable) -> None:
+        """See to it that what comes to a pin is in its flow, by whatever way macros have passed it on."""
+        reader, flows = self.reader, self.reader.flows
+        argument = bare(one.text.tokens.tokens[one.first : one.behind])
+        way = one.text.expanded.path(argument[0][1])
+        known = len(argument) == 1 and bool(way)
+        others: list[Hashable] = []
+        if known and argument[0][0] == "number":
+            at = way[-1]
+            if any(p.unit.path == at.unit and p.start == at.start for p in flows.of(key).places):
+                return
+            macros = [m for m in self.units[at.unit].macros if at.body and m.startOffset <= at.start < m.endOffset]
+            others = [("macro", str(m.name)) for m in macros if not m.functionLike]
+            others += [("place", at.unit, at.start), *reader.given.get((at.unit, at.start, at.end), ())]
+        elif known and argument[0][0] == "name":
+            others = reader.named(argument[0][3])
+            if others and all(flows.of(other) is flows.of(key) for other in others):
+                return
+        elif flows.of(key).kept:
+            return
+        for other in others:
+            flows.join(key, other)
+        flows.keep(key, "macros pass it on", computed=not others)
 
     def _reach(self, place: TextPlace, function: str, pin: PinParameter, calls: Sequence[ccode.Call]) -> None:
         """A pin of calls is written at a place."""
@@ -146,27 +187,50 @@ class _MadePins:
         self.reader.reach(key, PinArgument(view.unit, start, end, function, pin, call, argument, unplaced=True))
 
 
-def _makes(one: _MadePin, call: ccode.Call, pin: PinParameter) -> bool:
-    """Whether a pin of the expanded text is one of a call of the parser's."""
-    at = one.use[0] <= int(call.startOffset) < one.use[1]
-    return at and one.function == call.calleeName and one.pin.position == pin.position
+class _Uses:
+    """The calls that macros make, by the places of the macros' uses.
+
+    Args:
+        made: the calls with each of their pins.
+    """
+
+    def __init__(self, made: Sequence[tuple[CodeView, ccode.Call, PinParameter]]) -> None:
+        self._calls: dict[tuple[int, str, int], list[ccode.Call]] = {}
+        for view, call, pin in sorted(made, key=lambda each: int(each[1].startOffset)):
+            self._calls.setdefault((id(view), str(call.calleeName), pin.position), []).append(call)
+
+    def calls(self, one: _MadePin) -> list[ccode.Call]:
+        """The calls of the function that the same use of a macro makes."""
+        known = self._calls.get((id(one.text.view), one.function, one.pin.position), [])
+        first, behind = (bisect_left(known, at, key=lambda call: int(call.startOffset)) for at in one.use)
+        return known[first:behind]
+
+
+class _Written:
+    """Where the texts of a program with their macros expanded come from.
+
+    Args:
+        texts: the texts.
+    """
+
+    def __init__(self, texts: Sequence[_Text]) -> None:
+        self._starts: dict[tuple[str, bool], list[tuple[int, int, int, Path]]] = {}
+        for text in texts:
+            for index, token in enumerate(text.tokens.tokens):
+                way = text.expanded.path(token[1])
+                for level, frame in enumerate(way):
+                    self._starts.setdefault((frame.unit, frame.body), []).append((frame.start, id(text), index, way[:level]))
+        for found in self._starts.values():
+            found.sort(key=lambda each: each[0])
+
+    def of(self, place: TextPlace) -> set[tuple[int, int]]:
+        """The text and the first token of all that a place stands for."""
+        starts = self._starts.get((place.unit, place.body), [])
+        first, behind = (bisect_left(starts, at, key=lambda each: each[0]) for at in (place.start, place.end))
+        here = {(text, index): around for _, text, index, around in starts[first:behind]}
+        return {(text, index) for (text, index), around in here.items() if here.get((text, index - 1)) != around}
 
 
 def _translated(pin: PinParameter) -> bool:
+    """Whether an adapter takes a pin of the target: the ends of a range stay numbers of the source."""
     return pin.range_with is None and pin.span == 1
-
-
-def _uses(text: _Text, place: TextPlace) -> Iterator[int]:
-    """Index of each first token of what a place stands for in an expanded text."""
-    before: tuple[object, ...] = ()
-    for index, token in enumerate(text.tokens.tokens):
-        way = text.expanded.path(token[1])
-        for level, frame in enumerate(way):
-            if frame.unit == place.unit and frame.body == place.body and place.start <= frame.start < place.end:
-                at = (*way[:level], place)
-                if before != at:
-                    yield index
-                before = at
-                break
-        else:
-            before = ()

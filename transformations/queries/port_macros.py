@@ -99,8 +99,11 @@ def follow_argument(
             reader.flows.join(taker, place)
         return
     if len(tokens) == 1 and tokens[0][0] == "name":
-        for key in keys_of(reader, tokens[0][3], own, macro) or [("name", tokens[0][3])]:
+        keys = keys_of(reader, tokens[0][3], own, macro)
+        for key in keys:
             reader.flows.join(taker, key)
+        if not keys:  # declared in the body itself, or nowhere
+            reader.flows.keep(taker, f"'{tokens[0][3]}' is not the program's own", computed=True)
         return
     for token in tokens:
         if token[0] == "name":

@@ -121,6 +121,10 @@ class Flows:
             flow.kept.append(why)
         flow.computed |= computed
 
+    def keys(self) -> dict[tuple[str, int, int], Hashable]:
+        """Unit, start and end of each argument that is a pin -> a key of its flow."""
+        return {(str(a.unit.path), a.start, a.end): key for key, flow in self._flows.items() for a in flow.arguments}
+
     def all(self) -> list[Flow]:
         """Every flow, in the order in which they were first known."""
         return list(self._flows.values())

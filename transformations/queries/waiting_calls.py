@@ -49,6 +49,11 @@ def ports_of_runs_bound(plan: migration.MigrationPlan) -> bool:
     return any(b.origin == "runtime" and b.chosenBy is migration.ChosenBy.person for b in plan.portBindings)
 
 
+def kept_raw(flow: migration.PortFlow) -> bool:
+    """Whether the calls of a flow are given numbers of the source, since no text of their own can look them up."""
+    return bool(flow.anything and not flow.bindings and not flow.changes)
+
+
 class CallStates:
     """The states of a plan's calls.
 
@@ -62,8 +67,7 @@ class CallStates:
         self._nowhere = {id(e) for finding in plan.findings if finding.rule == NO_PORT for e in finding.elements}
         flows = [f for f in plan.portFlows if f.bindings]
         unknown = [f for f in plan.portFlows if f.anything and not f.bindings]
-        self._unseen = {id(c) for f in unknown if not f.changes for c in f.calls}
-        """Calls that look up no port and whose text says none."""
+        self._raw = {id(c) for f in plan.portFlows if kept_raw(f) for c in f.calls}
         self._waiting = {id(c) for f in flows if any(b.open for b in f.bindings) for c in f.calls}
         if not ports_of_runs_bound(plan):
             self._waiting |= {id(c) for f in unknown for c in f.calls}
@@ -77,7 +81,7 @@ class CallStates:
             return TO_WRITE
         ports = self._of_macros.ports(use, call) if call.viaMacro else None
         waits = id(call) in self._waiting if ports is None else any(b.open for b in ports)
-        if waits or id(call) in self._nowhere or id(call) in self._unseen or open_conventions(self.plan, use):
+        if waits or id(call) in self._nowhere or id(call) in self._raw or open_conventions(self.plan, use):
             return WAITS
         unwired = id(call) in self._unwired if ports is None else bool(ports) and all(_left_out(port) for port in ports)
         if unwired_needs(self.plan, use)[1] or unwired:

@@ -136,6 +136,7 @@ def test_calls_in_macros_with_what_is_no_port_are_not_ready() -> None:
         ("SHOW(a)", "print ( f , a )"),
         ("SHOW()", "print ( f )"),
         ("GNU(1, 2)", "low ( 1 , 2 )"),
+        ("CAT(G, NU)(3)", "low ( 3 )"),
     ],
 )
 def test_macros_stand_for_what_the_preprocessor_makes(text: str, meant: str) -> None:

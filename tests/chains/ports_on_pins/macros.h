@@ -1,0 +1,2 @@
+#define FRONT (REAR + 1)
+#define REAR 24
