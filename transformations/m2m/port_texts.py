@@ -13,6 +13,7 @@ from robosmi.metamodels import ccode, migration
 from robosmi.transformations.queries.port_pins import text_in_place
 from robosmi.transformations.queries.ports import FlowPorts, ProgramPorts
 from robosmi.transformations.queries.value_flows import PinArgument, PortPlace
+from robosmi.transformations.queries.values import Value
 from robosmi.typed import distinct
 
 RULE = "port"
@@ -148,9 +149,9 @@ def replacement(binding: migration.PortBinding, original: bytes) -> str:
     return f"{name[0]} = {value}" if name is not None else value
 
 
-def _asks(argument: PinArgument, known: Sequence[object]) -> bool:
+def _asks(argument: PinArgument, known: Sequence[Value]) -> bool:
     """Whether the adapter takes a pin of the target where it is given a number of the source; a negative one means the same."""
-    numbers = [getattr(value, "number", None) for value in known]
+    numbers = [value.number for value in known]
     return argument.translated and not (numbers and all(n is not None and n < 0 for n in numbers))
 
 

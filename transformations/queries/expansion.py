@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import NamedTuple
 
 from robosmi.metamodels import ccode
@@ -71,7 +71,6 @@ class Definition:
     unit: str
     offset: int
     variadic: bool = False
-    strings: set[str] = field(default_factory=set)
 
 
 def definition(unit: str, data: bytes, start: int, end: int) -> Definition | None:

@@ -17,11 +17,10 @@ from robosmi.transformations.queries.constant_text import c_integer
 from robosmi.transformations.queries.expansion import REST
 from robosmi.transformations.queries.flow_reader import FlowReader
 from robosmi.transformations.queries.pin_uses import pin_number
+from robosmi.transformations.queries.tokens import names_in
 from robosmi.transformations.queries.value_flows import PinArgument
 
 _INTEGER = re.compile(r"(0[xX][0-9a-fA-F]+|0[bB][01]+|[0-9]+)[uUlL]*\Z")
-_NAME = re.compile(r"[A-Za-z_]\w*")
-_ASKS_ONLY = re.compile(r"\s*(defined\b|!\s*defined\b)")
 MOST_FOR_DOTS = 16
 """How many arguments for the `...` of a macro are followed each by itself."""
 
@@ -58,7 +57,7 @@ def _directive(text: str, reader: FlowReader, bodies: dict[str, set[str]]) -> No
             if [t[3] for t in body.tokens] != [t[3] for t in known.tokens]:
                 bodies.setdefault(found[1], set()).add(found[2])
         return
-    for name in _NAME.findall(re.sub(r"\bdefined\s*\(?\s*\w+\s*\)?", " ", match[2])):
+    for name in sorted(names_in(re.sub(r"\bdefined\s*\(?\s*\w+\s*\)?", " ", match[2]))):
         if name in reader.macros:
             reader.flows.keep(("macro", name), f"'{name}' is tested by #{match[1]}")
 
