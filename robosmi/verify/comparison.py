@@ -133,7 +133,7 @@ def compare(
     """
     allowed = tolerances(source, varied)
     if allowed is None or _ends_differ(source, varied, horizon_ms, allowed):
-        return _racy(channel, source, target, varied)
+        return _racy(channel, source, target, varied, horizon_ms)
     off = allowed or [EventTolerance()]
 
     def in_time(own: int, other: int) -> bool:
@@ -171,24 +171,24 @@ def compare(
 
 
 def _racy(
-    channel: str, source: Sequence[ActivityEvent], target: Sequence[ActivityEvent], varied: Sequence[Sequence[ActivityEvent]]
+    channel: str,
+    source: Sequence[ActivityEvent],
+    target: Sequence[ActivityEvent],
+    varied: Sequence[Sequence[ActivityEvent]],
+    horizon_ms: float,
 ) -> ChannelComparison:
-    """A channel on which the source differs from itself: what is sure of it may be different all the same."""
+    """A channel on which the source differs from itself: what is sure of it may be different all the same, but for its times."""
     itself = first_self_difference(source, varied)
     found = ChannelComparison(channel, RACY, events=max(0, len(source) - 1), itself=itself)
     if itself is None:
         return found
-    until_ms = itself.at_ms - 1.0
-    own, theirs, *others = ([e for e in events if e.at_us / 1000 <= until_ms] for events in (source, target, *varied))
-    if (
-        own
-        and len(own) < len(source)
-        and tolerances(own, others) is not None
-        and not _ends_differ(own, others, until_ms, [EventTolerance()])
-    ):
-        before = compare(channel, own, theirs, others, until_ms)
-        if before.status == DIFFERENT:
-            return replace(before, itself=itself)
+    own = [event for event in source if event.at_us / 1000 < itself.at_ms]
+    before = aligned(own, target)
+    mine = own[before.own] if before.own < len(own) else None
+    theirs = target[before.other] if before.other < len(target) else None
+    if mine is not None and (theirs is not None or mine.at_us / 1000 < horizon_ms - 3 * _tau(mine, 20.0)):
+        message = f"{mine} {'are' if mine.kind == PULSES else 'is'} missing" if theirs is None else f"{theirs} instead of {mine}"
+        return replace(found, status=DIFFERENT, difference=FirstDifference(mine.at_us / 1000, channel, message, mine, theirs))
     wrong = first_wrong_line(source, target, varied)
     if wrong is not None:
         message = f"{wrong.target} instead of {wrong.source}, which the source prints in each run, though other lines change"

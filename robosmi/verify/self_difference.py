@@ -2,7 +2,7 @@
 
 Before the first such place the source is as sure as on any other channel. After it, lines of text that all of its runs print
 alike are sure, too, as long as all runs print lines of the same shape in the same order: the text without its numbers. When they
-come is not compared there. Comparing what is sure everywhere is `comparison`'s.
+come is not compared, since they wobble as well. Comparing channels that are sure is `comparison`'s.
 """
 
 from __future__ import annotations

@@ -111,6 +111,12 @@ def test_a_difference_before_the_source_differs_from_itself_is_one() -> None:
     varied = changed(DRIVE, 2, None, (1440.0,))
     found = compare("x", events(DRIVE), events(changed(DRIVE, 1, None, (1300.0,))), [events(varied)], 4000)
     assert (found.status, found.difference is not None and found.difference.at_ms) == ("different", 20)
+    assert (
+        compare("x", events(DRIVE), events(changed(DRIVE, 1, 300)), [events(varied)], 4000).status == "racy"
+    )  # times wobble, too
+    missing = compare("x", events(DRIVE), events(DRIVE[:1]), [events(varied)], 4000)
+    assert missing.difference is not None
+    assert missing.difference.message == "pulses of 1500 us are missing"
     near = compare("x", events(DRIVE), events(changed(DRIVE, 2, None, (1300.0,))), [events(varied)], 4000)
     assert near.status == "racy"
 

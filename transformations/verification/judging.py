@@ -66,6 +66,7 @@ def judged(
     )
     found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith(DRIVEN))
     found = tuple(_racy_text(each) if _is_mixed(each, runs, trace) else each for each in found)
+    found = tuple(_sure(each) for each in found)
     if one_thread and all(c.status != DIFFERENT for c in found):
         found = _in_order(found, scenario, runs, target)
     if any(c.status == DIFFERENT for c in found):
@@ -77,6 +78,13 @@ def judged(
         return ScenarioVerdict(scenario, DIFFERENT_VERDICT, found, horizon_ms, crash=crash)
     reason = _doubt(scenario, runs, [c for c in found if c.status == RACY], crashed_ms)
     return ScenarioVerdict(scenario, NOT_DECIDABLE if reason else NO_DIFFERENCE, found, horizon_ms, reason)
+
+
+def _sure(found: ChannelComparison) -> ChannelComparison:
+    """A channel, of which no difference counts where it is racy: but of the console, since what robots do hangs on what they did."""
+    if found.itself is None or found.difference is None or found.channel == CONSOLE_CHANNEL:
+        return found
+    return replace(found, status=RACY, difference=None)
 
 
 def _in_order(

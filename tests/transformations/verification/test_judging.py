@@ -60,6 +60,28 @@ def test_one_core_prints_in_its_order() -> None:
 
 
 @pytest.mark.parametrize(
+    ("target", "verdict"),
+    [
+        (((100, "tl 0"), (200, "n 5")), "not-decidable"),
+        (((100, "tl 9"), (200, "n 5")), "different"),
+        (((100, "tl 0"), (200, "n 7"), (300, "tl 9")), "different"),
+    ],
+    ids=["same", "before", "after"],
+)
+def test_a_difference_beside_what_wobbles_is_found_and_the_place_told(
+    target: tuple[tuple[float, str], ...], verdict: str
+) -> None:
+    runs = original(printed((100, "tl 0"), (200, "n 5"), (300, "tl 16")))
+    other = channel_events(printed((100, "tl 0"), (200, "n 6"), (300, "tl 16")), [], target=False)
+    runs = replace(runs, channels={name: [[seen[0][0], other[name][0]]] for name, seen in runs.channels.items()})
+    told = judged(SCENARIO, runs, printed(*target), [], one_thread=True)
+    assert told.verdict == verdict
+    assert (told.reason == "in 's' the source differs from itself (console: 'n 5' at 203.0 ms, or 'n 6' at 203.0 ms)") == (
+        verdict == "not-decidable"
+    )
+
+
+@pytest.mark.parametrize(
     ("status", "cause", "said"),
     [
         ("unmodelled", "wav_play", "it calls a function that has no model: wav_play"),
