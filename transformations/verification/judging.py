@@ -81,7 +81,7 @@ def judged(
 
 
 def _sure(found: ChannelComparison) -> ChannelComparison:
-    """A channel, of which no difference counts where it is racy: but of the console, since what a robot does hangs on what it did."""
+    """A channel, of which no difference counts where it is racy, but of the console: what a robot does hangs on what it did."""
     if found.itself is None or found.difference is None or found.channel == CONSOLE_CHANNEL:
         return found
     return replace(found, status=RACY, difference=None)
