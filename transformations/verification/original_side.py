@@ -221,9 +221,9 @@ def moved_devices(devices: Sequence[DeviceUse], chance: random.Random) -> list[D
     made = []
     for use in devices:
         percent = float(facts.get(use.kind, {}).get("jitter_percent", 0))
-        least = float(facts.get(use.kind, {}).get("jitter_least", 0))
+        smallest = float(facts.get(use.kind, {}).get("jitter_least", 0))
         settings = {
-            name: [_moved(point, chance, percent, least) for point in value] if _is_signal(value) else value
+            name: [_moved(point, chance, percent, smallest) for point in value] if _is_signal(value) else value
             for name, value in use.settings.items()
         }
         for name, value in settings.items():
@@ -231,6 +231,8 @@ def moved_devices(devices: Sequence[DeviceUse], chance: random.Random) -> list[D
                 settings[name] = sorted(value, key=lambda point: float(point[0]))
         for name, usual in facts.get(use.kind, {}).get("jitter", {}).items():
             settings[name] = usual * (1 + chance.uniform(-percent, percent) / 100)
+        for name, (least, most) in facts.get(use.kind, {}).get("anywhere", {}).items():
+            settings[name] = chance.uniform(least, most)
         made.append(replace(use, settings=settings))
     return made
 

@@ -25,6 +25,8 @@ from robosmi.verify.original_run import OriginalRun
 from robosmi.verify.scenario import POINTS, Points, Scenario
 
 _HORIZONS_MS = (3_000.0, 6_000.0, 12_000.0, 24_000.0)
+_HORIZON_ALONE_MS = 48_000.0
+"""That of a program without inputs, which has one scenario and no other, may be as long."""
 _APART_MS = 250.0
 """Inputs do not change nearer to one another than this: which of two is seen first would be a matter of luck."""
 _MOST = 120
@@ -77,8 +79,8 @@ def search(
         budget_s: seconds of this machine's time, after which the search ends wherever it is.
     """
     made = _Search(program, ports, set(known), monotonic() + budget_s)
-    made.horizon = _horizon(program, ports, monotonic() + budget_s / 4)
     inputs = _inputs(ports, texts, types)
+    made.horizon = _horizon(program, ports, monotonic() + budget_s / 4, _HORIZONS_MS + (() if inputs else (_HORIZON_ALONE_MS,)))
     made.try_signals({})
     for each in inputs:
         for value in each.values:
@@ -214,25 +216,34 @@ def _together(inputs: Sequence[_Input], number: int) -> dict[str, dict[str, Poin
     return signals
 
 
-def _horizon(program: OriginalProgram, ports: Sequence[BoundPort], until: float) -> float:
+def _horizon(
+    program: OriginalProgram, ports: Sequence[BoundPort], until: float, horizons: Sequence[float] = _HORIZONS_MS
+) -> float:
     """How long scenarios last: until a program whose inputs rest has come wherever it comes by itself, and as long again.
 
-    A horizon at which its run is given up is too long.
+    One that has not come on at all may be in a long wait or on a long way, and goes on behind it. A horizon at which its run is
+    given up is too long.
     """
-    before: frozenset[Place] | None = None
-    reached = 0.0
-    for horizon in _HORIZONS_MS:
+    before: tuple[frozenset[Place], bytes] | None = None
+    reached, settled = 0.0, 0.0
+    for horizon in horizons:
         if before is not None and monotonic() >= until:
-            return horizon
+            return settled or horizon
         run = run_source(program, ports, Scenario("rest", horizon))
         if run.status in LIMITS:
-            return reached or horizon
+            return settled or reached or horizon
         reached = horizon
         places = places_reached(program, run, ports)
-        if places == before or run.status == "finished":
+        if run.status == "finished":
             return horizon
-        before = places
-    return reached
+        if before is not None and places == before[0]:
+            settled = settled or horizon
+            if run.counts != before[1]:
+                return settled
+        else:
+            settled = 0.0
+        before = places, run.counts
+    return settled or reached
 
 
 @dataclass(frozen=True)

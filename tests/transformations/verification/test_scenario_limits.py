@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import random
 from time import monotonic
 
 import pytest
 
 from robosmi.errors import VerificationError
 from robosmi.transformations.verification import original_side
-from robosmi.transformations.verification.original_side import run_source, run_varied
+from robosmi.transformations.verification.original_side import moved_devices, run_source, run_varied
 from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.transformations.verification.scenario_search import _horizon, search
+from robosmi.transformations.verification.scenario_search import _HORIZON_ALONE_MS, _HORIZONS_MS, _horizon, search
 from robosmi.verify import bench, original_run
 from robosmi.verify.scenario import Scenario
+from robosmi.verify.simulation import DeviceUse
 from tests.host_model.bench import built, run
 from tests.tools import require_tools
 
@@ -33,6 +35,28 @@ def test_scenarios_are_no_longer_than_can_be_recorded(monkeypatch: pytest.Monkey
         assert _horizon(program, PORTS, monotonic() + 60) > 3000.0
         monkeypatch.setattr(original_run, "_MOST_RECORDS", 4_000)
         assert _horizon(program, PORTS, monotonic() + 60) == 3000.0
+
+
+@pytest.mark.parametrize(
+    ("begin", "loop", "horizon"),
+    [
+        ("pause(15000);", "high(3); pause(1000); low(3); pause(1000);", 48_000.0),  # nothing is done for long, then something
+        ("pause(9000); high(3); pause(30000); low(3);", "pause(100);", 48_000.0),
+        ("while (!input(3));", "high(4);", 6_000.0),  # it asks again and again
+        ("pause(500);", "pause(100);", 6_000.0),
+        ("getchar();", "high(3);", 6_000.0),  # nothing comes, however long it is waited for
+    ],
+)
+def test_scenarios_are_long_enough_for_what_waits(begin: str, loop: str, horizon: float) -> None:
+    with built(f"#include <simpletools.h>\nint main() {{\n{begin}\nwhile (1) {{\n{loop}\n}} }}".replace("; ", ";\n")) as program:
+        assert _horizon(program, PORTS, monotonic() + 60, (*_HORIZONS_MS, _HORIZON_ALONE_MS)) == horizon
+
+
+def test_wheels_of_varied_runs_stand_anywhere_between_two_ticks() -> None:
+    wheel = DeviceUse("wheel", {"servo": "P12", "encoder": "P14"}, {})
+    places = {moved_devices([wheel], random.Random(seed))[0].settings["starts_at"] for seed in range(20)}
+    assert len(places) == 20
+    assert all(isinstance(place, float) and 0 <= place < 1 for place in places)
 
 
 def test_the_search_keeps_what_tells_why_and_ends(monkeypatch: pytest.MonkeyPatch) -> None:

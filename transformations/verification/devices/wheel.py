@@ -16,19 +16,22 @@ class Wheel(PulseDriven):
 
     Settings: `neutral_us`, the width at which it stands; `ticks_per_s_per_us`, its speed in ticks a second for each
     microsecond beyond (negative where it is mounted the other way round); `ticks_per_s_limit`, the speed that it cannot
-    exceed. Each tick is one change of the encoder's level. Without pulses for 50 ms it stands. It notes as `at` each 16th tick of
-    its way, forwards and backwards.
+    exceed; `starts_at`, what part of a tick it has behind it at first. Each tick is one change of the encoder's level. Without
+    pulses for 50 ms it stands. It notes as `at` each 16th tick of its way, forwards and backwards.
     """
 
     mark = 16.0
 
     optional_pin_names = ("encoder",)
-    setting_names: ClassVar[Mapping[str, Json]] = {"neutral_us": 1500.0, "ticks_per_s_per_us": 0.64, "ticks_per_s_limit": 200.0}
+    setting_names: ClassVar[Mapping[str, Json]] = {
+        "neutral_us": 1500.0, "ticks_per_s_per_us": 0.64, "ticks_per_s_limit": 200.0, "starts_at": 0.0,
+    }  # fmt: skip
 
     def start(self) -> None:
         """Stand still."""
         super().start()
-        self._speed = self._way = self._place = 0.0
+        self._speed = self._place = 0.0
+        self._way = float(self.settings["starts_at"])
         self._level = 0
         if "encoder" in self.pins:
             self.bench.set_level(self.pins["encoder"], 0)
