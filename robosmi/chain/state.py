@@ -11,13 +11,16 @@ import os
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi import inputs
 from robosmi.data_text import json_of
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.model.files import digest, write_atomic
+
+if TYPE_CHECKING:
+    from robosmi.data_text import Json
 
 SCHEMA = "robosmi-chain/1"
 
@@ -28,7 +31,7 @@ class StepState:
 
     inputs: str
     outputs: dict[str, str] = field(default_factory=dict)
-    findings: list[dict[str, Any]] = field(default_factory=list)
+    findings: list[dict[str, Json]] = field(default_factory=list)
     failed: bool = False
 
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from jinja2 import Environment, nodes
 from jinja2.ext import Extension
@@ -23,6 +23,9 @@ from robosmi.errors import RuleError, did_you_mean
 from robosmi.generate.output import Buffer, Chop, Raw, TextPart, chop, outdented
 from robosmi.generate.regions import CONTENT_TYPES, CONTROLLED, PROTECTED, CommentStyle
 from robosmi.query.values import as_string, collection_kind
+
+if TYPE_CHECKING:
+    from robosmi.query.values import Answer
 
 
 class Stop(Exception):
@@ -162,11 +165,11 @@ class Out:
             )
         return self._comments.styles[0]
 
-    def print(self, value: Any) -> str:
+    def print(self, value: Answer) -> str:
         """The value's text as it is: further lines are not indented (EGL `out.print`). For `{% print out.print(x) %}`."""
         return Raw(as_string(value))
 
-    def println(self, value: Any = "") -> str:
+    def println(self, value: Answer = "") -> str:
         """As `print`, with a line break."""
         return Raw(as_string(value) + "\n")
 
@@ -231,7 +234,7 @@ class Blocks(Extension):
         self,
         context: Context,
         kind: str,
-        identity: Any,
+        identity: Answer,
         enabled: bool = True,
         *,
         start: str | None = None,

@@ -8,9 +8,12 @@ elements that a template looks at between two pieces are those the second one co
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from robosmi.query.values import as_string
+
+if TYPE_CHECKING:
+    from robosmi.query.values import Answer
 
 
 class Dynamic(str):
@@ -49,7 +52,7 @@ def chop(count: int) -> Chop:
     return piece
 
 
-def printed(value: Any) -> Any:
+def printed(value: Answer) -> Any:
     """A value as `{{ }}` prints it: as EOL writes it, nothing for None; a text of several lines is marked as such.
 
     >>> printed(None), printed(True), printed(1.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model import ecore
@@ -18,6 +18,9 @@ from robosmi.model.pyecore_internals import (
     set_features_of,
 )
 from robosmi.model.structure import walk
+
+if TYPE_CHECKING:
+    from robosmi.model.driver import Held
 
 
 def new(kind: Kind, /, **features: Any) -> Any:
@@ -88,7 +91,7 @@ def unlink(element: Any) -> list[DynamicEObject]:
     return doomed
 
 
-def _forget(owner: EObject, feature: EStructuralFeature, value: Any) -> None:
+def _forget(owner: EObject, feature: EStructuralFeature, value: Held) -> None:
     held = getattr(owner, key_of(feature))
     if not feature.many:
         if held is value:

@@ -31,6 +31,7 @@ from robosmi.model.pyecore_internals import (
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
+    from robosmi.model.driver import Held
 
 
 def refused(element: EObject, name: str) -> ReadOnlyError:
@@ -94,7 +95,7 @@ class OnDemandLink(Promise):
 class ReadOnlyValue(GuardedValue):
     """A holder of one value that nobody can change."""
 
-    def assign(self, value: Any) -> None:
+    def assign(self, value: Held) -> None:
         """Refused."""
         raise refused(self.owner, key_of(self.feature))
 

@@ -5,7 +5,7 @@ Only text is made; drawing it is PlantUML's. `diagram` makes the Mermaid text of
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.model.by_name import feature_value, feature_values
 from robosmi.model.driver import Model, Node, features_of, is_element, name_of, type_of, walk
@@ -13,6 +13,9 @@ from robosmi.model.ecore import EClass, EClassifier, EEnum, EObject, EPackage, E
 from robosmi.model.metamodel import Metamodel
 from robosmi.model.show import plain
 from robosmi.quoting import plantuml
+
+if TYPE_CHECKING:
+    from robosmi.model.driver import Held
 
 
 def to_plantuml(source: Any, limit: int = 200) -> str:
@@ -101,6 +104,6 @@ def _is_part(element: Node, name: str, target: Node) -> bool:
     return bool(feature.containment or (feature.eOpposite is not None and feature.eOpposite.containment))
 
 
-def _line(value: Any) -> str:
+def _line(value: Held) -> str:
     text = " ".join(repr(value).split())
     return text if len(text) <= 60 else f"{text[:57]}..."

@@ -9,7 +9,7 @@ import math
 from collections.abc import Mapping
 from datetime import date
 from decimal import Decimal
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import ModelError, UsageError
 from robosmi.model.by_name import feature_value
@@ -20,12 +20,16 @@ from robosmi.query.models import id_of
 from robosmi.query.types import EolType
 from robosmi.query.values import as_string, collection_kind
 
+if TYPE_CHECKING:
+    from robosmi.data_text import Json
+    from robosmi.query.values import Answer
+
 MAX_DEPTH = 100
 MAX_DIGITS = 4000
 MAX_LETTERS = 10_000_000
 
 
-def as_json(value: Any) -> Any:
+def as_json(value: Answer) -> Any:
     """A value as JSON has it: collections as arrays, maps as objects (as pairs if a key is no text), literals by name.
 
     An element is `{"type", "id", "name"}`, without `name` where it has none; a number that JSON lacks (NaN) is its text.
@@ -83,7 +87,7 @@ def element_json(element: Any) -> dict[str, Any]:
     return shown
 
 
-def as_lines(plain: Any) -> list[str]:
+def as_lines(plain: Answer) -> list[str]:
     """What `as_json` gave, as text: a collection or map one item a line, anything else as EOL prints it."""
     if isinstance(plain, list):
         return [_line(item) for item in plain]
@@ -92,11 +96,11 @@ def as_lines(plain: Any) -> list[str]:
     return [_line(plain)]
 
 
-def _is_element_form(plain: dict[str, Any]) -> bool:
+def _is_element_form(plain: dict[str, Json]) -> bool:
     return plain.keys() <= {"type", "id", "name"} and plain.keys() >= {"type", "id"}
 
 
-def _line(value: Any) -> str:
+def _line(value: Answer) -> str:
     if isinstance(value, dict) and _is_element_form(value):
         return " ".join(str(value[key]) for key in ("type", "id", "name") if value.get(key) is not None)
     if isinstance(value, list):

@@ -11,7 +11,7 @@ import re
 import sys
 from collections.abc import Callable
 from datetime import datetime
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from robosmi.model.by_name import feature_values
 from robosmi.model.structure import root_of
@@ -22,12 +22,15 @@ from robosmi.query.problems import OperandError
 from robosmi.query.properties import get
 from robosmi.query.values import INT_MAX, INT_MIN, Long, as_string
 
+if TYPE_CHECKING:
+    from robosmi.query.values import Answer
+
 T = TypeVar("T")
 
 _REAL = re.compile(r"[+-]?(NaN|Infinity|(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?[fFdD]?)")
 
 
-def is_defined(value: Any) -> bool:
+def is_defined(value: Answer) -> bool:
     """Whether there is a value: neither None nor the empty text.
 
     >>> is_defined(""), is_defined(" "), is_defined(0)
@@ -36,23 +39,23 @@ def is_defined(value: Any) -> bool:
     return value is not None and value != ""
 
 
-def is_undefined(value: Any) -> bool:
+def is_undefined(value: Answer) -> bool:
     """Whether the value is None or the empty text."""
     return not is_defined(value)
 
 
-def if_undefined(value: Any, otherwise: Any) -> Any:
+def if_undefined(value: Answer, otherwise: Answer) -> Any:
     """The value if it is defined, else the other."""
     return value if is_defined(value) else otherwise
 
 
-def _text(value: Any, operation: str) -> str:
+def _text(value: Answer, operation: str) -> str:
     if value is None:
         raise OperandError(f"{operation} of nothing")
     return as_string(value)
 
 
-def is_integer(value: Any) -> bool:
+def is_integer(value: Answer) -> bool:
     """Whether the value's text is an Integer of 32 bits."""
     return _parsed(_text(value, "isInteger")) is not None
 
@@ -62,7 +65,7 @@ def _parsed(text: str) -> int | None:
     return number if number is not None and INT_MIN <= number <= INT_MAX else None
 
 
-def as_integer(value: Any) -> int:
+def as_integer(value: Answer) -> int:
     """The Integer that the value's text is; of a single other character its code.
 
     Raises:
@@ -77,7 +80,7 @@ def as_integer(value: Any) -> int:
     return number
 
 
-def as_long(value: Any) -> Long:
+def as_long(value: Answer) -> Long:
     """The Long that the value's text is.
 
     Raises:
@@ -89,12 +92,12 @@ def as_long(value: Any) -> Long:
     return Long(text)
 
 
-def is_real(value: Any) -> bool:
+def is_real(value: Answer) -> bool:
     """Whether the value's text is a number."""
     return _REAL.fullmatch(_text(value, "isReal").strip()) is not None
 
 
-def as_real(value: Any) -> float:
+def as_real(value: Answer) -> float:
     """The Real that the value's text is (EOL asReal, asFloat, asDouble), in Python's precision.
 
     Raises:
@@ -106,12 +109,12 @@ def as_real(value: Any) -> float:
     return float(text if text.endswith(("NaN", "Infinity")) else text.rstrip("fFdD"))
 
 
-def as_boolean(value: Any) -> bool:
+def as_boolean(value: Answer) -> bool:
     """Whether the value's text is "true", in upper or lower case; anything else is false."""
     return _text(value, "asBoolean").lower() == "true"
 
 
-def as_unicode(value: Any) -> str:
+def as_unicode(value: Answer) -> str:
     """The character whose code the value's text is, in hexadecimal digits.
 
     Raises:
@@ -143,7 +146,7 @@ _DATE = {
 }
 
 
-def as_date(value: Any, pattern: str) -> datetime:
+def as_date(value: Answer, pattern: str) -> datetime:
     """The date that the value's text is, by a pattern such as `yyyy-MM-dd`.
 
     Raises:
@@ -165,7 +168,7 @@ _TAKES: dict[str, Callable[[Any], bool]] = {
 }
 
 
-def format_(value: Any, pattern: str) -> str:
+def format_(value: Answer, pattern: str) -> str:
     """The value written by a pattern such as `%03d`, by the rules of Java's formatter: `%d` takes no Real, `%f` no Integer.
 
     Raises:
@@ -213,56 +216,56 @@ def _formatted(value: Any, match: re.Match[str]) -> str:
     return text.ljust(int(width)) if width and "-" in flags else text.rjust(int(width or 0))
 
 
-def print_(value: T, prefix: Any = "", suffix: Any = "") -> T:
+def print_(value: T, prefix: Answer = "", suffix: Answer = "") -> T:
     """Write the value to the standard output, and give it."""
     sys.stdout.write(f"{as_string(prefix)}{as_string(value)}{as_string(suffix)}")
     return value
 
 
-def println(value: T, prefix: Any = "", suffix: Any = "") -> T:
+def println(value: T, prefix: Answer = "", suffix: Answer = "") -> T:
     """Write the value and a line's end to the standard output, and give it."""
     sys.stdout.write(f"{as_string(prefix)}{as_string(value)}{as_string(suffix)}\n")
     return value
 
 
-def err(value: T, prefix: Any = "", suffix: Any = "") -> T:
+def err(value: T, prefix: Answer = "", suffix: Answer = "") -> T:
     """Write the value to the standard error output, and give it."""
     sys.stderr.write(f"{as_string(prefix)}{as_string(value)}{as_string(suffix)}")
     return value
 
 
-def errln(value: T, prefix: Any = "", suffix: Any = "") -> T:
+def errln(value: T, prefix: Answer = "", suffix: Answer = "") -> T:
     """Write the value and a line's end to the standard error output, and give it."""
     sys.stderr.write(f"{as_string(prefix)}{as_string(value)}{as_string(suffix)}\n")
     return value
 
 
-def native_type(value: Any) -> type:
+def native_type(value: Answer) -> type:
     """The Python class."""
     return type(value)
 
 
-def size(value: Any) -> int:
+def size(value: Answer) -> int:
     """The size of a collection; of anything else, texts too, 1."""
     return collection(value).size()
 
 
-def as_sequence(value: Any) -> Q[Any]:
+def as_sequence(value: Answer) -> Q[Any]:
     """A Sequence of a collection's items, or of the one value."""
     return collection(value).as_sequence()
 
 
-def as_bag(value: Any) -> Bag[Any]:
+def as_bag(value: Answer) -> Bag[Any]:
     """A Bag of a collection's items, or of the one value."""
     return collection(value).as_bag()
 
 
-def as_set(value: Any) -> Set[Any]:
+def as_set(value: Answer) -> Set[Any]:
     """A Set of a collection's items, or of the one value."""
     return collection(value).as_set()
 
 
-def as_ordered_set(value: Any) -> OrderedSet[Any]:
+def as_ordered_set(value: Answer) -> OrderedSet[Any]:
     """An OrderedSet of a collection's items, or of the one value."""
     return collection(value).as_ordered_set()
 

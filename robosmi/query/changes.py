@@ -8,6 +8,9 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 from robosmi.query.problems import OperandError
 from robosmi.query.values import as_string, key, position
 
+if TYPE_CHECKING:
+    from robosmi.query.values import Answer
+
 T = TypeVar("T")
 
 
@@ -44,7 +47,7 @@ class Changeable(Generic[T]):
         added = [self.add(v) for v in list(several(values))]  # all of them, not as many as the first success takes
         return any(added)
 
-    def remove(self, value: Any) -> bool:
+    def remove(self, value: Answer) -> bool:
         """Remove the first item that is the value from this collection itself; whether there was one."""
         place = position(self._items, value)
         if place >= 0:

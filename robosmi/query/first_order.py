@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from robosmi.query.collections import Map, OrderedSet, Q
     from robosmi.query.types import AnyKind
+    from robosmi.query.values import Answer
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -182,7 +183,7 @@ class FirstOrder(Generic[T]):
         return self._map(groups.values())
 
     def aggregate(
-        self, body: Callable[[T], K], value: Callable[[T, Any], Any], initial: Any = None, kind: AnyKind | None = None
+        self, body: Callable[[T], K], value: Callable[[T, Any], Any], initial: Answer = None, kind: AnyKind | None = None
     ) -> Map[K, Any]:
         """A map from the first body's values to a running total.
 

@@ -7,9 +7,12 @@ operations change both. What they give back is decided by the copy, as for every
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from robosmi.query.changes import Changeable
+
+if TYPE_CHECKING:
+    from robosmi.query.values import Answer
 
 CHANGING = frozenset({"add", "add_all", "clear", "remove", "remove_all", "remove_at"})
 """The operations that change a collection itself, by their names in Python's way."""
@@ -30,7 +33,7 @@ class HeldByFeature(Changeable[Any]):
             self._feature.append(value)
         return added
 
-    def remove(self, value: Any) -> bool:
+    def remove(self, value: Answer) -> bool:
         """Remove the first value that is equal; whether there was one."""
         if removed := super().remove(value):
             self._kept()

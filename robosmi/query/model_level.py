@@ -14,6 +14,7 @@ from robosmi.query.run import current_run
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
+    from robosmi.query.values import Answer
 
 
 def _of_model(kind: Any) -> tuple[Model, Any]:
@@ -36,7 +37,7 @@ def all_of_kind(kind: Any) -> Q[Any]:
     return Q(model.all_of_kind(own))
 
 
-def all_of_type(kind: Any) -> Q[Any]:
+def all_of_type(kind: Answer) -> Q[Any]:
     """The instances of exactly a type (EOL `T.allOfType()`).
 
     Raises:
@@ -46,7 +47,7 @@ def all_of_type(kind: Any) -> Q[Any]:
     return Q(model.all_of_type(own))
 
 
-def create_instance(kind: Any) -> Any:
+def create_instance(kind: Answer) -> Any:
     """A new element in the type's model (EOL `T.createInstance()`, `new T`).
 
     Raises:
@@ -57,7 +58,7 @@ def create_instance(kind: Any) -> Any:
     return model.create(own)
 
 
-def is_instantiable(kind: Any) -> bool:
+def is_instantiable(kind: Answer) -> bool:
     """Whether elements of the type can be made."""
     model, own = _of_model(kind)
     return not (model.read_only or getattr(own, "abstract", False) or getattr(own, "interface", False))

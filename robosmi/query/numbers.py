@@ -7,13 +7,16 @@ Not here: the operators, which are in `operators`. Source: NumberOperationContri
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.query.collections import Q
 from robosmi.query.operators import greater, is_long, less, wrapped
 from robosmi.query.problems import OperandError
 from robosmi.query.types import fits_integer
 from robosmi.query.values import INT_MAX, INT_MIN, Long, is_number
+
+if TYPE_CHECKING:
+    from robosmi.query.values import Answer
 
 
 def _integer(value: Any, name: str) -> int:
@@ -22,7 +25,7 @@ def _integer(value: Any, name: str) -> int:
     return int(value)
 
 
-def _number(value: Any, name: str) -> Any:
+def _number(value: Answer, name: str) -> Any:
     if not is_number(value):
         raise OperandError(f"{name} takes numbers, not {value!r}")
     return value
@@ -88,12 +91,12 @@ def log10(number: Any) -> float:
     return math.log10(number) if number > 0 else -math.inf if number == 0 else math.nan
 
 
-def min_(number: Any, other: Any) -> Any:
+def min_(number: Answer, other: Answer) -> Any:
     """The lesser of two numbers."""
     return number if less(number, _number(other, "min")) else other
 
 
-def max_(number: Any, other: Any) -> Any:
+def max_(number: Answer, other: Answer) -> Any:
     """The greater of two numbers."""
     return number if greater(number, _number(other, "max")) else other
 
@@ -129,7 +132,7 @@ def to(number: Any, end: Any) -> Q[int]:
     return integer_range(_integer(number, "to"), _integer(end, "to"))
 
 
-def iota(number: Any, end: Any, step: Any) -> Q[int]:
+def iota(number: Answer, end: Answer, step: Answer) -> Q[int]:
     """The Sequence of Integers up to an end, in steps. It only counts upwards: a negative step gives an empty Sequence.
 
     Raises:
@@ -143,12 +146,12 @@ def iota(number: Any, end: Any, step: Any) -> Q[int]:
     return Q(range(start, last + 1, width) if width > 0 else ())
 
 
-def to_binary(number: Any) -> str:
+def to_binary(number: Answer) -> str:
     """The binary digits, of a negative Integer those of its 32 bits."""
     return f"{_integer(number, 'toBinary') % 2**32:b}"
 
 
-def to_hex(number: Any) -> str:
+def to_hex(number: Answer) -> str:
     """The hexadecimal digits, without `0x`; of a negative Integer those of its 32 bits."""
     return f"{_integer(number, 'toHex') % 2**32:x}"
 

@@ -23,6 +23,7 @@ from robosmi.query.words import snake
 
 if TYPE_CHECKING:
     from robosmi.functions import Function, NamedFunction
+    from robosmi.query.values import Answer
 
 
 F = TypeVar("F", bound="NamedFunction")
@@ -145,7 +146,7 @@ def own_names(target: Any) -> list[str]:
     return [n for n in _names(scope) if any(types.is_kind_of(target, o.context) for o in _visible(scope, n))]
 
 
-def _chosen(candidates: list[OwnOperation], target: Any, arguments: int) -> OwnOperation | None:
+def _chosen(candidates: list[OwnOperation], target: Answer, arguments: int) -> OwnOperation | None:
     fitting = [c for c in candidates if c.least <= arguments <= c.most]
     exact = (c for c in fitting if types.is_type_of(target, c.context))
     return next(exact, None) or next((c for c in fitting if types.is_kind_of(target, c.context)), None)

@@ -89,7 +89,7 @@ def has_property(target: V, name: str) -> bool:
     return known or name in property_names(target) or has_plain_operation(target, name)
 
 
-def get_all(items: Iterable[Any], name: str, default: Any = _MISSING) -> list[Any]:
+def get_all(items: Iterable[Any], name: str, default: Answer = _MISSING) -> list[Any]:
     """A property of every item, for `q.name`; items that are None give the default, without one they raise.
 
     Raises:

@@ -8,10 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cmp_to_key
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from robosmi.query.problems import OperandError
 from robosmi.query.values import Long, as_string, collection_kind, is_number
+
+if TYPE_CHECKING:
+    from robosmi.query.values import Answer
 
 T = TypeVar("T")
 
@@ -60,7 +63,7 @@ def _compare(left: Any, right: Any) -> int:
     return (first > second) - (first < second)
 
 
-def _comparable(value: Any) -> bool:
+def _comparable(value: Answer) -> bool:
     if isinstance(value, (str, bool)) or is_number(value):
         return True
     own: Any = getattr(type(value), "__lt__", None)  # dates and the like, and Python's tuples of keys

@@ -8,12 +8,15 @@ Source: StringOperationContributor of Epsilon and java.lang.String.
 from __future__ import annotations
 
 import re
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.query.collections import Q
 from robosmi.query.models import literal_named
 from robosmi.query.problems import OperandError
 from robosmi.query.types import fits_integer
+
+if TYPE_CHECKING:
+    from robosmi.query.values import Answer
 
 
 def _index(value: Any, low: int, high: int, name: str) -> int:
@@ -22,13 +25,13 @@ def _index(value: Any, low: int, high: int, name: str) -> int:
     return int(value)
 
 
-def _text(value: Any, name: str) -> str:
+def _text(value: Answer, name: str) -> str:
     if not isinstance(value, str):
         raise OperandError(f"{name} takes a text, not {value!r}")
     return value
 
 
-def _pattern(regex: Any, name: str) -> re.Pattern[str]:
+def _pattern(regex: Answer, name: str) -> re.Pattern[str]:
     try:
         return re.compile(_text(regex, name))
     except re.error as error:
@@ -248,12 +251,12 @@ def to_enum(text: str) -> Any:
     return literal_named(text)
 
 
-def equals(text: str, other: Any) -> bool:
+def equals(text: str, other: Answer) -> bool:
     """Whether the other is the same text."""
     return isinstance(other, str) and text == other
 
 
-def equals_ignore_case(text: str, other: Any) -> bool:
+def equals_ignore_case(text: str, other: Answer) -> bool:
     """Whether the other is the same text but for upper and lower case."""
     return isinstance(other, str) and text.casefold() == other.casefold()
 

@@ -9,10 +9,13 @@ from __future__ import annotations
 import builtins
 from collections.abc import Iterable, Iterator
 from math import prod
-from typing import Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from robosmi.query.problems import OperandError
 from robosmi.query.values import INT_MAX, INT_MIN, Long, as_string, is_number
+
+if TYPE_CHECKING:
+    from robosmi.query.values import Answer
 
 T = TypeVar("T")
 _NUMBERS = frozenset({int, float, Long})
@@ -49,7 +52,7 @@ class Totals(Generic[T]):
         return builtins.max(self._numbers(), default=_number(default))
 
 
-def _number(value: Any) -> Any:
+def _number(value: Answer) -> Any:
     if value is not None and not is_number(value):
         raise OperandError(f"the default is a number, not {as_string(value)}")
     return value

@@ -12,13 +12,16 @@ import json
 import re
 from collections import Counter
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.diagnostics import Finding, Location, Severity, Task
 from robosmi.errors import PlatformDataError
 from robosmi.report.document import Report
 from robosmi.report.rules import FindingRule, finding_rules, page, plain_text, sentence
 from robosmi.report.sarif_places import SarifPlaces
+
+if TYPE_CHECKING:
+    from robosmi.data_text import Json
 
 SCHEMA = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
 MARK = b"sarif-"
@@ -80,7 +83,7 @@ def sarif_document(report: Report, exit_code: int, base: Path | None = None, abo
     return {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
 
 
-def _rule(rule: str, level: Severity, known: FindingRule | None) -> dict[str, Any]:
+def _rule(rule: str, level: Severity, known: FindingRule | None) -> dict[str, Json]:
     """A rule (3.49) with its help; one that nobody has described has its id alone."""
     if known is None:
         short = f"Rule {rule} of a constraint that has no page."
@@ -105,7 +108,7 @@ def _rule(rule: str, level: Severity, known: FindingRule | None) -> dict[str, An
     }
 
 
-def _result(finding: Finding, index: int, places: SarifPlaces, seen: Counter[str], about: Path | None) -> dict[str, Any]:
+def _result(finding: Finding, index: int, places: SarifPlaces, seen: Counter[str], about: Path | None) -> dict[str, Json]:
     """A result (3.27)."""
     text = finding.message.rstrip(". \n")
     result: dict[str, Any] = {
@@ -144,7 +147,7 @@ def _locations(finding: Finding, places: SarifPlaces, about: Path | None) -> lis
     return [first, *({"physicalLocation": places.physical_at(place.path, *p)} for p in more)]
 
 
-def _related(finding: Finding, places: SarifPlaces, others: list[dict[str, Any]]) -> list[dict[str, Any]]:
+def _related(finding: Finding, places: SarifPlaces, others: list[dict[str, Json]]) -> list[dict[str, Json]]:
     """Further places that a finding is about (3.27.22)."""
     return [{"id": n, **place, "message": {"text": "The same is said of this place."}} for n, place in enumerate(others, 1)]
 

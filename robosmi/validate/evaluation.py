@@ -8,7 +8,7 @@ of (constraint, element, message). Source: Kolovos et al., The Epsilon Book, cha
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import InternalError, RuleError, UsageError, did_you_mean
 from robosmi.model.driver import Model
@@ -17,6 +17,9 @@ from robosmi.query.erl import RuleType, called, failed, told
 from robosmi.query.verdicts import guarded, verdict_of
 from robosmi.validate.constraint import Constrained, Constraint, Fail
 from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
+
+if TYPE_CHECKING:
+    from robosmi.query.values import Answer
 
 
 class _State:
@@ -53,11 +56,11 @@ class _State:
             'write `return holds or Fail("message")`; compare what is to be there (`b.name != ""`); call what is a method',
         )
 
-    def applies(self, element: Any) -> bool:
+    def applies(self, element: Answer) -> bool:
         """Whether the guard, if there is one, lets the constraint be evaluated."""
         return self.guard is None or guarded(self.guard(element))
 
-    def answer(self, element: Any) -> bool | None:
+    def answer(self, element: Answer) -> bool | None:
         """What is remembered of an element; None if it must be evaluated."""
         if not self.depended_on:
             return None

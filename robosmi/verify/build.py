@@ -14,7 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.doing import doing
@@ -39,6 +39,9 @@ from robosmi.verify.libraries import (
 from robosmi.verify.sketch import Sketch
 from robosmi.verify.toolchain_data import Toolchain, fill
 from robosmi.verify.tools import Installed
+
+if TYPE_CHECKING:
+    from robosmi.data_text import Json
 
 
 @dataclass
@@ -164,7 +167,7 @@ class Build:
     def _compile_sketch(self, sources: Sequence[Path], libraries: list[CompiledLibrary]) -> tuple[list[Path], str, bool]:
         return self._compile(sources, "sketch", self._own_includes(libraries), self.folder / "sketch")
 
-    def _commands(self, libraries: list[CompiledLibrary]) -> Iterator[dict[str, Any]]:
+    def _commands(self, libraries: list[CompiledLibrary]) -> Iterator[dict[str, Json]]:
         includes = self._own_includes(libraries)
         told = partial(self._flags, use="sketch", mode="compile", includes=includes)
         return compile_commands.entries(self.sketch, self.toolchain, self.installed, told)

@@ -9,12 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.alignment import aligned, alike
 from robosmi.verify.difference_words import lasts_otherwise, told_difference
 from robosmi.verify.self_difference import SelfDifference, first_self_difference, first_wrong_line
+
+if TYPE_CHECKING:
+    from robosmi.data_text import Json
 
 SAME, DIFFERENT, NOT_EXERCISED, RACY = "same", "different", "not-exercised", "racy"
 
@@ -56,7 +59,7 @@ class FirstDifference:
         }  # fmt: skip
 
 
-def _event_json(event: ActivityEvent | None) -> dict[str, Any] | None:
+def _event_json(event: ActivityEvent | None) -> dict[str, Json] | None:
     return None if event is None else {"at_ms": round(event.at_us / 1000, 3), "what": str(event)}
 
 

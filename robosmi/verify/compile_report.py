@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from robosmi.data_text import Json
 from robosmi.diagnostics import Finding, Severity
@@ -105,7 +105,7 @@ class CompileReport:
     seconds: float = 0.0
     elf: Path | None = field(default=None, compare=False)
     hex: Path | None = field(default=None, compare=False)
-    commands: tuple[dict[str, Any], ...] = field(default=(), compare=False)
+    commands: tuple[dict[str, Json], ...] = field(default=(), compare=False)
     database: Path | None = field(default=None, compare=False)
 
     @property

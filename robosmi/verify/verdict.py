@@ -8,11 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, SAME, ChannelComparison, FirstDifference
 from robosmi.verify.original_calls import LibraryCall
 from robosmi.verify.scenario import Scenario
+
+if TYPE_CHECKING:
+    from robosmi.data_text import Json
 
 NO_DIFFERENCE, DIFFERENT_VERDICT, NOT_DECIDABLE, NOT_COMPILED = (
     "no-difference-found", "different", "not-decidable", "not-compiled",
@@ -117,7 +120,7 @@ class Verdict:
     racy: int = 0
     racy_branches: list[str] = field(default_factory=list)
     missed_branches: list[str] = field(default_factory=list)
-    binding: list[dict[str, Any]] = field(default_factory=list)
+    binding: list[dict[str, Json]] = field(default_factory=list)
     functions: dict[str, tuple[str, ...]] = field(default_factory=dict)
     not_compared: list[str] = field(default_factory=list)
     calls: CallsAround = field(default_factory=CallsAround)
@@ -196,7 +199,7 @@ class Verdict:
             "binding": self.binding,
         }  # fmt: skip
 
-    def _difference_json(self, scenario: ScenarioVerdict, difference: FirstDifference) -> dict[str, Any]:
+    def _difference_json(self, scenario: ScenarioVerdict, difference: FirstDifference) -> dict[str, Json]:
         return {
             "scenario": scenario.scenario.name,
             **difference.to_json(),
