@@ -5,11 +5,14 @@ A component in the evidence (`component`, `model_index`) is what a person names 
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from robosmi.diagnostics import Finding, Location
 from robosmi.metamodels import hardware
 from robosmi.validate import Fail
+
+if TYPE_CHECKING:
+    from robosmi.model.driver import Held
 
 
 def drawing(element: hardware.Component | hardware.Net) -> Location | None:
@@ -17,7 +20,7 @@ def drawing(element: hardware.Component | hardware.Net) -> Location | None:
     return Location(element.circuit.path) if element.circuit is not None and element.circuit.path else None
 
 
-def fault(component: hardware.Component, message: str, **evidence: Any) -> Fail:
+def fault(component: hardware.Component, message: str, **evidence: Held) -> Fail:
     """What a check says about a component."""
     return Fail(message, component=component.title, model_index=component.elementId, **evidence)
 

@@ -8,7 +8,7 @@ the parts stay with the part that follows, those behind the loop come last.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
@@ -17,6 +17,9 @@ from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.plan_adapters import rest_levels, setup_statements
 from robosmi.transformations.queries.source_text import Piece, SourceText, inside, reindent
 from robosmi.transformations.queries.text_changes import decision_of
+
+if TYPE_CHECKING:
+    from robosmi.model.driver import Item
 
 
 class MainPart(NamedTuple):
@@ -32,7 +35,7 @@ class MainPart(NamedTuple):
     text: str
     step: str
     rule: str
-    elements: Sequence[Any]
+    elements: Sequence[Item]
 
 
 def hoisted_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Function) -> Iterator[MainPart]:
@@ -236,7 +239,7 @@ def _indented(pieces: Sequence[Piece], source: SourceText) -> list[str]:
     return [f"  {head.strip()}\n{others[0]}" if head.strip() else others[0], *others[1:]]
 
 
-def _elements(piece: Piece) -> list[object]:
+def _elements(piece: Piece) -> list[Item]:
     return [*piece.elements, *(d for change in piece.changes if (d := decision_of(change)) is not None)]
 
 

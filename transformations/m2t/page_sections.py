@@ -43,7 +43,7 @@ def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Co
     }  # fmt: skip
 
 
-def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: str) -> dict[str, Json]:
+def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: str) -> dict[str, Any]:
     """Each choice with its answers: the open ones first."""
     told = {each.id: each for each in offered_choices(plan)}
     shown = [_choice(plan, one, told[one.id], sources, output) for one in choices(plan)]
@@ -53,7 +53,7 @@ def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: 
     return {"open": open_, "made": [one for one in shown if not one["open"]], "wants_drawing": drawing}
 
 
-def _role(told: OfferedChoice, output: str) -> dict[str, Json]:
+def _role(told: OfferedChoice, output: str) -> dict[str, Any]:
     """The choice of what a component is for; it is never open, since a component of which nothing is known is taken as read."""
     return {
         "id": told.id, "kind": "role", "subject": told.subject, "open": False, "chosen": told.chosen,
@@ -130,7 +130,7 @@ def _facts(library: platform.Library) -> str:
     return "; ".join(fact for fact in facts if fact)
 
 
-def write(plan: migration.MigrationPlan, texts: Mapping[str, str]) -> dict[str, Json]:
+def write(plan: migration.MigrationPlan, texts: Mapping[str, str]) -> dict[str, Any]:
     """What is to be written, the smallest first, each with what is known of the source's function and the stub that waits."""
     return {"tasks": [_body(plan, task, texts) for task in Work(plan).write]}
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
@@ -23,9 +23,6 @@ from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceTe
 from robosmi.transformations.queries.text_changes import decision_of
 from robosmi.transformations.queries.width_types import retyped
 
-if TYPE_CHECKING:
-    from robosmi.data_text import Json
-
 
 def file_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
     """What a unit's file is called in the sketch."""
@@ -38,7 +35,7 @@ def file_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
     return f"{_stem(own, plan)}{target.moduleSuffix}"
 
 
-def own_header(source: SourceText) -> dict[str, Json]:
+def own_header(source: SourceText) -> dict[str, Any]:
     """What the file of a header of the program's own shows: its text."""
     unit = source.unit
     pieces = source.pieces(0, len(source.data), _elements(unit))
