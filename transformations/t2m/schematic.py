@@ -16,7 +16,7 @@ from pathlib import Path
 from robosmi.diagnostics import Severity
 from robosmi.errors import did_you_mean
 from robosmi.metamodels import hardware
-from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, drawn_board
+from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, drawn_board, normalised_label
 from robosmi.transformations.knowledge.drawn_chips import chip_named, drawn_chip, port_of
 from robosmi.transformations.knowledge.drawn_symbols import LEAST_PINS, drawn_symbol
 from robosmi.transformations.knowledge.part import Part, PartConnector
@@ -316,7 +316,7 @@ class _Making:
         found = [
             part.title for part in self.drawn.parts
             if not part.power and len(part.pins) >= 4
-            and any(word in f"{part.value} {part.symbol} {part.family}".lower() for word in words)
+            and (any(word in f"{part.value} {part.symbol} {part.family}".lower() for word in words) or self._bears_labels(part))
         ]  # fmt: skip
         if len(found) > 1:
             self.report(
@@ -328,6 +328,19 @@ class _Making:
             "RS229", Severity.warning, "there is no board in this drawing: its parts and nets are read, and no pin is told", None,
             "give the file that has the board, or give a part the role Board in robosmi.toml under [roles]",
         )  # fmt: skip
+
+    def _bears_labels(self, part: SchematicPart) -> bool:
+        """Whether a part is a header most of whose signals are called like pins of a board (`IO5`, `A3`) or ports (`PE5`), and
+        no chip of the drawing has these."""
+        if not self._called(part, self.builder.names.headers) or any(
+            sum(bool(port_of(name.removeprefix("G"))) for name in other.pins.values()) >= _LEAST_PORTS  # GPA0 of an expander
+            for other in self.drawn.parts
+        ):
+            return False
+        nets = distinct(name for names in self.used.get(part.identity, {}).values() for name in names)
+        told = [n for n in nets if not n.startswith(_NUMBERED) and connector_kind(n, self.builder.names) == "signal"]
+        labelled = [name for name in told if normalised_label(name) or port_of(name)]
+        return len(labelled) >= _LEAST_PORTS and 2 * len(labelled) > len(told)
 
 
 def _is_clock(part: SchematicPart) -> bool:

@@ -273,3 +273,23 @@ def test_no_two_pins_have_one_connector() -> None:
     found = connectors_of(listed)
     assert list(found) == listed
     assert len(set(found.values())) == len(listed)
+
+
+def test_headers_whose_nets_are_called_like_pins_of_a_board_are_one_that_is_not_drawn(tmp_path: Path) -> None:
+    parts = [part("JP1", "PINHD-1X4"), part("JP2", "PINHD-1X4"), part("R1", "R")]
+    nets = [net(f"IO{n}", f"JP1.{n}") for n in range(1, 5)] + [net(f"A{n}", f"JP2.{n}") for n in range(1, 5)]
+    libraries = [device("PINHD-1X4", HEADER), device("R", TWO)]
+    findings = read_circuit(schematic(tmp_path, libraries, parts, nets))[1]
+    assert ["JP1, JP2 seem to be the headers of one" in text for text in said(findings, "RS219")] == [True]
+    chip = [part("IC1", "EXPANDER"), *parts]
+    ports = device("EXPANDER", [(f"PA{n}", "io") for n in range(8)])
+    findings = read_circuit(schematic(tmp_path, [*libraries, ports], chip, nets))[1]
+    assert said(findings, "RS219") == []
+
+
+@pytest.mark.parametrize("kind", ["ARDUINOR3-NOIOREF-NOTEXT", "ARDUINOSHIELD"])
+def test_symbols_of_shields_are_the_uno(kind: str, tmp_path: Path) -> None:
+    path = schematic(tmp_path, [device(kind, UNO), device("LED", TWO)], [part("Q1", kind), part("D1", "LED")],
+        [net("L", "Q1.D3", "D1.1")])  # fmt: skip
+    assert read_circuit(path)[0].components[0].boardName == "uno"
+    assert pins(path) == {"D3": "D1"}
