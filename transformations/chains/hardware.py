@@ -61,11 +61,13 @@ class HardwareAnalysis:
             UsageError: the ending is none of a pin table.
             SourceError: there is more than one board.
         """
+        from robosmi.transformations.knowledge.electrical_facts import rests_beyond_names
         from robosmi.transformations.m2t.pin_table import pin_table  # wanted with --write-table only
 
         board = the_board(self.circuit)
         model = self.board_models.get(board.elementId)
-        return pin_table(of_board(self.connections, board), model.name if model is not None else "", target)
+        name = model.name if model is not None else ""
+        return pin_table(of_board(self.connections, board), name, target, rests_beyond_names(self.circuit.components))
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:

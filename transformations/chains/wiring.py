@@ -22,6 +22,7 @@ from robosmi.model.files import refuse_link, write_atomic
 from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.transformations.chains.models import MigrationModels, stored_models
+from robosmi.transformations.knowledge.electrical_facts import rests_beyond_names
 from robosmi.transformations.m2m.wokwi_wiring import wokwi_wiring
 from robosmi.transformations.m2t.circuit_picture import svg
 from robosmi.transformations.m2t.pin_table import pin_table
@@ -148,7 +149,9 @@ def _sketch(output: Path, name: str) -> dict[str, bytes]:
 def csv(models: MigrationModels, output: Path, path: Path) -> Handed:
     """The pin table, which can be read again as a drawing."""
     plan = models.plan
-    text = pin_table(_connections(plan), plan.board.name if plan.board is not None else "", path.with_suffix(".csv"))
+    connections, board = _connections(plan), plan.board.name if plan.board is not None else ""
+    rests = rests_beyond_names(plan.circuit.components if plan.circuit is not None else ())
+    text = pin_table(connections, board, path.with_suffix(".csv"), rests)
     return Handed({"": text.encode()}, {"": "pin table"})
 
 

@@ -83,6 +83,10 @@ class DeviceFacts:
 _REMEMBERED = 1024  # components; drawings have the same few again and again
 
 
+REST = "rest"
+"""The property by which a drawing says at which level a component does nothing."""
+
+
 class _Entry(NamedTuple):
     facts: DeviceFacts
     ids: frozenset[str]
@@ -143,9 +147,14 @@ class Electrical:
         self._files = files
 
     def facts(self, component: hardware.Component) -> DeviceFacts | None:
-        """What is known of a component, or None: of the first file that knows it."""
+        """What is known of a component, or None: of the first file that knows it. A drawing may say its rest itself."""
         found = next((found for file in self._files if (found := file.find(component)) is not None), None)
-        if found is None or not found.rest_when:
+        if found is None:
+            return None
+        told = next((p.value for p in component.properties if p.name == REST), "")
+        if told in _WORDS["rest"]:
+            return replace(found, rest=told)
+        if not found.rest_when:
             return found
         name, value, rest = found.rest_when
         has_it = any(p.name == name and p.value.strip().lower() == value for p in component.properties)
@@ -174,6 +183,17 @@ def electrical(project: Path | None = None) -> Electrical:
     """
     paths = [path for folder in folders("platform_repo", project) if (path := folder / FILE).is_file()]
     return _read(tuple((str(path), path.stat().st_mtime_ns) for path in paths))
+
+
+def rests_beyond_names(components: Iterable[hardware.Component]) -> dict[str, str]:
+    """The level at which a component does nothing (`low`, `high`), by its identity, where its name alone tells another."""
+    facts, found = electrical(), {}
+    for component in components:
+        own = facts.facts(component)
+        named = facts.facts(hardware.Component(partTitle=component.partTitle or component.title))
+        if own is not None and own.rest and named is not None and own.rest != named.rest:
+            found[component.elementId] = own.rest
+    return found
 
 
 @cache

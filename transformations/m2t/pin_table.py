@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from robosmi.errors import UsageError, did_you_mean
@@ -18,16 +18,17 @@ from robosmi.transformations.queries.circuit import pin_label
 from robosmi.transformations.queries.connector_names import told_name
 
 _ENDINGS = (".csv", ".toml")
-_COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "board")
+_COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "rest", "board")
 
 
-def pin_table(connections: Sequence[migration.Connection], board: str, target: Path) -> str:
+def pin_table(connections: Sequence[migration.Connection], board: str, target: Path, rests: Mapping[str, str]) -> str:
     """The text of the table.
 
     Args:
         connections: of one board.
         board: short name of the board, or empty where the platform repository does not know it.
         target: the file it is for, whose ending says which form it has.
+        rests: identity of a component -> the level at which it does nothing, where its name alone tells another.
 
     Raises:
         UsageError: the ending is neither `.csv` nor `.toml`.
@@ -38,7 +39,7 @@ def pin_table(connections: Sequence[migration.Connection], board: str, target: P
             f"a pin table is no '{target.suffix or target.name}' file{did_you_mean(ending, _ENDINGS)}",
             fix=f"name it with one of: {', '.join(_ENDINGS)}",
         )
-    rows = [_row(connection) for connection in sorted(connections, key=_place)]
+    rows = [_row(connection, rests) for connection in sorted(connections, key=_place)]
     return _csv(rows, board) if ending == ".csv" else _toml(rows, board)
 
 
@@ -51,7 +52,7 @@ def _place(connection: migration.Connection) -> tuple[int, int]:
     return list(component.circuit.components).index(component), min(numbers, default=0)
 
 
-def _row(connection: migration.Connection) -> dict[str, str]:
+def _row(connection: migration.Connection, rests: Mapping[str, str]) -> dict[str, str]:
     component = connection.component
     return {
         "pin": pin_label(connection),
@@ -61,16 +62,21 @@ def _row(connection: migration.Connection) -> dict[str, str]:
         "connector": " ".join(told_name(connection.connectors[0]).split()) if connection.connectors else "",
         "driver": "true" if component and component.driver else "",
         "through": "; ".join((part.title or part.partTitle).replace(";", ",") for part in connection.via),
+        "rest": rests.get(component.elementId, "") if component else "",
     }
 
 
 def _csv(rows: Sequence[dict[str, str]], board: str) -> str:
     stream = io.StringIO()
-    writer = csv.DictWriter(stream, _COLUMNS, lineterminator="\n")
+    columns = [column for column in _COLUMNS if column != "rest" or any(row["rest"] for row in rows)]
+    writer = csv.DictWriter(stream, columns, lineterminator="\n")
     writer.writeheader()
     if board and not rows:
-        rows = [dict.fromkeys(_COLUMNS, "")]
-    writer.writerows({key: csv_cell(" ".join(value.split())) for key, value in (row | {"board": board}).items()} for row in rows)
+        rows = [dict.fromkeys(columns, "")]
+    writer.writerows(
+        {key: csv_cell(" ".join(value.split())) for key, value in (row | {"board": board}).items() if key in columns}
+        for row in rows
+    )
     return stream.getvalue()
 
 

@@ -26,6 +26,7 @@ from robosmi.project import defaults
 from robosmi.quoting import csv_text
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.drawn_boards import PIN_TABLE, normalised_label
+from robosmi.transformations.knowledge.electrical_facts import REST
 from robosmi.transformations.knowledge.part import GIVEN, ROLES, Part
 from robosmi.transformations.knowledge.part_names import PartNames, connector_kind, names, passive_named
 from robosmi.transformations.knowledge.part_roles import classify
@@ -33,7 +34,7 @@ from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.t2m.given_roles import given_roles
 from robosmi.typed import distinct
 
-COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "board")
+COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "rest", "board")
 """The columns; the first two must be there."""
 
 _FIX = "see docs/reference/pin-tables.md for the columns"
@@ -124,6 +125,8 @@ class _Table:
                 raise self._error(row, f"a row has no {column}", f"give each row a {column}")
         if row["role"] and row["role"] not in ROLES:
             raise self._error(row, f"'{row['role']}' is no role{did_you_mean(row['role'], ROLES)}", f"use: {', '.join(ROLES)}")
+        if row["rest"] not in ("", "low", "high"):
+            raise self._error(row, f"rest is '{row['rest']}'", "write low or high")
         if row["driver"].lower() not in (*_TRUE, *_FALSE):
             raise self._error(row, f"driver is '{row['driver']}'", "write true or false")
         title = row["title"] or row["part"]
@@ -178,6 +181,7 @@ class _Table:
         passives: dict[tuple[str, ...], hardware.Component],
     ) -> hardware.Component:
         part = self._role(identity, title, rows)
+        rest = next((row["rest"] for row in rows if row["rest"]), "")
         connectors = []
         for number, row in enumerate(rows, 1):
             name = row["connector"]
@@ -192,6 +196,7 @@ class _Table:
             role=enum_literal(hardware.Role, part.role),
             roleEvidence=part.evidence,
             driver=part.driver,
+            properties=[hardware.Property(name=REST, value=rest)] if rest else [],
             connectors=connectors,
         )
 

@@ -8,8 +8,10 @@ from typing import Any
 
 import pytest
 
+from robosmi.api import load_hardware
 from robosmi.errors import SourceError, UsageError
 from robosmi.transformations.chains.hardware import hardware
+from robosmi.transformations.knowledge.electrical_facts import electrical
 from robosmi.transformations.m2t.pin_table import pin_table
 from tests.transformations.t2m.fritzing.support import CASES, SHARED
 
@@ -123,6 +125,7 @@ def shape(found: list[dict[str, Any]]) -> list[dict[str, Any]]:
         ("a.csv", "pin,part\nD3,LED\nD4,\n", "a row has no part", 3),
         ("a.csv", "pin,part\n,LED\n", "a row has no pin", 2),
         ("a.csv", "pin,part,role\nD3,LED,Sensor\n", "'Sensor' is no role", 2),
+        ("a.csv", "pin,part,rest\nD3,Relay module,up\n", "rest is 'up'", 2),
         ("a.csv", "pin,part,driver\nD3,L293D,perhaps\n", "driver is 'perhaps'", 2),
         ("a.csv", "pin,part\nD3,LED,red,bright\n", "a row has 4 cells, the head 2", 2),
         ("a.csv", 'pin,part\nD3,"LED\n', "not valid CSV", 2),
@@ -151,7 +154,7 @@ def test_what_is_wrong_with_a_table(name: str, text: str, cause: str, line: int 
 @pytest.mark.parametrize("board", ["", "mega"])
 def test_a_table_of_a_drawing_without_a_wired_pin_is_read_again(ending: str, board: str, tmp_path: Path) -> None:
     path = tmp_path / f"a{ending}"
-    path.write_text(pin_table([], board, path))
+    path.write_text(pin_table([], board, path, {}))
     drawn = hardware(path)
     assert [found["module_id"] for found in drawn.result["boards"]] == [board or "uno"]
     assert drawn.result["mappings"] == []
@@ -182,3 +185,19 @@ def test_a_cell_between_quotation_marks_may_go_over_lines(tmp_path: Path) -> Non
         mappings(table)
     assert caught.value.location is not None
     assert caught.value.location.line == 4
+
+
+@pytest.mark.parametrize("ending", [".csv", ".toml"])
+def test_the_level_at_which_a_relay_rests_is_in_a_table(ending: str, tmp_path: Path) -> None:
+    """Wokwi's relay says by an attribute which level switches it, and its name alone says another thing."""
+    path, table = tmp_path / "diagram.json", tmp_path / f"a{ending}"
+    path.write_text(
+        '{"editor": "wokwi", "parts": [{"type": "wokwi-arduino-uno", "id": "uno"}, {"type": "wokwi-relay-module", "id": "r2"},'
+        ' {"type": "wokwi-relay-module", "id": "r1", "attrs": {"transistor": "pnp"}}], "connections":'
+        ' [["uno:13", "r1:IN", "", []], ["uno:12", "r2:IN", "", []]]}'
+    )
+    table.write_text(hardware(path).pin_table(table))
+    for drawn in (path, table):
+        found = {c.title: c for c in load_hardware(drawn).components}
+        rests = {title: facts.rest for title in ("r1", "r2") if (facts := electrical().facts(found[title])) is not None}
+        assert rests == {"r1": "high", "r2": "low"}
