@@ -20,8 +20,8 @@ from robosmi.transformations.knowledge.adapter_index import adapter_index
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2m.adapter_choice import AdapterChoice
-from robosmi.transformations.m2m.language_gap import remarks
 from robosmi.transformations.m2m.platform_dependence import partition
+from robosmi.transformations.m2m.refused_forms import remarks
 from robosmi.transformations.queries import call_graph, code, library_use, main_program
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.analysis import analysis

@@ -16,7 +16,7 @@ from robosmi.transformations.chains.local_headers import from_outside, with_head
 from robosmi.transformations.chains.reading import read_program
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, PLAIN_C, TargetFacts
-from robosmi.transformations.m2m.language_gap import remarks
+from robosmi.transformations.m2m.refused_forms import remarks
 from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
 from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.t2m.c_source.side_file import ENDING, SideProject, project_beside, read_side

@@ -1,13 +1,13 @@
 """Initial values that name the elements or members they are for (C11 6.7.9), as lists by position, which C++11 has.
 
 Only what is to be changed is: designators go, `{}` comes where elements are left out. A list whose values stand in another order
-than their places is written anew (`reordered_lists`); one whose indices are not known stays, and `language_gap.remarks` says so.
+than their places is written anew (`reordered_lists`); one whose indices are not known stays, and `refused_forms.remarks` says so.
 Lists of structures whose members all come in their order stay, too: the target's compilers take them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, tokens
@@ -22,7 +22,14 @@ from robosmi.transformations.m2m.list_values import (
     values_of,
 )
 from robosmi.transformations.m2m.reordered_lists import reordered
+from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import ValueType, element_type, of_use
+
+
+def list_holders(view: CodeView) -> Iterator[ccode.Variable | ccode.Cast]:
+    """What has a list: variables with an initial value, and compound literals."""
+    yield from (variable for variable in view.of_kind(ccode.Variable) if variable.initializer is not None)
+    yield from (cast for cast in view.of_kind(ccode.Cast) if isinstance(cast.operand, ccode.InitializerList))
 
 
 def positional(holder: ccode.Variable | ccode.Cast, data: bytes) -> list[tuple[int, int, str]] | None:

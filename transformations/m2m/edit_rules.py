@@ -15,7 +15,8 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.adapter_ranges import parameter_names
 from robosmi.transformations.m2m import compound_literals
 from robosmi.transformations.m2m.designated_lists import positional
-from robosmi.transformations.m2m.old_c import WORDS
+from robosmi.transformations.m2m.nested_types import before_record, tag_places
+from robosmi.transformations.m2m.old_c import word_places
 from robosmi.transformations.queries.own_headers import own_header
 from robosmi.transformations.queries.signature_text import nothing
 from robosmi.transformations.queries.source_text import SourceText, inside, is_header
@@ -222,7 +223,12 @@ def _assign_behind(variable: ccode.Variable, choice: str, text: SourceText) -> l
 
 def _words_of_c(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
     first, end = int(element.startOffset), int(element.endOffset)
-    return [(start, stop, WORDS[name]) for start, stop, name in name_tokens(text.data) if first <= start < end and name in WORDS]
+    return [place for place in word_places(text.data) if first <= place[0] < end]
+
+
+def _words_between(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
+    wanted = {int(start) for start in choice.split()}
+    return [place for place in word_places(text.data) if place[0] in wanted]
 
 
 def _implicit_int(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
@@ -268,6 +274,12 @@ def _sized(element: ccode.Variable, choice: str, text: SourceText) -> list[Repla
     found = re.compile(rb"\[\s*\]").search(text.data, name_place(element, text.data), element.endOffset)
     value = [(int(element.endOffset), int(element.endOffset), " = {0}")] if _constant(element) and choice else []
     return [*([(found.end() - 1, found.end() - 1, "16")] if found else []), *value]
+
+
+def _one_element(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
+    """An array without a size that no other declaration completes has one element (C11 6.9.2)."""
+    found = re.compile(rb"\[\s*\]").search(text.data, name_place(element, text.data), element.endOffset)
+    return [(found.end() - 1, found.end() - 1, "1")] if found else []
 
 
 def _define_behind(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
@@ -349,6 +361,10 @@ RULES: dict[str, EditRule] = {
     "return-at-end": _return_at_end,
     "implicit-int": _implicit_int,
     "words-of-c": _words_of_c,
+    "words-between": _words_between,
+    "enumeration-before": lambda element, choice, text: before_record(element, choice),
+    "tag-of-member": lambda element, choice, text: tag_places(element, choice, text.unit, text.data),
+    "one-element": _one_element,
     "declare-only": _insert("extern "),
     "declare-static": _static("extern "),
     "no-static": _static(""),
@@ -373,5 +389,5 @@ RULES: dict[str, EditRule] = {
 }
 """Rule of a disposition -> the changes of text that it asks for."""
 
-EVERYWHERE = frozenset({"rename", "rename-tag"})
+EVERYWHERE = frozenset({"rename", "rename-tag", "tag-of-member"})
 """Rules that change every unit of the program, not only their element's."""

@@ -1,7 +1,7 @@
 """C that is no C++: what a compiler of the target's language refuses although C allows it, and the edit that fits each.
 
 A table of rules over the code model. Each finds elements and says which rule of `edit_rules` changes their text; what no
-simple edit mends is a finding with its place. Which way a value is converted is read off `queries.expression_type`;
+simple edit mends is told by `refused_forms`. Which way a value is converted is read off `queries.expression_type`;
 declarations in the manner of old C are in `old_c`, variables that several declarations or files share in `shared_names`.
 """
 
@@ -10,14 +10,15 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Mapping
 
-from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode
-from robosmi.query import all_of_kind
+from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.m2m import old_c, shared_names
 from robosmi.transformations.m2m.compound_literals import compound_literals
-from robosmi.transformations.m2m.designated_lists import positional
+from robosmi.transformations.m2m.designated_lists import list_holders, positional
+from robosmi.transformations.m2m.nested_types import nested_enumerations, nested_tags
 from robosmi.transformations.m2m.source_assembler import assembler
 from robosmi.transformations.m2m.text_change import Change, Rule
+from robosmi.transformations.m2m.written_types import gives_text, unnamed, written_type
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import (
     FunctionType,
@@ -49,6 +50,13 @@ def changes(view: CodeView, data: bytes, functions: Mapping[str, FunctionType], 
     return list(found.values())
 
 
+def _sizes_of_characters(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """`sizeof 'a'`: a character is an int in C."""
+    for size in view.of_kind(ccode.SizeOf):
+        if isinstance(size.operand, ccode.CharacterLiteral):
+            yield Change(size, "replace", "sizeof(int32_t)", "a character has the size of an int in C")
+
+
 def _library(view: CodeView) -> dict[str, FunctionType]:
     """What the functions of the standard library that a unit calls take and give, as their header says."""
     made: dict[str, FunctionType] = {}
@@ -66,18 +74,22 @@ def _conversions(view: CodeView, data: bytes, functions: Mapping[str, FunctionTy
         text = data[value.startOffset : value.endOffset]
         null = _NULLS.fullmatch(text) and (wanted.depth or wanted.function)
         if text and not null and (reason := _conversion(value, wanted, functions)):
-            yield Change(value, "convert" if _primary(value) else "convert-compound", wanted.spelling, reason)
+            kind = written_type(value, wanted, data)
+            if kind:
+                yield Change(value, "convert" if _primary(value) else "convert-compound", kind, reason)
 
 
 def _conversion(value: ccode.Expression, wanted: ValueType, functions: Mapping[str, FunctionType]) -> str:
     """Why C++ wants the conversion written, or an empty text."""
+    if wanted.depth and not wanted.function and _names_function(value):
+        return "a function is no such pointer in C++"
     if wanted.function:
         to_array = wanted.spelling.rstrip().endswith("(*)")  # its dimensions stand behind, where no parameters are
         return "" if to_array else _function_pointer(value, wanted)
-    if isinstance(value, ccode.StringLiteral):
-        if wanted.array:
+    if gives_text(value):
+        if wanted.array and isinstance(value, ccode.StringLiteral):
             return ""
-        if wanted.depth == 1 and wanted.base == "char" and not wanted.constant:
+        if wanted.depth == 1 and wanted.base in ("char", "void") and not wanted.constant:
             return "a text is constant in C++"
         return "a text is no such pointer in C++" if wanted.depth == 1 and wanted.base not in ("char", "void") else ""
     if wanted.depth == 0 and isinstance(wanted.declaration, ccode.Enumeration):
@@ -101,6 +113,14 @@ def _conversion(value: ccode.Expression, wanted: ValueType, functions: Mapping[s
     if given.depth and wanted.arithmetic:
         return "a pointer is no number in C++"
     return ""
+
+
+def _names_function(value: ccode.Expression) -> bool:
+    """Whether a value is a function's address, and its place no function that gives such addresses."""
+    inner = value.operand if isinstance(value, ccode.Unary) and value.operator == "&" else value
+    around = ancestor_of_kind(value, ccode.Function) if isinstance(value.eContainer(), ccode.Return) else None
+    gives = around is not None and "(*" in around.signature.replace(" ", "")
+    return isinstance(inner, ccode.NameReference) and isinstance(inner.target, ccode.Function) and not gives
 
 
 def _comparisons(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
@@ -217,7 +237,7 @@ def _primary(value: ccode.Expression) -> bool:
 def _enumerations(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """Counting and adding in an enumeration: the sum is a number in C++, which has to be made a value again."""
     for step in view.of_kind(ccode.Unary):
-        kind = _enumeration(step.operand, functions) if step.operator in ("++", "--") else ""
+        kind = _enumeration(step.operand, functions, data) if step.operator in ("++", "--") else ""
         if kind and step.operand is not None and not all_of_kind(step.operand, ccode.Call):
             text = _text(step.operand, data)
             used = not isinstance(step.eContainer(), (ccode.ExpressionStatement, ccode.For))
@@ -226,7 +246,7 @@ def _enumerations(view: CodeView, data: bytes, functions: Mapping[str, FunctionT
                 made = f"({kind})({made} {'-' if step.operator == '++' else '+'} 1)"
             yield Change(step, "replace", made if used else made[1:-1], "C++ does not count in an enumeration")
     for assignment in view.of_kind(ccode.Assignment):
-        kind = _enumeration(assignment.left, functions) if assignment.operator != "=" else ""
+        kind = _enumeration(assignment.left, functions, data) if assignment.operator != "=" else ""
         if kind and assignment.left is not None and not all_of_kind(assignment.left, ccode.Call):
             text = f"{_text(assignment.left, data)} = ({kind})({_text(assignment.left, data)} {assignment.operator[:-1]} ("
             yield Change(assignment, "compound-of-enumeration", text, "C++ does not calculate in an enumeration")
@@ -236,11 +256,14 @@ def _text(expression: ccode.Expression, data: bytes) -> str:
     return data[expression.startOffset : expression.endOffset].decode("utf-8", errors="replace")
 
 
-def _enumeration(expression: ccode.Expression | None, functions: Mapping[str, FunctionType]) -> str:
+def _enumeration(expression: ccode.Expression | None, functions: Mapping[str, FunctionType], data: bytes) -> str:
     """How the enumeration is written that an expression is of, empty for any other type."""
     kind = type_of(expression, functions)
-    plain = kind is not None and kind.depth == 0 and isinstance(kind.declaration, ccode.Enumeration)
-    return re.sub(r"\b(?:static|const|volatile|register)\b\s*", "", kind.spelling) if plain and kind is not None else ""
+    if expression is None or kind is None or kind.depth or not isinstance(kind.declaration, ccode.Enumeration):
+        return ""
+    if unnamed(kind):
+        return f"__typeof__({_text(expression, data)})"
+    return re.sub(r"\b(?:static|const|volatile|register)\b\s*", "", kind.spelling)
 
 
 def _tags(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
@@ -271,18 +294,14 @@ def _fresh(wanted: str, taken: Collection[str]) -> str:
 
 def _designated(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """Lists whose values name elements of an array, or leave out members: C++ counts them."""
-    for holder in _list_holders(view):
+    for holder in list_holders(view):
         if positional(holder, data):
             yield Change(holder, "positional", "", "C++ gives the values of a list in their order")
 
 
-def _list_holders(view: CodeView) -> Iterator[ccode.Variable | ccode.Cast]:
-    """What has a list: variables with an initial value, and compound literals."""
-    yield from (variable for variable in view.of_kind(ccode.Variable) if variable.initializer is not None)
-    yield from (cast for cast in view.of_kind(ccode.Cast) if isinstance(cast.operand, ccode.InitializerList))
-
-
 RULES: tuple[Rule, ...] = (
+    nested_enumerations,
+    nested_tags,
     _tags,
     _designated,
     compound_literals,
@@ -290,6 +309,7 @@ RULES: tuple[Rule, ...] = (
     _conversions,
     _comparisons,
     _void_arithmetic,
+    _sizes_of_characters,
     *old_c.RULES,
     *shared_names.RULES,
 )
@@ -315,64 +335,11 @@ TEXT_RULES = frozenset(
         "share",
         "share-one",
         "words-of-c",
+        "words-between",
+        "enumeration-before",
+        "tag-of-member",
+        "one-element",
         "zero-value",
     }
 )
 """Rules that each change a place of their own in a declaration, so that several may apply to one."""
-
-
-def remarks(view: CodeView, data: bytes, path: str) -> Iterator[Finding]:
-    """RS312: what no simple edit mends.
-
-    Args:
-        view: the unit.
-        data: its bytes.
-        path: the unit's file as the user knows it.
-    """
-    if view.unit.language != "C":
-        return
-    for element, message in _unmended(view, data):
-        place = Location(path, element.line, element.column)
-        yield Finding("RS312", Severity.warning, message, place, fix="write it in C++ in the sketch, or otherwise in the source")
-
-
-_CHARACTER = re.compile(r"\\(?:x[0-9a-fA-F]+|[0-7]{1,3}|.)|[^\\]", re.DOTALL)
-"""A character of a text in C, or its escape (C17, 6.4.4.4)."""
-
-
-def _text_bytes(literal: str) -> int:
-    """The bytes of a text in C, as it is written, without the zero byte at its end; pieces that stand side by side are one."""
-    written = "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', literal, re.DOTALL))
-    return sum(1 if c.startswith("\\") else len(c.encode(errors="surrogateescape")) for c in _CHARACTER.findall(written))
-
-
-_RECORD_WITHIN = re.compile(rb"\)\s*\{")
-
-
-def _taken(holder: ccode.Variable | ccode.Cast, data: bytes) -> bool:
-    """Whether C++ takes a list: as it is made by position, or as it is, its members in their order."""
-    given = holder.operand if isinstance(holder, ccode.Cast) else holder.initializer
-    changes = positional(holder, data)
-    if changes == [] and given is not None:
-        text = data[given.startOffset : given.endOffset]
-        return text.startswith(b"{") and _RECORD_WITHIN.search(text) is None
-    return bool(changes)
-
-
-def _unmended(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Located, str]]:
-    mended = [(int(holder.startOffset), int(holder.endOffset)) for holder in _list_holders(view) if _taken(holder, data)]
-    for value in (*view.of_kind(ccode.UnknownExpression), *view.of_kind(ccode.InitializerList)):
-        if any(start <= value.startOffset < end for start, end in mended):
-            continue
-        text = data[value.startOffset : value.endOffset].decode("latin-1")
-        if re.search(r"[{,]\s*\[[^\]]*\]\s*=(?!=)", text):
-            yield value, "a list that names the elements of an array by their index is no C++"
-        elif re.search(r"[{,]\s*\.\w+\s*=(?!=)", text):
-            yield value, "a list that names members is C++ only where it names them in their order"
-    for literal in view.of_kind(ccode.StringLiteral):
-        variable = literal.eContainer()
-        use = variable.valueType if isinstance(variable, ccode.Variable) else None
-        if use is not None and use.arrayDims.strip("[] ") == str(_text_bytes(literal.text)) and use.pointerDepth == 0:
-            yield literal, "the array has no room for the zero byte at the end of its text"
-    for variable in old_c.jumped_over_for_good(view):
-        yield variable, "a jump leads over an initial value, which C++ refuses"

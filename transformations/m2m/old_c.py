@@ -216,6 +216,10 @@ def zero_constants(view: CodeView, data: bytes, functions: Mapping[str, Function
         yield Change(variable, "zero-value", "{}" if use.arrayDims else nothing(use.spelling), "a constant has a value in C++")
 
 
+_SIZE_WORDS = re.compile(r"(?:static|const|volatile|restrict)\b")
+"""Words within the brackets of a parameter, which say nothing of its values (C11 6.7.6.3)."""
+
+
 def sizes_of_parameters(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """An array as a parameter whose size is another parameter, or no constant otherwise."""
     for parameter in view.of_kind(ccode.Parameter):
@@ -223,7 +227,7 @@ def sizes_of_parameters(view: CodeView, data: bytes, functions: Mapping[str, Fun
         function = ancestor_of_kind(parameter, ccode.Function)
         first = (sizes or "").partition("]")[0].strip("[ ")
         names = {p.name for p in function.parameters} if function is not None else set()
-        if names & set(re.findall(r"[A-Za-z_]\w*", first)) or first.startswith(("static ", "*")):
+        if names & set(re.findall(r"[A-Za-z_]\w*", first)) or first.startswith("*") or _SIZE_WORDS.match(first):
             yield Change(parameter, "open-size", "", "C++ wants a constant there")
 
 
@@ -233,20 +237,45 @@ WORDS = {
     "_Static_assert": "static_assert",
     "_Alignas": "alignas",
     "_Alignof": "alignof",
+    "auto": "",
 }
-"""Words of C99 and C11 -> what C++ or its GNU compilers call the same."""
+"""Words of C99 and C11 -> what C++ or its GNU compilers call the same; empty where they want none."""
+_ONCE = frozenset({"const", "volatile"})
+"""Words that C takes twice in a row (C11 6.7.3) and C++ once."""
+
+
+def word_places(data: bytes) -> Iterator[tuple[int, int, str]]:
+    """The words of C that C++ has by other names (first byte, byte behind, new text)."""
+    last, before = 0, ""
+    for start, end, name in name_tokens(data):
+        repeated = name in _ONCE and name == before and not data[last:start].strip()
+        if repeated or not WORDS.get(name, name):  # it goes with the blanks behind it
+            yield start, end + len(data[end:]) - len(data[end:].lstrip(b" \t")), ""
+        elif name in WORDS and not data[last:start].endswith(b"["):  # what says the size of a parameter goes as a whole
+            yield start, end, WORDS[name]
+        last, before = end, name
 
 
 def words_of_c(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Declarations with words of C that C++ has by other names."""
-    if not any(word.encode() in data for word in WORDS):
+    """Declarations with words of C that C++ has by other names; words between declarations come with one of these."""
+    if not any(word.encode() in data for word in (*WORDS, *_ONCE)):
         return
-    found = [start for start, _, name in name_tokens(data) if name in WORDS]
+    found = {start for start, _, _ in word_places(data)}
+    elements = []
     for declared in view.unit.declarations:
         divided = isinstance(declared, ccode.Function) and declared.name == "main"
         element = declared.body if divided and isinstance(declared, ccode.Function) else declared
-        if element is not None and any(element.startOffset <= start < element.endOffset for start in found):
+        if element is not None:
+            elements.append(element)
+    for element in elements:
+        within = {start for start in found if element.startOffset <= start < element.endOffset}
+        found -= within
+        if within:
             yield Change(element, "words-of-c", "", "C++ has another word for it")
+    macros = [(int(m.startOffset), int(m.endOffset)) for m in view.unit.macros]
+    between = [start for start in sorted(found) if not any(first <= start < end for first, end in macros)]
+    if between and elements:  # an assertion, which declares nothing
+        yield Change(elements[-1], "words-between", " ".join(map(str, between)), "C++ has another word for it")
 
 
 RULES = (

@@ -86,12 +86,13 @@ def _in_c_alone(macro: ccode.Macro, unit: ccode.SourceUnit) -> bool:
 _C_ALONE = re.compile(r"ifndef\s+__cplusplus\b|if\s+!\s*defined\s*\(?\s*__cplusplus\b")
 
 
-def _declarations(views: Iterable[CodeView]) -> Iterator[tuple[ccode.Declaration | ccode.Macro, bool]]:
-    """Every declaration and macro of the program with whether it is visible outside of a function."""
+def _declarations(views: Iterable[CodeView]) -> Iterator[tuple[ccode.Declaration | ccode.Macro | ccode.Label, bool]]:
+    """Every declaration, label and macro of the program with whether it is visible outside of a function."""
     for view in views:
         if view.unit.language != "C":
             continue
         yield from ((macro, True) for macro in view.unit.macros if not _in_c_alone(macro, view.unit))
+        yield from ((label, False) for label in view.of_kind(ccode.Label))
         top = {id(d) for d in view.unit.declarations}
         for declaration in view.of_kind(ccode.Declaration):
             literal = isinstance(declaration, ccode.EnumerationLiteral) and id(declaration.eContainer()) in top

@@ -66,7 +66,10 @@ def tentative(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]
         ):
             by_name.setdefault(declaration.name, []).append(declaration)
     for variables in by_name.values():
-        kept = next((v for v in variables if v.initialised), variables[0])
+        sized = next((v for v in variables if not _open_array(v)), variables[0])
+        kept = next((v for v in variables if v.initialised), sized)
+        if _open_array(kept) and not kept.initialised and not is_header(view.unit) and not _elsewhere(view.unit, kept):
+            yield Change(kept, "one-element", "", "an array that nothing gives a size has one element in C")
         needed = [v for v in variables if _used_before(kept, v)]
         shown = False
         for variable in variables if len(variables) > 1 else ():
@@ -81,6 +84,12 @@ def tentative(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]
                 yield Change(variable, "take-out", "", "the variable is declared a second time")
         if shown:
             yield Change(kept, "no-static", "", "it is declared as extern where it is first used")
+
+
+def _open_array(variable: ccode.Variable) -> bool:
+    """Whether a declaration leaves the size of an array to another one."""
+    use = variable.valueType
+    return use is not None and not use.pointerDepth and bool(re.match(r"\[\s*\]", (use.arrayDims or "").strip()))
 
 
 def _used_before(kept: ccode.Variable, declared: ccode.Variable) -> bool:

@@ -7,7 +7,7 @@ platform takes and gives is passed in, since its adapter decides that and not th
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -38,7 +38,7 @@ ARITHMETIC = frozenset(
         "uint64_t",
     ]
 )
-_NAMELESS = frozenset({"struct", "union", "const", "volatile", "static", "extern", "*"})
+_NAMELESS = frozenset({"struct", "union", "enum", "const", "volatile", "static", "extern", "*"})
 """Words of the type of a variable whose record has no name."""
 
 
@@ -116,17 +116,30 @@ def of_use(use: ccode.TypeUse | None) -> ValueType | None:
     return replace(made, declaration=declaration or nameless(use))
 
 
-def nameless(use: ccode.TypeUse) -> ccode.Record | None:
-    """The record without a name that a variable's declaration defines (`struct { int pin; } lamp`), which is before its name."""
+def nameless(use: ccode.TypeUse) -> ccode.Record | ccode.Enumeration | None:
+    """The record or enumeration without a name that a variable's declaration defines (`struct { int pin; } lamp`).
+
+    It stands before the variable's name; an enumeration may stand before a member's, too.
+    """
     words = set(str(use.spelling or "").split())
-    variable = use.eContainer()
-    record = not words.isdisjoint({"struct", "union"}) and words <= _NAMELESS
-    if use.declaration is not None or not isinstance(variable, ccode.Variable) or not record:
+    holder = use.eContainer()
+    kind = ccode.Enumeration if "enum" in words else None if words.isdisjoint({"struct", "union"}) else ccode.Record
+    if use.declaration is not None or kind is None or not words <= _NAMELESS:
         return None
-    around = variable.eContainer()
-    beside = around.declarations if isinstance(around, (ccode.SourceUnit, ccode.Namespace, ccode.DeclarationStatement)) else ()
-    records = [d for d in beside if isinstance(d, ccode.Record) and not d.name and d.startOffset <= variable.startOffset]
-    return max(records, key=lambda record: int(record.startOffset), default=None)
+    if isinstance(holder, ccode.Field) and kind is ccode.Enumeration:
+        record = holder.eContainer()
+        same = (d for d in _declared_beside(record) if isinstance(d, ccode.Enumeration) and d.startOffset == holder.startOffset)
+        return next(same, None)
+    if not isinstance(holder, ccode.Variable):
+        return None
+    beside = _declared_beside(holder)
+    found = [d for d in beside if isinstance(d, kind) and not d.name and d.startOffset <= holder.startOffset]
+    return max(found, key=lambda declared: int(declared.startOffset), default=None)
+
+
+def _declared_beside(element: object) -> Sequence[ccode.Declaration]:
+    around = element.eContainer() if isinstance(element, ccode.Declaration) else None
+    return around.declarations if isinstance(around, (ccode.SourceUnit, ccode.Namespace, ccode.DeclarationStatement)) else []
 
 
 def _unnamed(typedef: ccode.Typedef) -> ccode.Declaration | None:

@@ -49,6 +49,19 @@ def group(context: UnitContext, nodes: Sequence[Node], start: int | None = None)
             if starts[node.start] > 1 and isinstance(element, ccode.Variable):
                 element.shared = True
             made.append(element)
+            if isinstance(element, ccode.Record) and context.source.language == "C":
+                made += _enumerations_within(context, node)
+    return made
+
+
+def _enumerations_within(context: UnitContext, record: Node) -> list[ccode.Declaration]:
+    """The enumerations that are defined among the members of a record: in C their names belong to what is around it."""
+    made: list[ccode.Declaration] = []
+    for node in record.children:
+        if node.kind == cursor_kinds.ENUM_DECL and context.lib.isCursorDefinition(node.cursor):
+            made.append(_enumeration(context, node))
+        elif node.kind in (cursor_kinds.STRUCT_DECL, cursor_kinds.UNION_DECL):
+            made += _enumerations_within(context, node)
     return made
 
 

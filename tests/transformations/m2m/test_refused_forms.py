@@ -1,0 +1,17 @@
+"""C that C++ refuses and that no edit mends is told, line by line, and what C++ takes is not."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import robosmi
+
+PROGRAM = Path(__file__).parent / "refused_forms" / "refused_forms.c"
+
+
+def test_each_form_that_cpp_refuses_is_told_where_it_stands_and_no_other() -> None:
+    lines = PROGRAM.read_text(encoding="utf-8").splitlines()
+    told = {number for number, line in enumerate(lines, 1) if line.endswith("// told")}
+    found = [finding for finding in robosmi.plan_migration([PROGRAM]).plan.findings if finding.rule == "RS312"]
+    assert {finding.line for finding in found} == told
+    assert [finding for finding in found if not finding.fix] == []
