@@ -36,7 +36,14 @@ class Kept:
     refused: Finding | None = None
 
 
-def keep(path: str, base: str | None, existing: str | None, generated: str, styles: Sequence[CommentStyle]) -> Kept:
+def keep(
+    path: str,
+    base: str | None,
+    existing: str | None,
+    generated: str,
+    styles: Sequence[CommentStyle],
+    before_conflicts: Sequence[str] = (),
+) -> Kept:
     """Merge a newly made text with the file that is there.
 
     Args:
@@ -45,6 +52,7 @@ def keep(path: str, base: str | None, existing: str | None, generated: str, styl
         existing: the text in the file, with line feeds; None if there is no file.
         generated: the newly made text.
         styles: the comments that markers may be.
+        before_conflicts: what the file held before each conflict that was marked in it, as far as that is still there.
     """
     if existing is None:
         gone = Finding("RS517", Severity.info, "the file was deleted; it is made again", Location(path))
@@ -52,7 +60,8 @@ def keep(path: str, base: str | None, existing: str | None, generated: str, styl
     if existing == generated:
         return Kept(existing)
     all_styles = list(dict.fromkeys([*styles, *styles_in(base or "")]))
-    kept = _Merge(path, _ended(base) if base is not None else None, _ended(existing), _ended(generated), all_styles).result()
+    merge = _Merge(path, _ended(base) if base is not None else None, _ended(existing), _ended(generated), all_styles)
+    kept = merge.result(before_conflicts)
     if not _ends_with_a_break(base, existing, generated):
         kept.text = kept.text.removesuffix("\n")
     return kept
@@ -87,7 +96,8 @@ class _Merge:
     def stop(self, message: str, line: int | None, fix: str) -> Kept:
         return Kept(self.existing, refused=Finding("RS905", Severity.error, message, Location(self.path, line), fix=fix))
 
-    def result(self) -> Kept:
+    def result(self, before_conflicts: Sequence[str] = ()) -> Kept:
+        """What becomes of the file."""
         new, old = self.theirs.by_id(), self.ours.by_id()
         for broken in self.ours.broken:
             message = f"the marker of the region '{broken.identity}' is broken: {broken.what}; its text is kept as other text is"
@@ -95,15 +105,17 @@ class _Merge:
         for twice in self.ours.twice():
             message = f"the region '{twice.identity}' stands in the file twice (first in line {old[twice.identity].line})"
             return self.stop(message, twice.line, "take one of them out, or give it an id of its own")
-        if (line := _open_conflict(self.existing, self.base or "", self.generated)) is not None:
+        line, said = _open_conflict(self.existing, self.base or "", self.generated), "a conflict of an earlier run is still open"
+        fix = "decide and take its markers out"
+        if line is None and before_conflicts:
+            line = _divider_left(self.existing, [self.base or "", self.generated, *before_conflicts])
+            said = "the middle marker of a conflict is left, with its others gone"
+            fix = "take it out; where it is a line of your own, make it longer or remove the old file, which ends in .orig"
+        if line is not None:
             if self.base is not None and self.generated == self.base:
-                self.say(
-                    "RS516", Severity.error, "a conflict of an earlier run is still open", line, "decide and take its markers out"
-                )
+                self.say("RS516", Severity.error, said, line, fix)
                 return Kept(self.existing, self.findings)
-            return self.stop(
-                "a conflict of an earlier run is still open", line, "decide and take its markers out, then run again"
-            )
+            return self.stop(said, line, f"{fix}, then run again")
         if self.before is None and not set(new) & set(old):
             return self.stop("the file was not made by a run that keeps edits", None, "move it away, run again, put your text in")
         return self.merged(new, old)
@@ -252,6 +264,24 @@ def _open_conflict(text: str, *made: str) -> int | None:
     marks = {mark.strip() for mark in (YOURS, BASE, GENERATED)}
     marks -= {line.strip() for one in made for line in one.split("\n")}
     return next((number for number, line in enumerate(text.split("\n"), 1) if line.strip() in marks), None)
+
+
+_BLOCK_COMMENT = re.compile(r"/\*.*?\*/|<!--.*?-->", re.DOTALL)
+
+
+def _divider_left(text: str, others: Sequence[str]) -> int | None:
+    """The line of the mark between the two sides of a conflict where it alone is left, or None.
+
+    Seven equality signs may also underline a title. So they count only where more of them are there than in each of the texts
+    that the file came from, and they stand in no block comment.
+    """
+    mark = MIDDLE.strip()
+    if mark not in text:
+        return None
+    outside = _BLOCK_COMMENT.sub(lambda comment: "\n" * comment[0].count("\n"), text).split("\n")
+    found = [number for number, line in enumerate(outside, 1) if line.strip() == mark]
+    known = max(sum(line.strip() == mark for line in other.split("\n")) for other in others)
+    return found[0] if len(found) > known else None
 
 
 def _behind(parts: Parts) -> dict[str, str]:

@@ -12,7 +12,7 @@ from pathlib import Path
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import StoppedError
 from robosmi.generate.keep import keep
-from robosmi.generate.places import Places, free_name
+from robosmi.generate.places import Places, before_conflicts, free_name
 from robosmi.generate.record import Record, lost_record, made_anew
 from robosmi.generate.regions import styles_in
 from robosmi.generate.text_form import FileText, read, same_text
@@ -120,7 +120,7 @@ def _merge(
     existing = form.text if there is not None else None
     if seen is not None and base is not None and existing is not None:
         base, existing = seen(name, base, existing, text, places.folder / name)
-    result = keep(path, base, existing, text, styles_in(text))
+    result = keep(path, base, existing, text, styles_in(text), before_conflicts(places.folder, name))
     if result.refused is not None:
         refused.append(result.refused)
         return

@@ -130,6 +130,21 @@ class Places:
         )
 
 
+def before_conflicts(folder: Path, name: str) -> list[str]:
+    """What a file held before each conflict that was marked in it: the old files beside it, as far as they are still there.
+
+    Args:
+        folder: the folder.
+        name: of the file, relative to it.
+    """
+    found, number, path = [], 1, folder / f"{name}.orig"
+    while path.is_file():
+        found.append(inputs.read_bytes(path, inputs.OUTPUT).decode("latin-1").replace("\r\n", "\n"))
+        number += 1
+        path = folder / f"{name}.orig.{number}"
+    return found
+
+
 def free_name(folder: Path, name: str) -> str:
     """A name that no file of the folder has: the given one, or with a number behind it.
 

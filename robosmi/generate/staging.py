@@ -16,7 +16,7 @@ from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.keep import keep
 from robosmi.generate.manifest import held_back, hidden
 from robosmi.generate.output import Text, text_of
-from robosmi.generate.places import Places, free_name
+from robosmi.generate.places import Places, before_conflicts, free_name
 from robosmi.generate.record import Record, lost_record, made_anew
 from robosmi.generate.regions import BrokenMarker, merge
 from robosmi.generate.result import FileChange, Generation, Write
@@ -295,7 +295,7 @@ class Staging:
             return
         base = self._decoded(copy, last, as_it_is="\r" in made).text if last is not None else None
         there = self._there(file)
-        kept = keep(path, base, there, made, file.origins[-1].styles)
+        kept = keep(path, base, there, made, file.origins[-1].styles, before_conflicts(self.folder, file.name))
         if kept.refused is not None:
             refused.append(kept.refused)
             return

@@ -73,7 +73,7 @@ def _conversions(view: CodeView, data: bytes, functions: Mapping[str, FunctionTy
     for value, wanted in expectations(view, functions):
         text = data[value.startOffset : value.endOffset]
         null = _NULLS.fullmatch(text) and (wanted.depth or wanted.function)
-        if text and not null and (reason := _conversion(value, wanted, functions)):
+        if text and not null and not _in_macro(value) and (reason := _conversion(value, wanted, functions)):
             kind = written_type(value, wanted, data)
             if kind:
                 yield Change(value, "convert" if _primary(value) else "convert-compound", kind, reason)
@@ -81,7 +81,7 @@ def _conversions(view: CodeView, data: bytes, functions: Mapping[str, FunctionTy
 
 def _conversion(value: ccode.Expression, wanted: ValueType, functions: Mapping[str, FunctionType]) -> str:
     """Why C++ wants the conversion written, or an empty text."""
-    if wanted.depth and not wanted.function and _names_function(value):
+    if wanted.base == "void" and wanted.depth and not wanted.function and _names_function(value):
         return "a function is no such pointer in C++"
     if wanted.function:
         to_array = wanted.spelling.rstrip().endswith("(*)")  # its dimensions stand behind, where no parameters are
@@ -113,6 +113,12 @@ def _conversion(value: ccode.Expression, wanted: ValueType, functions: Mapping[s
     if given.depth and wanted.arithmetic:
         return "a pointer is no number in C++"
     return ""
+
+
+def _in_macro(value: ccode.Expression) -> bool:
+    """Whether a macro wrote an argument together with its call, so that its place in the text is that of the call."""
+    call = value.eContainer()
+    return isinstance(call, ccode.Call) and (value.startOffset, value.endOffset) == (call.startOffset, call.endOffset)
 
 
 def _names_function(value: ccode.Expression) -> bool:
