@@ -440,3 +440,9 @@ def test_a_pin_table_with_a_pin_that_the_board_has_not_is_refused_and_the_old_sk
     outcome = run("migrate", line_follower, "-o", tmp_path / "out", "--hardware", table)
     check_refused(outcome, 3, "has no pin D99", "wire it to one of the board's pins: D0, D1")
     assert tree(tmp_path / "out") == before
+
+
+def test_a_report_does_not_say_none_where_its_findings_stand_among_what_is_to_be_done(cases: Path, tmp_path: Path) -> None:
+    run("migrate", cases / "syntax.c", "-o", tmp_path / "out")
+    findings = (tmp_path / "out" / "syntax" / "MIGRATION.md").read_text().partition("## Findings\n")[2].partition("\n## ")[0]
+    assert "\nNone.\n" not in findings

@@ -17,6 +17,8 @@ from robosmi.resources import project_of_input
 from robosmi.transformations.chains.reading import check_source_platform, read_program
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.analysis import analysis
+from robosmi.transformations.t2m.c_source.side_file import ENDING as PROJECT
+from robosmi.transformations.t2m.c_source.side_file import read_side
 
 
 @dataclass(frozen=True)
@@ -72,11 +74,16 @@ def source_api(source_platform: str | None) -> ApiIndex:
 def read_program_and_findings(
     paths: Sequence[Path], api: ApiIndex, include_dirs: Sequence[Path], defines: Sequence[str]
 ) -> tuple[ccode.Program, list[Finding]]:
-    """The code model, and what its reader found.
+    """The code model, and what its reader found; a project file of SimpleIDE stands for what it lists.
 
     Raises:
         SourceError: a file cannot be read as a program.
     """
+    if len(paths) == 1 and paths[0].suffix == PROJECT:
+        side = read_side(str(paths[0]), sourced=True)
+        folders, macros = [*include_dirs, *map(Path, side.include_dirs)], [*defines, *side.defines]
+        program, findings = read_program([Path(source) for source in side.sources], api.name, folders, macros)
+        return program, [*side.findings, *findings]
     return read_program(paths, api.name, include_dirs, defines)
 
 

@@ -91,10 +91,7 @@ def _side_project(path: str) -> SideProject | None:
         SourceError: it cannot be read, or lists no source.
     """
     if path.endswith(ENDING):
-        made = read_side(path)
-        if not made.sources:
-            raise SourceError("the project file lists no C source", location=Location(path), fix="give the source files")
-        return made
+        return read_side(path, sourced=True)
     beside = project_beside(path)
     if not beside:
         return None

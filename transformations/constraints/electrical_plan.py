@@ -17,6 +17,7 @@ from robosmi.transformations.constraints.places import drawing, fault, worst_fir
 from robosmi.transformations.knowledge.library_takes import taken_of
 from robosmi.transformations.queries.circuit import role_on
 from robosmi.transformations.queries.electrical import Kind, Role, Wiring, listed, who, wiring
+from robosmi.transformations.queries.port_pins import of_own_serial_port
 from robosmi.validate import EVL, Fail
 
 together = EVL()
@@ -150,7 +151,7 @@ def OnlyListensToASensor(b: migration.PortBinding) -> bool | Fail:
 
 @bindings.critique(
     id="RS262", location=place, advice="draw what is there, or bind the port to the pin that is meant",
-    guard=lambda b: b.connection is None and b.pin is not None,
+    guard=lambda b: b.connection is None and b.pin is not None and not of_own_serial_port(b),
 )  # fmt: skip
 def SomethingIsThere(b: migration.PortBinding) -> bool | Fail:
     """A port of the program is bound to a pin that the drawing has something on."""

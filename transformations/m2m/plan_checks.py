@@ -14,6 +14,7 @@ from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.connector_names import wire_name
 from robosmi.transformations.queries.plan_adapters import closure, setup_statements
+from robosmi.transformations.queries.port_pins import of_own_serial_port
 from robosmi.typed import distinct
 
 RULE = "RS340"
@@ -40,7 +41,7 @@ def plan_checks(plan: migration.MigrationPlan) -> list[migration.PlanTask]:
 
 def _console(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
     if bauds := _bauds(plan):
-        others = distinct(str(c.calleeName) for b in plan.portBindings if _of_console(b) for c in port_calls(plan, b))
+        others = distinct(str(c.calleeName) for b in plan.portBindings if of_own_serial_port(b) for c in port_calls(plan, b))
         rate = f"{bauds[0]} baud" + (f" (or what {', '.join(others)} asks for)" if others else "")
         message = f"open the 'serial monitor' at {rate}, and see that the program's texts come"
         yield migration.PlanTask(rule=RULE, severity=migration.SeverityLevel.info, message=message)
@@ -49,12 +50,6 @@ def _console(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
 def _bauds(plan: migration.MigrationPlan) -> list[str]:
     """The rates at which the program opens its console at the start."""
     return [found[1] for statement in setup_statements(plan) if (found := _CONSOLE.search(statement))]
-
-
-def _of_console(binding: migration.PortBinding) -> bool:
-    """Whether a port is a line of the serial port that the board itself has, bound there by its number."""
-    by_rule = binding.chosenBy is migration.ChosenBy.rule and binding.connection is None
-    return by_rule and binding.pin is not None and "uart" in binding.pin.abilities
 
 
 def _components(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
@@ -76,7 +71,7 @@ def _components(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
 def _bare_pins(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
     of_pin: dict[str, list[migration.PortBinding]] = {}
     for binding in plan.portBindings:
-        if binding.connection is None and binding.pin is not None and not (_bauds(plan) and _of_console(binding)):
+        if binding.connection is None and binding.pin is not None and not (_bauds(plan) and of_own_serial_port(binding)):
             of_pin.setdefault(str(binding.pin.label), []).append(binding)
     for label, ports in of_pin.items():
         yield _check(plan, f"what is on '{label}'", ports, list(ports))

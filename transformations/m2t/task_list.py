@@ -50,6 +50,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
         "sections": _sections(screen),
         "conflicts": [_conflict(task) for task in plan.tasks if task.texts],
         "findings": [_said(f, plan) for f in by_severity(plan.findings) if f.rule not in VERDICT_RULES and not _is_task(f, plan)],
+        "in_tasks": any(_is_task(finding, plan) for finding in plan.findings),
         "wiring": [_wire(c, plan) for c in plan.connections],
         "ports": [_port(b) for b in plan.portBindings],
         "flows": bool(plan.portFlows),

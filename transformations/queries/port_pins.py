@@ -68,3 +68,9 @@ def looks_up_ports(plan: migration.MigrationPlan) -> bool:
 def table_is_declared(plan: migration.MigrationPlan) -> bool:
     """Whether a piece of the plan's adapters declares the table that ports are looked up in."""
     return any(piece.tables for piece in emitted(plan))
+
+
+def of_own_serial_port(binding: migration.PortBinding) -> bool:
+    """Whether a port is a line of the serial port that the board itself has (its console), bound there by its number."""
+    by_rule = binding.chosenBy is migration.ChosenBy.rule and binding.connection is None
+    return by_rule and binding.pin is not None and "uart" in binding.pin.abilities

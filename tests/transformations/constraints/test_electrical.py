@@ -277,3 +277,15 @@ def test_parts_of_3_3_volts_on_pins_of_5_volts_are_found_where_nothing_shifts_th
     assert len(said) == int(found)
     if found:
         assert said[0]["message"].startswith("D10 drives " + connector)
+
+
+def test_the_serial_port_of_the_board_itself_needs_nothing_drawn(tmp_path: Path) -> None:
+    """A regression: a program that opens its own console was told to draw what is on its pins."""
+    (tmp_path / "robot.c").write_text(
+        '#include "simpletools.h"\n#include "fdserial.h"\nint main(void) {\n'
+        "  fdserial *pc = fdserial_open(31, 30, 0, 115200);\n  fdserial_txChar(pc, 'a');\n  high(5);\n}\n"
+    )
+    (tmp_path / "wiring.csv").write_text("pin,part,title,connector\nD12,Green LED,green,anode\n")
+    plan = plan_migration([tmp_path / "robot.c"], hardware=tmp_path / "wiring.csv").plan
+    assert sorted(b.choice for b in plan.portBindings if b.name in ("P30", "P31")) == ["D0", "D1"]
+    assert "RS262" not in {f.rule for f in plan.findings}

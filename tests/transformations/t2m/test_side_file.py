@@ -10,6 +10,7 @@ import pytest
 import robosmi
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.c_source.side_file import read_side
+from tests.running import run
 
 FOLDER = Path(__file__).parent / "side"
 
@@ -69,3 +70,9 @@ def test_a_project_file_of_no_use_is_refused(text: bytes, said: str, tmp_path: P
     (tmp_path / "empty.side").write_bytes(text)
     with pytest.raises(SourceError, match=said):
         robosmi.migrate([tmp_path / "empty.side"], tmp_path / "out")
+
+
+def test_a_project_file_is_analysed_as_what_it_lists() -> None:
+    found = run("analyse", FOLDER / "robot" / "robot.side", "--json").document["result"]["units"]
+    listed = read_side(str(FOLDER / "robot" / "robot.side")).sources
+    assert [unit["path"] for unit in found] == listed

@@ -81,16 +81,26 @@ def problems(context: UnitContext) -> list[ccode.SyntaxProblem]:
             continue
         said.add((start, diagnostic.message))
         place = context.source.place(start, start)
-        found.append(ccode.SyntaxProblem(message=diagnostic.message, fatal=diagnostic.syntax or None, **place))
+        fatal = diagnostic.syntax and not _before_a_cut(context, start)
+        found.append(ccode.SyntaxProblem(message=diagnostic.message, fatal=fatal or None, **place))
         if _is_error_directive(context, start):
             message = f"#error: {diagnostic.message.strip(chr(34))}"
             context.find("RS101", Severity.error, message, start, None, "define what the text asks for with -D")
         elif diagnostic.message == _WITHIN:
             message = "a function is defined within another one, which GNU C takes and C++ does not: it is kept as text"
             context.find("RS101", Severity.error, message, start, None, "move it in front of the function that it is in")
-        elif diagnostic.syntax:
+        elif fatal:
             context.find("RS101", Severity.error, f"syntax error: {diagnostic.message}", start, None, "correct the source text")
     return found
+
+
+def _before_a_cut(context: UnitContext, offset: int) -> bool:
+    """Whether the parser misses what was taken out of a statement as too much (RS104): that is no fault of the text."""
+    data = context.source.parsed
+    return any(
+        start <= offset < end or (offset < start and not set(data[offset:start]) & set(b";{}"))
+        for start, end in context.parsed.cut
+    )
 
 
 def _is_error_directive(context: UnitContext, offset: int) -> bool:

@@ -45,14 +45,20 @@ def project_beside(source: str) -> str:
     return path if os.path.isfile(path) else ""
 
 
-def read_side(path: str) -> SideProject:
+def read_side(path: str, *, sourced: bool = False) -> SideProject:
     """What a project file says.
 
+    Args:
+        path: of the file.
+        sourced: whether one without sources is refused.
+
     Raises:
-        SourceError: it cannot be read.
+        SourceError: it cannot be read, or lists no source.
     """
     made = SideProject()
     _read(path, made, library=False, seen=set())
+    if sourced and not made.sources:
+        raise SourceError("the project file lists no C source", location=Location(path), fix="give the source files")
     return made
 
 

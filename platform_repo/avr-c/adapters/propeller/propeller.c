@@ -7,8 +7,8 @@
 //# task use_cog_driver it names machine code of the Propeller, which no other microcontroller runs: write what that code does in C
 //# task get_cog_driver it names machine code of the Propeller, which no other microcontroller runs: write what that code does in C
 //# task __builtin_propeller_coginit it starts machine code of the Propeller, which no other microcontroller runs: write what that code does in C, and call it where it is to run
-//# task clkset the clock of this board does not change, and CLKFREQ stays that of the virtual counter, so that times stay right: take the call out
-//# task __builtin_propeller_clkset the clock of this board does not change, and CLKFREQ stays that of the virtual counter, so that times stay right: take the call out
+//# task clkset a mode with bit 7 (0x80) restarts the chip there: where that is meant, let the watchdog do it (`wdt_enable(WDTO_15MS)` of avr/wdt.h, then an endless loop); any other mode sets a clock that this board does not change, and CLKFREQ stays that of the virtual counter, so that times stay right: take such a call out
+//# task __builtin_propeller_clkset a mode with bit 7 (0x80) restarts the chip there: where that is meant, let the watchdog do it (`wdt_enable(WDTO_15MS)` of avr/wdt.h, then an endless loop); any other mode sets a clock that this board does not change, and CLKFREQ stays that of the virtual counter, so that times stay right: take such a call out
 //# task waitvid the video generator of the Propeller is hardware that this board has not: show what it shows on another display
 //# task __builtin_propeller_waitvid the video generator of the Propeller is hardware that this board has not: show what it shows on another display
 

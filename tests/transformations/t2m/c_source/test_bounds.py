@@ -281,3 +281,12 @@ def test_any_text_is_read_or_refused(tmp_path_factory: pytest.TempPathFactory, p
     for element in all_contents(unit):
         if isinstance(element, ccode.Located):
             assert 0 <= int(element.startOffset) <= int(element.endOffset) <= len(data)
+
+
+def test_what_the_parser_misses_where_too_much_was_cut_is_no_fault_of_the_text(tmp_path: Path) -> None:
+    path = tmp_path / "sum.c"
+    path.write_text(f"#define D(x) (x)+(x)\nint a = {'D(' * 40}1{')' * 40};\nint main() {{ return a; }}\n")
+    assert "RS104" in {f.rule for f in read_program(path)[1]}
+    assert "RS101" not in {f.rule for f in read_program(path)[1]}
+    path.write_text(path.read_text().replace("return a;", "return a b;"))
+    assert [f.location.line for f in read_program(path)[1] if f.rule == "RS101" and f.location is not None] == [3]
