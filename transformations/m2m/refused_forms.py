@@ -56,7 +56,7 @@ def refused_forms(view: CodeView, data: bytes) -> list[Form]:
     words = [word for word in tokens(data) if word[0] not in ("comment", "directive")]
     found = [*_choices_by_type(data), *_types_in_place(words), *_late_enumerations(words), *_old_pointers(words)]
     found += [*_hidden_types(view), *_pointer_sizes(words)]
-    found += [*_rows_of_parameters(view, data), *_flexible_values(view), *_record_casts(view), *_old_designators(view, data)]
+    found += [*_rows_of_parameters(view, data), *_flexible_values(view), *_record_casts(view)]
     return sorted(set(found))
 
 
@@ -225,22 +225,6 @@ def _record_casts(view: CodeView) -> Iterator[Form]:
                 int(cast.startOffset),
                 "a value is converted to a structure or union",
                 "give the value to the member that is meant",
-            )
-
-
-_OLD = re.compile(r"[{,]\s*[A-Za-z_]\w*\s*:(?!:)")
-
-
-def _old_designators(view: CodeView, data: bytes) -> Iterator[Form]:
-    """Values that name their member with a colon, as compilers had it before C99."""
-    for variable in view.of_kind(ccode.Variable):
-        given = variable.initializer
-        text = data[given.startOffset : given.endOffset].decode("latin-1") if given is not None else ""
-        if given is not None and text.startswith("{") and _OLD.search(text):
-            yield (
-                int(given.startOffset),
-                "a list that names members with a colon is no C++",
-                "write `.name = value`, in their order",
             )
 
 

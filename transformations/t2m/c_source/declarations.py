@@ -117,7 +117,8 @@ def _function(context: UnitContext, node: Node) -> ccode.Declaration:
         depth,
         context.lib.getCursorResultType(node.cursor),
     )
-    parameters = [_parameter(context, c) for c in node.children if c.kind == PARAMETER]
+    of_value = 0 <= close < len(context.tokens) - 1 and context.tokens[close + 1][3] == ")"  # a pointer to a function is given
+    parameters = [_parameter(context, c) for c in node.children if c.kind == PARAMETER and not (of_value and c.start >= end)]
     body = next((c for c in node.children if c.kind in (COMPOUND, TRY)), None)
     element = ccode.Function(
         name=name,

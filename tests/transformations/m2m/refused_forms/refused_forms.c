@@ -13,7 +13,7 @@ enum late;  // told
 enum late { EARLY, LATE };
 struct made { int a; } make(void) { struct made m = { 1 }; return m; }  // told
 int taken(struct own { int a; } *o) { return o->a; }  // told
-struct pair { int x, y; } old = { x: 1, y: 2 };  // told
+struct pair { int x, y; } old = { x: 1, y: 2 };
 union word { int i; char c[4]; };
 typedef int T;
 typedef struct node node;
