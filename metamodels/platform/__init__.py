@@ -1059,8 +1059,10 @@ class Adapter(Element, metaclass=MetaEClass):
     """Its name in the text, where the target has another of its own name; empty for the same name."""
     text: str = EAttribute(eType=EString, default_value="")
     """Its text in the language of the target."""
-    stackBytes: int = EAttribute(eType=EInt)
-    """Bytes of stack that a call or an interrupt takes, where these are many; 0 for a few."""
+    stackBytes: int = EAttribute(eType=EInt, default_value=-1)
+    """Bytes of stack that a call takes, measured; -1 where nobody has."""
+    inlinedStackBytes: int = EAttribute(eType=EInt, default_value=-1)
+    """The same where the program calls it at one place only, so that a compiler puts its text there."""
     ramBytes: int = EAttribute(eType=EInt)
     """Bytes of data memory that its own variables take, without those of what it needs and of libraries."""
     fidelity: str = EAttribute(eType=EString, default_value="")
@@ -1097,6 +1099,8 @@ class Adapter(Element, metaclass=MetaEClass):
     """Values of its parameters that it can serve; others do something else than there."""
     tables: MutableSequence[PortTable] = EReference(upper=-1, containment=True)
     """Tables that it looks ports of the source up in."""
+    interrupts: MutableSequence[InterruptStack] = EReference(upper=-1, containment=True)
+    """What interrupts take that come once it is called, measured."""
     source: str = EAttribute(eType=EString, default_value="")
     """Path of the file that it was read from, relative to its platform in the repository."""
     needs: MutableSequence[Adapter] = EReference(upper=-1)
@@ -1117,6 +1121,7 @@ class Adapter(Element, metaclass=MetaEClass):
             targetName: str | None = None,
             text: str | None = None,
             stackBytes: int | None = None,
+            inlinedStackBytes: int | None = None,
             ramBytes: int | None = None,
             fidelity: str | None = None,
             limits: Iterable[str] | None = None,
@@ -1133,6 +1138,7 @@ class Adapter(Element, metaclass=MetaEClass):
             ports: Iterable[ConventionalPort] | None = None,
             ranges: Iterable[ArgumentRange] | None = None,
             tables: Iterable[PortTable] | None = None,
+            interrupts: Iterable[InterruptStack] | None = None,
             source: str | None = None,
             needs: Iterable[Adapter] | None = None,
         ) -> None: ...
@@ -1252,6 +1258,27 @@ class PortTable(Element, metaclass=MetaEClass):
         ) -> None: ...
 
 
+class InterruptStack(Element, metaclass=MetaEClass):
+    """How much stack an interrupt takes that comes once an adapter is called."""
+
+    vector: str = EAttribute(eType=EString, lower=1)
+    """The interrupt."""
+    stackBytes: int = EAttribute(eType=EInt)
+    """Its bytes, with the address that it returns to."""
+    openBytes: int = EAttribute(eType=EInt, default_value=-1)
+    """Its bytes where it lets other interrupts in; -1 where it does not."""
+
+    if TYPE_CHECKING:
+
+        def __init__(
+            self,
+            *,
+            vector: str | None = None,
+            stackBytes: int | None = None,
+            openBytes: int | None = None,
+        ) -> None: ...
+
+
 class UnsupportedHeader(Element, metaclass=MetaEClass):
     """A header of the source platform that this platform cannot serve."""
 
@@ -1317,6 +1344,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     Adapter.ports.eType = ConventionalPort
     Adapter.ranges.eType = ArgumentRange
     Adapter.tables.eType = PortTable
+    Adapter.interrupts.eType = InterruptStack
     Adapter.needs.eType = Adapter
     Platform.headers.eOpposite = Header.platform
     Header.functions.eOpposite = ApiFunction.header

@@ -25,6 +25,7 @@ from robosmi.transformations.knowledge.adapter_files import (
     AdapterPiece,
     AdapterPin,
     ConventionalPort,
+    InterruptStack,
     PortTable,
     adapter_file,
 )
@@ -33,7 +34,13 @@ from robosmi.typed import distinct
 
 ENDINGS = (".cpp", ".c")
 """Of adapter files, in C++ and in C."""
-_PARTS = {"pins": AdapterPin, "ports": ConventionalPort, "tables": PortTable, "ranges": ArgumentRange}
+_PARTS = {
+    "pins": AdapterPin,
+    "ports": ConventionalPort,
+    "tables": PortTable,
+    "interrupts": InterruptStack,
+    "ranges": ArgumentRange,
+}
 _DEFAULTS = {
     field.name: field.default if field.default is not MISSING else []
     for field in fields(AdapterPiece)

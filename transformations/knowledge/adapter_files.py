@@ -32,8 +32,25 @@ CAPABILITIES = ("digital", "pwm", "interrupt", "analog")
 DIRECTIONS = ("in", "out", "both")
 _LISTS = ("needs", "include", "timer", "vector", "taken", "mcu", "members", "library", "symmetric")
 _ATTRIBUTES = {"include": "includes", "timer": "timers", "vector": "vectors", "mcu": "mcus", "library": "libraries"}
-_TEXTS = ("for", "kind", "role", "setup", "fidelity", "limit", "pin", "port", "name", "table", "stack", "ram", "range")
+_TEXTS = (
+    "for",
+    "kind",
+    "role",
+    "setup",
+    "fidelity",
+    "limit",
+    "pin",
+    "port",
+    "name",
+    "table",
+    "stack",
+    "interrupt",
+    "ram",
+    "range",
+)
 _PIN = re.compile(r"(\w+) (\w+) (\w+)( signed)?( split)?(?: ([\w-]+))?")
+_STACK = re.compile(r"(\d+)(?: (\d+))?")
+_INTERRUPT = re.compile(r"(\w+_vect) (\d+)(?: (\d+))?")
 _TABLE = re.compile(r"(\w+) (\d+)")
 _PORT = re.compile(r"(\w+) = (\w+\.\w+) (\d+) (\w+) (\w+)(?: ([\w-]+))?")
 
@@ -88,6 +105,20 @@ class PortTable(NamedTuple):
     size: int
 
 
+class InterruptStack(NamedTuple):
+    """How much stack an interrupt takes that comes once an adapter is called.
+
+    Attributes:
+        vector: the interrupt.
+        stack: its bytes, with the address that it returns to.
+        others: the same where it lets other interrupts in; -1 where it does not.
+    """
+
+    vector: str
+    stack: int
+    others: int
+
+
 @dataclass
 class AdapterPiece:
     """A piece of an adapter file.
@@ -118,7 +149,9 @@ class AdapterPiece:
         limits: what it does not do.
         symmetric: parameters that may change places without a difference.
         target_name: its name on the target, where that has one of its own already.
-        stack: bytes of stack that a call takes, where these are many; that its interrupts take, where it handles some.
+        stack: bytes of stack that a call takes, measured; -1 where nobody has.
+        stack_once: the same where the program calls it at one place only.
+        interrupts: what interrupts take that come once it is called, measured.
         ram: bytes of data memory that its own variables take.
     """
 
@@ -147,7 +180,9 @@ class AdapterPiece:
     limits: list[str] = field(default_factory=list)
     symmetric: list[str] = field(default_factory=list)
     target_name: str = ""
-    stack: int = 0
+    stack: int = -1
+    stack_once: int = -1
+    interrupts: list[InterruptStack] = field(default_factory=list)
     ram: int = 0
 
 
@@ -292,10 +327,19 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
         piece.target_name = value
     elif key == "role":
         piece.role = value
-    elif key in ("stack", "ram"):
+    elif key == "ram":
         if not value.isdecimal():
-            raise _wrong(place, f"'{value}' is no number of bytes", f"write: {key}: BYTES")
-        setattr(piece, key, int(value))
+            raise _wrong(place, f"'{value}' is no number of bytes", "write: ram: BYTES")
+        piece.ram = int(value)
+    elif key == "stack":
+        if (sizes := _STACK.fullmatch(value)) is None:
+            raise _wrong(place, f"'{value}' is no number of bytes", "write: stack: BYTES [BYTES WHERE IT IS CALLED AT ONE PLACE]")
+        piece.stack, piece.stack_once = int(sizes[1]), int(sizes[2] or sizes[1])
+    elif key == "interrupt":
+        if (one := _INTERRUPT.fullmatch(value)) is None:
+            message = f"'{value}' does not tell what an interrupt takes"
+            raise _wrong(place, message, "write: interrupt: NAME_vect BYTES [BYTES WHERE IT LETS OTHERS IN]")
+        piece.interrupts.append(InterruptStack(one[1], int(one[2]), int(one[3]) if one[3] else -1))
     elif key == "fidelity":
         piece.fidelity = f"{piece.fidelity} {value}".strip()
     elif key == "pin":

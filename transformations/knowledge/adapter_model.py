@@ -29,6 +29,7 @@ def adapter_element(piece: AdapterPiece) -> platform.Adapter:
         componentRole=piece.role,
         takenVectors=list(piece.taken),
         stackBytes=piece.stack,
+        inlinedStackBytes=piece.stack_once,
         ramBytes=piece.ram,
         source="/".join(piece.location.path.replace("\\", "/").split("/")[-3:]),
         pins=[
@@ -51,6 +52,9 @@ def adapter_element(piece: AdapterPiece) -> platform.Adapter:
                 effect=one.effect, **{k: v for k, v in (("least", one.least), ("most", one.most)) if v is not None},
             )
             for one in piece.ranges
+        ],
+        interrupts=[
+            platform.InterruptStack(vector=one.vector, stackBytes=one.stack, openBytes=one.others) for one in piece.interrupts
         ],
         tables=[platform.PortTable(name=table.name, count=table.size) for table in piece.tables],
         **said,

@@ -25,7 +25,7 @@ from robosmi.transformations.queries.live_code import live_in
 from robosmi.transformations.queries.main_function import Division
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.transformations.queries.source_text import SourceText
-from robosmi.transformations.queries.stack_depth import IDLE, interrupt_bytes, measured_stacks
+from robosmi.transformations.queries.stack_depth import CORE_INTERRUPT, IDLE, interrupt_bytes, measured_stacks
 from robosmi.typed import distinct
 
 SPARE = 1.25
@@ -54,7 +54,7 @@ def concurrency(
     functions = _functions(views, starts)
     waiting = Waiting(giving_way(views, uses))
     stacks = measured_stacks(filled.items())
-    handled = interrupt_bytes([p for pieces in filled.values() for p in pieces])
+    handled = interrupt_bytes([p for pieces in filled.values() for p in pieces]) - CORE_INTERRUPT  # which is in IDLE
     needs = [(f, IDLE + stack_bytes(f, stacks)) for f in functions]
     most = max((need for _, need in needs), default=2 * IDLE)
     live = {id(each) for each in live_in([view.unit for view in views])}

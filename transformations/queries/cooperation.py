@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
-from robosmi.metamodels import ccode, migration
+from robosmi.metamodels import ccode, migration, platform
 from robosmi.model.strict import Element
 from robosmi.query import all_contents, all_of_kind, ancestor_of_kind
 from robosmi.transformations.queries.call_chains import FRAME, Taken, deepest_chain
@@ -35,8 +35,12 @@ def giving_way(views: Sequence[CodeView], uses: Iterable[migration.AdapterUse]) 
         uses: the adapters of a plan.
     """
     blocking = {name for view in views for name in view.called() if view.api.meaning(name).get("blocking")}
-    pieces = {str(use.name): closure([use.adapter]) for use in uses if use.adapter is not None and use.name in blocking}
-    return {name for name, needed in pieces.items() if any(_WAITS.search(str(piece.text)) for piece in needed)}
+    return {str(use.name) for use in uses if use.adapter is not None and use.name in blocking and waits(use.adapter)}
+
+
+def waits(adapter: platform.Adapter) -> bool:
+    """Whether an adapter, or what it needs, waits in a way that lets others get on."""
+    return any(_WAITS.search(str(piece.text)) for piece in closure([adapter]))
 
 
 class Waiting:

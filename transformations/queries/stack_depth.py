@@ -1,35 +1,91 @@
-"""How deep the stack of a plan's program may grow, estimated from the models: the deepest chain of calls, and interrupts upon it.
+"""How deep the stack of a plan's program may grow, estimated before it is compiled: the deepest calls, interrupts upon them.
 
-What a compiler leaves out does not count; of adapters what is measured of their pieces does. Once the program is compiled, its
-stack is read off its code (`verification.machine_stack`). Stacks of what ran on other cores are memory of their own (`memory`).
+What calls of adapters take, and the interrupts that come with them, is measured and stands in their files; the program's own
+functions are estimated. What a compiler leaves out does not count. Once the program is compiled, its stack is read off its code
+(`verification.machine_stack`). Stacks of what ran on other cores are memory of their own (`memory`).
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Collection, Iterable, Mapping
+from collections import Counter
+from collections.abc import Iterable
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import all_of_kind
 from robosmi.transformations.queries.call_chains import FRAME, Taken, deepest_chain
-from robosmi.transformations.queries.compiled_code import CompiledCode
-from robosmi.transformations.queries.cooperation import local_bytes
+from robosmi.transformations.queries.compiled_code import CompiledCode, way
+from robosmi.transformations.queries.cooperation import local_bytes, waits
+from robosmi.transformations.queries.interrupt_stack import HandlerBytes, upon_each_other
 from robosmi.transformations.queries.main_function import main_of
+from robosmi.transformations.queries.plan_adapters import closure, emitted
 
-_WORKS = re.compile(r"\)[\w ]*\{")
-"""In the text of a piece that defines a function."""
 START = 2
 """Bytes of stack that lead to main: the address that it would return to."""
 ARGUMENT = 6
 """Bytes of each argument of a function that takes any number of them: its value and its kind."""
-VARIADIC = 44
-"""Bytes that a function with any number of arguments takes beside what does its work: its own frame, and the list of them."""
+MEASURED_ARGUMENTS = 3
+"""So many arguments such a function was given where it was measured, a format and two values."""
 IDLE = 80
 """Bytes of stack that a coroutine needs that does nothing: interrupts of the core, and what it leaves while others get on."""
 CORE_INTERRUPT, SERIAL_INTERRUPT = 11, 19
-"""Bytes that the largest of the core's own interrupts takes upon all else: of its clock, and of its serial line."""
+"""Bytes that interrupts of the core take: of its clock, which each program has, and the larger one of its serial line."""
+REGISTERS = 16
+"""Bytes of a function's variables that are in registers, which the bytes of its call count."""
 CALL = 12
-"""Bytes of a call of a piece of an adapter of which nothing is measured: few keep registers."""
+"""Bytes of a call of an adapter that nobody has measured."""
+YIELD = "yield"
+"""The piece with which a coroutine lets others get on."""
+
+
+class _Program:
+    """What calls of the platform take in one program.
+
+    Args:
+        plan: the plan, complete.
+        code: what a compiler keeps of its program.
+    """
+
+    def __init__(self, plan: migration.MigrationPlan, code: CompiledCode) -> None:
+        self._pieces = {str(u.name): u.adapter for u in (*plan.adapterUses, *plan.symbolUses) if u.adapter is not None}
+        self._variadic = {str(use.name) for use in plan.adapterUses if use.variadic}
+        self._live = {id(element) for element in code.elements} - code.answers.keys()
+        self._places = Counter(str(e.calleeName) for e in code.elements if isinstance(e, ccode.Call) and id(e) in self._live)
+        giving = [piece for piece in emitted(plan) if piece.name == YIELD] if plan.concurrency is not None else []
+        self.turns = max((_bytes(piece, 1) for piece in giving), default=0)
+
+    def taken_by(self, function: ccode.Function) -> Taken:
+        """What a function takes."""
+        assert function.body is not None  # only functions with one are followed
+        calls = [call for call in all_of_kind(function.body, ccode.Call) if id(call) in self._live]
+        names = [each for each in all_of_kind(function.body, ccode.NameReference) if id(each) in self._live]
+        variables = [each for each in all_of_kind(function.body, ccode.Variable) if id(each) in self._live]
+        own = [call.callee for call in calls if call.callee is not None and call.callee.body is not None]
+        others = [self._call(call) for call in calls if call.callee is None or call.callee.body is None]
+        others += [self._use(str(each.name), 2) for each in names]
+        return Taken(_frame(variables), own, max(others, default=0))
+
+    def _call(self, call: ccode.Call) -> int:
+        """Bytes of a call of the platform."""
+        name = str(call.calleeName)
+        more = ARGUMENT * (len(call.arguments) - MEASURED_ARGUMENTS) if name in self._variadic else 0
+        return max(0, self._use(name, self._places[name]) + more)
+
+    def _use(self, name: str, places: int) -> int:
+        piece = self._pieces.get(name)
+        if piece is None:
+            return 0
+        more = self.turns and waits(piece) and all(each.name != YIELD for each in closure([piece]))
+        return _bytes(piece, places) + (self.turns if more else 0)
+
+
+def _frame(variables: Iterable[ccode.Variable]) -> int:
+    """Bytes of local variables on the stack: arrays, records and what has an address; others beyond the registers."""
+    lying, others = list[ccode.Variable](), list[ccode.Variable]()
+    for variable in variables:
+        use = variable.valueType
+        large = use is not None and (bool(use.arrayDims) or (isinstance(use.declaration, ccode.Record) and not use.pointerDepth))
+        (lying if large or any(way(each) == "address" for each in variable.references) else others).append(variable)
+    return local_bytes(lying) + max(0, local_bytes(others) - REGISTERS)
 
 
 def depth(plan: migration.MigrationPlan, code: CompiledCode, pieces: Iterable[platform.Adapter], *, serial: bool) -> int:
@@ -39,68 +95,39 @@ def depth(plan: migration.MigrationPlan, code: CompiledCode, pieces: Iterable[pl
         plan: the plan, complete.
         code: what a compiler keeps of its program.
         pieces: the pieces of adapters that are there.
-        serial: whether the serial line of the core is used.
+        serial: whether the serial line of the core is there.
     """
-    measured = {str(use.name): _piece_bytes(use.adapter, {}) for use in plan.adapterUses if use.adapter is not None}
-    measured |= {str(use.name): _piece_bytes(use.adapter, {}) for use in plan.symbolUses if use.adapter is not None}
+    program = _Program(plan, code)
     mains = [main for unit in (plan.program.units if plan.program is not None else ()) if (main := main_of(unit)) is not None]
-    variadic = {str(use.name) for use in plan.adapterUses if use.variadic}
-    deepest = max((_deepest(main, code, measured, variadic) for main in mains), default=0)
-    core = SERIAL_INTERRUPT if serial else CORE_INTERRUPT
-    least = IDLE if plan.concurrency is not None else START + core  # beside others, main is a coroutine, too
-    return least + deepest + interrupt_bytes(pieces)
+    deepest = max((deepest_chain(main, program.taken_by, FRAME) for main in mains), default=0)
+    return START + max(deepest, program.turns) + interrupt_bytes(pieces, serial=serial)
 
 
-def _deepest(main: ccode.Function, code: CompiledCode, measured: Mapping[str, int], variadic: Collection[str]) -> int:
-    """Bytes of the deepest chain of calls from a function on that a compiler keeps."""
-    live = {id(element) for element in code.elements} - code.answers.keys()
-
-    def taken_by(function: ccode.Function) -> Taken:
-        assert function.body is not None  # only functions with one are followed
-        calls = [call for call in all_of_kind(function.body, ccode.Call) if id(call) in live]
-        names = [each for each in all_of_kind(function.body, ccode.NameReference) if id(each) in live]
-        variables = [each for each in all_of_kind(function.body, ccode.Variable) if id(each) in live]
-        own = [call.callee for call in calls if call.callee is not None and call.callee.body is not None]
-        others = [_call(c, measured, variadic) for c in calls if c.callee is None or c.callee.body is None]
-        others += [measured.get(str(each.name), 0) for each in names]
-        return Taken(local_bytes(variables), own, max(others, default=0))
-
-    return deepest_chain(main, taken_by, FRAME)
-
-
-def _piece_bytes(piece: platform.Adapter, known: dict[int, int]) -> int:
-    """Bytes of stack that a piece of an adapter takes with those that it needs: measured, or a call for each on the way."""
-    if id(piece) not in known:
-        known[id(piece)] = 0  # pieces may need each other
-        below = max((_piece_bytes(each, known) for each in piece.needs), default=0)
-        works = not handles_interrupts(piece) and _WORKS.search(str(piece.text)) is not None
-        own = int(piece.stackBytes) if not handles_interrupts(piece) else 0
-        known[id(piece)] = max(own, below + CALL * works)
-    return known[id(piece)]
-
-
-def _call(call: ccode.Call, measured: Mapping[str, int], variadic: Collection[str]) -> int:
-    """Bytes of a call of the platform."""
-    name = str(call.calleeName)
-    more = VARIADIC + ARGUMENT * len(call.arguments) if name in variadic else 0
-    return measured.get(name, CALL) + more
+def _bytes(piece: platform.Adapter, places: int) -> int:
+    """Bytes of stack that a piece takes which the program uses at so many places: measured, or a call for each on the way."""
+    if piece.stackBytes < 0:
+        return CALL * (1 + max((len(closure([each])) for each in piece.needs), default=0))
+    return int(piece.inlinedStackBytes if places == 1 else piece.stackBytes)
 
 
 def measured_stacks(filled: Iterable[tuple[str, list[platform.Adapter]]]) -> dict[str, int]:
-    """Name of a platform's function -> bytes of stack that a call of its adapter takes, where these are many."""
-    most = {name: max((int(p.stackBytes) for p in pieces if not handles_interrupts(p)), default=0) for name, pieces in filled}
-    return {name: size for name, size in most.items() if size}
+    """Name of a platform's function -> bytes of stack that a call of its adapter takes, where that is measured.
+
+    Args:
+        filled: names with the pieces that each needs, its own last.
+    """
+    return {name: int(pieces[-1].stackBytes) for name, pieces in filled if pieces and pieces[-1].stackBytes >= 0}
 
 
-def interrupt_bytes(pieces: Iterable[platform.Adapter]) -> int:
-    """Bytes that interrupts which the pieces handle take on the stack in use: all at once, as one may come within another.
+def interrupt_bytes(pieces: Iterable[platform.Adapter], *, serial: bool = False) -> int:
+    """Bytes that interrupts take on the stack in use: the core's, and those that come with the pieces.
 
     Args:
         pieces: pieces of adapter files, each as often as you like.
+        serial: whether the serial line of the core is there, whoever uses it.
     """
-    return sum({(str(p.sourceHeader), str(p.name)): int(p.stackBytes) for p in pieces if handles_interrupts(p)}.values())
-
-
-def handles_interrupts(piece: platform.Adapter) -> bool:
-    """Whether a piece, or a library that it includes, handles interrupts."""
-    return bool(piece.vectors or piece.takenVectors)
+    found: dict[str, HandlerBytes] = {"": HandlerBytes(SERIAL_INTERRUPT if serial else CORE_INTERRUPT, -1)}
+    for each in (interrupt for piece in pieces for interrupt in piece.interrupts):
+        known = found.get(str(each.vector), HandlerBytes(0, -1))
+        found[str(each.vector)] = HandlerBytes(max(known.most, each.stackBytes), max(known.open, each.openBytes))
+    return upon_each_other(found.values())

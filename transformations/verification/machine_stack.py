@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from itertools import product
 from typing import NamedTuple
 
+from robosmi.transformations.queries.interrupt_stack import HandlerBytes, upon_each_other
 from robosmi.transformations.verification.machine_code import MachineCode
 from robosmi.transformations.verification.machine_depths import OFF, Depths
 from robosmi.verify.compile_report import StackBound
@@ -43,13 +44,12 @@ class StackParts(NamedTuple):
     Attributes:
         main: the bytes that main takes with what it calls.
         main_open: the same where interrupts may come; below 0 where they never may.
-        interrupts: name of a handler -> bytes that it takes, and those where it lets others in, below 0 where it does not; with
-            the address that it returns to.
+        interrupts: name of a handler -> what it takes.
     """
 
     main: int
     main_open: int
-    interrupts: dict[str, tuple[int, int]]
+    interrupts: dict[str, HandlerBytes]
 
 
 def stack_parts(disassembly: str) -> StackParts:
@@ -77,7 +77,6 @@ class _Contexts:
         self._guarded = guarded if len(guarded) <= _MOST_GUARDS else []
         vectors = {name: address for name, address in machine.symbols.items() if _VECTOR.match(name)}
         self._names = {vectors[name]: name for name in sorted(vectors, key=lambda each: int(each.rpartition("_")[2]))}
-        self._handlers = list(self._names)
         self._depths: dict[frozenset[int], Depths] = {}
 
     def bound(self) -> StackBound:
@@ -89,14 +88,12 @@ class _Contexts:
         _, holders = self._most()
         main = self._machine.symbols["main"]
         taken = self._without(main, holders).of(main, OFF)
-        each = {self._names[address]: self._without(address, holders).of(address, OFF) for address in self._handlers}
-        handled = {name: (2 + own.most, 2 + own.open if own.open >= 0 else -1) for name, own in each.items()}
-        return StackParts(taken.most, taken.open, handled)
+        return StackParts(taken.most, taken.open, self._interrupts(holders))
 
     def _most(self) -> tuple[StackBound, dict[int, int]]:
         """The bound, and who holds what runs once at a time there."""
         main = self._machine.symbols["main"]
-        held = product((main, *self._handlers), repeat=len(self._guarded))
+        held = product((main, *self._names), repeat=len(self._guarded))
         ways = (dict(zip(self._guarded, each, strict=True)) for each in held)
         return max(((self._with(main, way), way) for way in ways), key=lambda found: found[0].bytes)
 
@@ -113,7 +110,7 @@ class _Contexts:
         begins = [depths.of(address, OFF) for address in depths.beginnings()]
         taken = depths.of(main, OFF)
         before = 4 + max((each.most for each in begins), default=0)  # returns to what calls them in turn
-        interrupts = self._interrupts(holders)
+        interrupts = upon_each_other(self._interrupts(holders).values())
         closed = max(2 + taken.most, before)
         opened = max([2 + taken.open, *(4 + each.open for each in begins if each.open >= 0)]) + interrupts
         opens = taken.open >= 0 and opened >= closed
@@ -125,8 +122,7 @@ class _Contexts:
         names = tuple(self._machine.names(depths.chain(main, opens=opens)))
         return StackBound(max(opened, closed), interrupts * opens, said[0], said[1], names)
 
-    def _interrupts(self, holders: Mapping[int, int]) -> int:
-        """Bytes of interrupts: upon those that let others in, each as deep as it does, the deepest of all."""
-        taken = [self._without(address, holders).of(address, OFF) for address in self._handlers]
-        upon = sum(2 + each.open for each in taken if each.open >= 0)
-        return upon + max((each.most - each.open if each.open >= 0 else 2 + each.most for each in taken), default=0)
+    def _interrupts(self, holders: Mapping[int, int]) -> dict[str, HandlerBytes]:
+        """What the interrupts take, by the names of their handlers."""
+        taken = {name: self._without(address, holders).of(address, OFF) for address, name in self._names.items()}
+        return {n: HandlerBytes(2 + own.most, 2 + own.open if own.open >= 0 else -1) for n, own in taken.items()}

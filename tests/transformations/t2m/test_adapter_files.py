@@ -10,6 +10,7 @@ from robosmi.errors import PlatformDataError
 from robosmi.transformations.knowledge.adapter_files import (
     AdapterPin,
     ConventionalPort,
+    InterruptStack,
     PortTable,
     adapter_file,
     read_adapter_file,
@@ -41,6 +42,9 @@ static Servo wheel;
 //#   range: pin ..13: nothing moves
 //#   limit: no ramp
 //#   limit: no encoder
+//#   stack: 40 31
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER0_COMPA_vect 51 23
 //#   mcu: atmega328p
 void drive(int32_t left, int32_t pin) {
   wheel.write(left + port_pins[0] + drive_left);
@@ -78,6 +82,8 @@ def test_a_file_is_read_with_everything_that_it_declares(tmp_path: Path) -> None
         ArgumentRange("pin", 1, None, 13, [], "", "", "nothing moves"),
     ]
     assert (drive.tables, drive.symmetric) == ([PortTable("port_pins", 4)], ["left", "pin"])
+    assert (drive.stack, drive.stack_once, low.stack, low.stack_once) == (40, 31, -1, -1)
+    assert drive.interrupts == [InterruptStack("TIMER1_COMPA_vect", 21, -1), InterruptStack("TIMER0_COMPA_vect", 51, 23)]
     assert drive.location.line == 9
     assert drive.text.startswith("void drive(")
     assert (low.header, low.name) == ("tools.h", "low")
@@ -122,6 +128,9 @@ def test_a_variant_counts_before_one_for_all(tmp_path: Path) -> None:
         ("//# header a.h\n//# helper x\n//#   pin: p quantum in\nint x;\n", 3, "'quantum' is not known"),
         ("//# header a.h\n//# helper x\n//#   port: left 12 digital out\nint x;\n", 3, "is no port"),
         ("//# header a.h\n//# helper x\n//#   table: pins\nint x;\n", 3, "is no table"),
+        ("//# header a.h\n//# helper x\n//#   stack: few\nint x;\n", 3, "is no number of bytes"),
+        ("//# header a.h\n//# helper x\n//#   ram: 4 2\nint x;\n", 3, "is no number of bytes"),
+        ("//# header a.h\n//# helper x\n//#   interrupt: TIMER1 20\nint x;\n", 3, "does not tell what an interrupt takes"),
         ("//# header a.h\n//# helper x\nint x;\n//# helper x\nint y;\n", 4, "'x' is there twice"),
         ("//# header a.h\n//# helper x\nint x;\n//# header b.h\n", 4, "a second header"),
         (

@@ -60,7 +60,6 @@ inline int16_t drive_pulse(int16_t speed) {  // microseconds beyond neutral
 }
 
 //# helper wheels
-//#   stack: 100
 //#   ram: 68
 struct Wheel {
   volatile int32_t speed256;      // ticks/s, in 1/256
@@ -211,6 +210,10 @@ static DriveCounts drive_counts_from_its_start;
 //#   fidelity: first call starts the drive, which takes 140 ms
 //#   limit: open loop: encoders do not correct the speed, and the calibration of the source robot does not carry over (see drive_pulse)
 //#   ram: 4
+//#   stack: 52 34
+//#   interrupt: TIMER0_COMPA_vect 61 59
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_head_for(int16_t left, int16_t right) {
   int16_t to[2] = {left, right};
   uint8_t old = SREG;
@@ -245,6 +248,10 @@ inline void drive_speed(int32_t left, int32_t right) {
 //#   needs: drive_speed
 //#   role: servo
 //#   fidelity: the same as drive_speed, as there since version 2
+//#   stack: 52 34
+//#   interrupt: TIMER0_COMPA_vect 61 59
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_rampStep(int32_t left, int32_t right) {
   drive_speed(left, right);
 }
@@ -256,6 +263,10 @@ inline void drive_rampStep(int32_t left, int32_t right) {
 //#   role: servo
 //#   fidelity: returns when one of the wheels is within 4 ticks/s, as there
 //#   limit: two speeds beyond the limit of drive_setMaxSpeed are never reached: it returns at the limit, where the library waits for ever
+//#   stack: 60 42
+//#   interrupt: TIMER0_COMPA_vect 61 59
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline bool drive_is_near(uint8_t side, int32_t asked) {
   return wheels[side].speed() > asked - 4 && wheels[side].speed() < asked + 4;
 }
@@ -276,6 +287,8 @@ inline void drive_ramp(int32_t left, int32_t right) {
 //#   role: encoder
 //#   fidelity: ticks since the first call that drives, and 0 before it, counted up or down by the sense in which the wheel was driven last,
 //#   fidelity: as there
+//#   stack: 0
+//#   interrupt: TIMER0_COMPA_vect 26 26
 template <class Int> inline void drive_getTicks(Int *left, Int *right) {
   (void)drive_counts_from_its_start;
   uint8_t old = SREG;
@@ -291,6 +304,7 @@ template <class Int> inline void drive_getTicks(Int *left, Int *right) {
 //#   needs: wheels
 //#   fidelity: ticks as the speeds make them
 //#   limit: encoders do not hold them within the error limit
+//#   stack: 0
 template <class Int> inline void drive_getTicksCalc(Int *left, Int *right) {
   uint8_t old = SREG;
   cli();
@@ -342,6 +356,10 @@ inline bool drive_on_the_way() {
 //#   role: encoder
 //#   fidelity: stops, drives both wheels so many ticks in the same time, and returns when they stand
 //#   limit: gives up ten seconds after the last tick, where the library waits for ever
+//#   stack: 100 83
+//#   interrupt: TIMER0_COMPA_vect 37 37
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 69 69
 inline void drive_goto(int32_t distLeft, int32_t distRight) {
   int32_t way[2] = {distLeft, distRight}, most = max(abs(distLeft), abs(distRight));
   (void)drive_counts_from_its_start;
@@ -371,6 +389,7 @@ inline void drive_goto(int32_t distLeft, int32_t distRight) {
 //#   kind: oneToOne
 //#   needs: drive_going
 //#   fidelity: 1, drive_goto waits; 0, it returns at once
+//#   stack: 0
 inline void drive_gotoMode(int32_t mode) {
   drive_goto_waits = mode == 1;
 }
@@ -380,6 +399,7 @@ inline void drive_gotoMode(int32_t mode) {
 //#   kind: oneToOne
 //#   needs: wheels SIDE_LEFT SIDE_RIGHT
 //#   fidelity: 0 there, 1 on the way, 2 coming to a stand, 3 making up for missing ticks; the sum of both for SIDE_BOTH
+//#   stack: 0
 inline int32_t drive_gotoStatus(int32_t side) {
   return (side == SIDE_RIGHT ? 0 : wheels[0].going) + (side == SIDE_LEFT ? 0 : wheels[1].going);
 }
@@ -389,6 +409,7 @@ inline int32_t drive_gotoStatus(int32_t side) {
 //#   kind: oneToOne
 //#   needs: drive_top
 //#   fidelity: exact
+//#   stack: 0
 inline void drive_setMaxSpeed(int32_t speed) {
   drive_top = speed;
 }
@@ -398,6 +419,7 @@ inline void drive_setMaxSpeed(int32_t speed) {
 //#   kind: oneToOne
 //#   needs: FOR_SPEED FOR_GOTO drive_top
 //#   fidelity: FOR_GOTO too sets the limit of drive_speed, as there
+//#   stack: 0
 inline void drive_setMaxVelocity(int32_t forGotoOrSpeed, int32_t ticksPerSec) {
   if (forGotoOrSpeed == FOR_SPEED || forGotoOrSpeed == FOR_GOTO) drive_top = ticksPerSec;
 }
@@ -407,6 +429,7 @@ inline void drive_setMaxVelocity(int32_t forGotoOrSpeed, int32_t ticksPerSec) {
 //#   kind: oneToOne
 //#   needs: drive_step
 //#   fidelity: exact
+//#   stack: 0
 inline void drive_setRampStep(int32_t stepsize) {
   drive_step = stepsize;
 }
@@ -416,6 +439,7 @@ inline void drive_setRampStep(int32_t stepsize) {
 //#   kind: oneToOne
 //#   needs: FOR_SPEED FOR_GOTO drive_step drive_goto_step
 //#   fidelity: FOR_SPEED sets that of drive_goto too, as there
+//#   stack: 0
 inline void drive_setAcceleration(int32_t forGotoOrSpeed, int32_t ticksPerSecSq) {
   int16_t step = abs(ticksPerSecSq) / 50;
   if (forGotoOrSpeed == FOR_SPEED) drive_step = step;
@@ -430,6 +454,7 @@ inline void drive_setAcceleration(int32_t forGotoOrSpeed, int32_t ticksPerSecSq)
 //#   pin: servoPinRight digital out servo
 //#   fidelity: for the first start of the drive after the call
 //#   limit: not kept for the next start of the program, as the library keeps it in EEPROM
+//#   stack: 0
 inline void drive_servoPins(int32_t servoPinLeft, int32_t servoPinRight) {
   drive_pins[0] = servoPinLeft;
   drive_pins[1] = servoPinRight;
@@ -443,6 +468,8 @@ inline void drive_servoPins(int32_t servoPinLeft, int32_t servoPinRight) {
 //#   pin: encPinRight digital in encoder
 //#   fidelity: for the first start of the drive after the call
 //#   limit: not kept for the next start of the program, as the library keeps it in EEPROM
+//#   stack: 0
+//#   interrupt: TIMER0_COMPA_vect 26 26
 inline void drive_encoderPins(int32_t encPinLeft, int32_t encPinRight) {
   drive_encoder_pins[0] = encPinLeft;
   drive_encoder_pins[1] = encPinRight;

@@ -98,6 +98,13 @@ inline void drive_init() {
 //#   fidelity: returns at once while the ramp goes on; the first call waits for both feedback signals and half a second, as there
 //#   limit: the calibration of the source robot does not carry over: the library's standard transfer function is used
 //#   limit: without feedback wired the drive goes on the speed alone
+//#   stack: 120 102
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
+//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_speed(int32_t left, int32_t right) {
   drive_init();
   drive360_limits(drive360.top, drive360.step);
@@ -111,6 +118,13 @@ inline void drive_speed(int32_t left, int32_t right) {
 //#   needs: drive_speed
 //#   role: servo
 //#   fidelity: the same as drive_speed, as there
+//#   stack: 120 102
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
+//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_rampStep(int32_t left, int32_t right) {
   drive_speed(left, right);
 }
@@ -121,6 +135,13 @@ inline void drive_rampStep(int32_t left, int32_t right) {
 //#   needs: Drive360 drive_speed servo360.h/servo360_getSpeed
 //#   role: servo
 //#   fidelity: returns when a side is within 4 ticks/s of its speed, as there; the right servo counts backwards, so that it counts only at a stand
+//#   stack: 120 100
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
+//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_ramp(int32_t left, int32_t right) {
   drive_speed(left, right);
   while (abs(servo360_getSpeed(drive360.left) - left) >= 4 && abs(servo360_getSpeed(drive360.right) - right) >= 4) delay(20);
@@ -132,6 +153,13 @@ inline void drive_ramp(int32_t left, int32_t right) {
 //#   needs: Drive360 drive_init servo360.h/servo360_getAngle
 //#   role: servo
 //#   fidelity: within a tick; the right side counts down when the robot goes forward, as there
+//#   stack: 134 116
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
+//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 template <class Int> inline void drive_getTicks(Int *left, Int *right) {
   drive_init();
   *left = servo360_getAngle(drive360.left);
@@ -143,6 +171,13 @@ template <class Int> inline void drive_getTicks(Int *left, Int *right) {
 //#   kind: oneToMany
 //#   needs: Drive360 drive_init servo360.h/servo360_getAngleCalc
 //#   fidelity: as calculated from the speed, as there
+//#   stack: 134 116
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
+//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 template <class Int> inline void drive_getTicksCalc(Int *left, Int *right) {
   drive_init();
   *left = servo360_getAngleCalc(drive360.left);
@@ -155,6 +190,13 @@ template <class Int> inline void drive_getTicksCalc(Int *left, Int *right) {
 //#   needs: Drive360 drive360_limits drive_init servo360.h/S360_GOTO servo360.h/servo360_getCsop servo360.h/servo360_getMaxSpeed servo360.h/servo360_getRampStep servo360.h/servo360_goto servo360.h/servo360_setMaxSpeed servo360.h/servo360_setRampStep
 //#   role: servo
 //#   fidelity: both sides so many ticks, the shorter way slower; returns a second after the first of them is there, as there
+//#   stack: 123 107
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
+//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_goto(int32_t distLeft, int32_t distRight) {
   drive_init();
   drive360_limits(drive360.goto_top, drive360.goto_step);
@@ -177,6 +219,13 @@ inline void drive_goto(int32_t distLeft, int32_t distRight) {
 //#   kind: oneToOne
 //#   needs: Drive360 drive_init ABD360_GOTO_BLOCK
 //#   fidelity: ABD360_GOTO_BLOCK, drive_goto waits; else it returns after a second, as there
+//#   stack: 130 116
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
+//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_gotoMode(int32_t mode) {
   drive_init();
   drive360.goto_waits = mode == ABD360_GOTO_BLOCK;
@@ -187,6 +236,13 @@ inline void drive_gotoMode(int32_t mode) {
 //#   kind: oneToOne
 //#   needs: Drive360 drive_init SIDE_LEFT SIDE_RIGHT servo360.h/S360_GOTO servo360.h/servo360_getCsop
 //#   fidelity: how many of the sides asked for are on the way
+//#   stack: 134 116
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
+//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t drive_gotoStatus(int32_t side) {
   drive_init();
   return (side != SIDE_RIGHT && servo360_getCsop(drive360.left) == S360_GOTO) + (side != SIDE_LEFT && servo360_getCsop(drive360.right) == S360_GOTO);
@@ -197,6 +253,13 @@ inline int32_t drive_gotoStatus(int32_t side) {
 //#   kind: oneToMany
 //#   needs: Drive360 drive_init servo360.h/servo360_feedback
 //#   fidelity: as servo360_feedback of both sides, as there
+//#   stack: 134 116
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
+//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_feedback(int32_t enabled) {
   drive_init();
   servo360_feedback(drive360.left, enabled);
@@ -208,6 +271,13 @@ inline void drive_feedback(int32_t enabled) {
 //#   kind: oneToMany
 //#   needs: Drive360 drive_init servo360.h/servo360_setMaxSpeed
 //#   fidelity: until the next drive_speed or drive_goto, which set their own, as there
+//#   stack: 134 116
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
+//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_setMaxSpeed(int32_t speed) {
   drive_init();
   servo360_setMaxSpeed(drive360.left, speed);
@@ -219,6 +289,13 @@ inline void drive_setMaxSpeed(int32_t speed) {
 //#   kind: oneToOne
 //#   needs: Drive360 drive_init FOR_GOTO FOR_SPEED
 //#   fidelity: exact
+//#   stack: 130 120
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
+//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_setMaxVelocity(int32_t forGotoOrSpeed, int32_t ticksPerSec) {
   drive_init();
   if (forGotoOrSpeed == FOR_SPEED) drive360.top = ticksPerSec;
@@ -230,6 +307,13 @@ inline void drive_setMaxVelocity(int32_t forGotoOrSpeed, int32_t ticksPerSec) {
 //#   kind: oneToOne
 //#   needs: Drive360 drive_init FOR_GOTO FOR_SPEED servo360.h/servo360_setAcceleration
 //#   fidelity: exact; that for speeds holds for a ramp that goes on, too, as there
+//#   stack: 136 116
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
+//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_setAcceleration(int32_t forGotoOrSpeed, int32_t ticksPerSecSq) {
   drive_init();
   if (forGotoOrSpeed == FOR_SPEED) {
@@ -245,6 +329,13 @@ inline void drive_setAcceleration(int32_t forGotoOrSpeed, int32_t ticksPerSecSq)
 //#   kind: oneToMany
 //#   needs: Drive360 drive_init servo360.h/servo360_setAcceleration
 //#   fidelity: until the next drive_speed or drive_goto, which set their own, as there
+//#   stack: 130 116
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
+//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_setRampStep(int32_t stepsize) {
   drive_init();
   servo360_setAcceleration(drive360.left, stepsize * 50);
@@ -259,6 +350,7 @@ inline void drive_setRampStep(int32_t stepsize) {
 //#   pin: controlPinRight digital out servo
 //#   fidelity: for the first start of the drive after the call
 //#   limit: not kept for the next start of the program, as the library keeps it in EEPROM
+//#   stack: 0
 inline void drive_servoPins(int32_t controlPinLeft, int32_t controlPinRight) {
   drive360.left = controlPinLeft;
   drive360.right = controlPinRight;
@@ -272,6 +364,7 @@ inline void drive_servoPins(int32_t controlPinLeft, int32_t controlPinRight) {
 //#   pin: encPinRight digital in encoder
 //#   fidelity: for the first start of the drive after the call
 //#   limit: not kept for the next start of the program, as the library keeps it in EEPROM
+//#   stack: 0
 inline void drive_encoderPins(int32_t encPinLeft, int32_t encPinRight) {
   drive360.left_signal = encPinLeft;
   drive360.right_signal = encPinRight;
@@ -282,6 +375,13 @@ inline void drive_encoderPins(int32_t encPinLeft, int32_t encPinRight) {
 //#   kind: oneToMany
 //#   needs: Drive360 drive_init servo360.h/servo360_setUnitsFullCircle
 //#   fidelity: exact; the library's source calls it drive360_unitsPerRev
+//#   stack: 134 116
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
+//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive360_ticksPerRev(int32_t units) {
   drive_init();
   servo360_setUnitsFullCircle(drive360.left, units);
@@ -292,6 +392,7 @@ inline void drive360_ticksPerRev(int32_t units) {
 //#   for: void drive_suppress_eeprom(int state)
 //#   kind: oneToOne
 //#   fidelity: nothing of EEPROM is read or kept here, whatever it says
+//#   stack: 0
 inline void drive_suppress_eeprom(int32_t state) {
   (void)state;
 }

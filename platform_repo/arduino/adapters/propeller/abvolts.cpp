@@ -15,6 +15,7 @@ const uint8_t ad_pins[4] = {ad_0, ad_1, ad_2, ad_3};
 //#   needs: ad_pins simpletools.h/Io
 //#   symmetric: csPin sclPin doPin diPin
 //#   fidelity: the four channels become inputs; the pins given are those of the source board's converter, which is not there
+//#   stack: 4 0
 inline void ad_init(int32_t csPin, int32_t sclPin, int32_t doPin, int32_t diPin) {
   (void)csPin, (void)sclPin, (void)doPin, (void)diPin;
   for (uint8_t pin : ad_pins) Io(pin).drive(false);
@@ -26,6 +27,7 @@ inline void ad_init(int32_t csPin, int32_t sclPin, int32_t doPin, int32_t diPin)
 //#   needs: ad_pins
 //#   fidelity: 0 to 4095 for 0 to 5 V, in steps of 4
 //#   limit: 10 bits; the reference is the supply of the board
+//#   stack: 2 0
 inline int32_t ad_in(int32_t channel) {
   uint8_t pin = ad_pins[channel & 3];
   return pin < NUM_DIGITAL_PINS ? analogRead(pin) * 4L : 0;
@@ -37,6 +39,7 @@ inline int32_t ad_in(int32_t channel) {
 //#   needs: ad_in
 //#   fidelity: in steps of 5 mV
 //#   limit: 10 bits; the reference is the supply of the board
+//#   stack: 2 0
 inline float ad_volts(int32_t channel) {
   return ad_in(channel) * (5.0f / 4096.0f);
 }
@@ -63,6 +66,7 @@ static uint8_t da_pins[2] = {da_0, da_1};
 //#   pin: pinDA0 pwm out
 //#   pin: pinDA1 pwm out
 //#   fidelity: exact
+//#   stack: 0
 inline void da_init(int32_t pinDA0, int32_t pinDA1) {
   da_pins[0] = pinDA0;
   da_pins[1] = pinDA1;
@@ -73,6 +77,7 @@ inline void da_init(int32_t pinDA0, int32_t pinDA1) {
 //#   kind: oneToOne
 //#   needs: da_bits
 //#   fidelity: exact; more than 8 bits are cut to 8
+//#   stack: 0
 inline void da_res(int32_t bits) {
   da_bits = bits ? bits : 8;
 }
@@ -84,6 +89,7 @@ inline void da_res(int32_t bits) {
 //#   fidelity: the mean voltage, of 8 bits and 5 V
 //#   limit: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
 //#   limit: full scale is 5 V instead of 3.3 V
+//#   stack: 6 2
 inline void da_out(int32_t channel, int32_t daVal) {
   uint8_t pin = da_pins[channel ? 1 : 0];
   int32_t value = da_bits > 8 ? daVal >> (da_bits - 8) : daVal << (8 - da_bits);
@@ -96,6 +102,7 @@ inline void da_out(int32_t channel, int32_t daVal) {
 //#   needs: da_out da_bits da_scale
 //#   fidelity: so many volts in the mean, of the 5 V of this board; no more than 3.3 V, as there
 //#   limit: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
+//#   stack: 18 8
 inline void da_volts(int32_t channel, float daVal) {
   float most = (float)(1L << da_bits);
   da_out(channel, (int32_t)constrain(constrain(daVal * da_scale[channel & 1], 0.0f, 3.3f) * most / 5.0f + 0.5f, 0.0f, most - 1));
@@ -111,6 +118,9 @@ inline void da_volts(int32_t channel, float daVal) {
 //#   needs: _abvolts_EE_start_ da_pins da_scale ad_volts simpletools.h/ee_putFloat32 simpletools.h/ee_putStr simpletools.h/high simpletools.h/Io simpletools.h/low simpletext.h/print
 //#   fidelity: both outputs are read back 40 times through the first two channels, and the ratio to 3.3 V is kept in EEPROM, as there
 //#   limit: outputs are high at 5 V here, which is the reading of a right circuit; the words that it prints are others than there
+//#   stack: 307 289
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void da_setupScale() {
   float sums[2] = {0, 0};
   for (uint8_t side = 0; side < 2; side++) high(da_pins[side]);
@@ -140,6 +150,7 @@ inline void da_setupScale() {
 //#   kind: oneToMany
 //#   needs: _abvolts_EE_start_ da_scale simpletools.h/ee_getFloat32 simpletools.h/ee_getStr
 //#   fidelity: exact: what da_setupScale has kept, nothing without it
+//#   stack: 0 12
 inline void da_useScale() {
   char mark[8];
   ee_getStr(mark, 8, _abvolts_EE_start_);
@@ -152,6 +163,7 @@ inline void da_useScale() {
 //#   kind: semantic
 //#   needs: da_pins simpletools.h/Io
 //#   fidelity: both pins become inputs, as when the library's cog stops
+//#   stack: 7 0
 inline void da_stop() {
   for (uint8_t pin : da_pins) {
     Io io(pin);

@@ -15,6 +15,7 @@ const uint8_t adc_pins[4] = {adc_0, adc_1, adc_2, adc_3};
 //#   needs: adc_pins simpletools.h/Io
 //#   symmetric: csPin sclPin doPin diPin
 //#   fidelity: the four channels become inputs; the pins given are those of the source board's converter, which is not there
+//#   stack: 4 0
 inline void adc_init(int32_t csPin, int32_t sclPin, int32_t doPin, int32_t diPin) {
   (void)csPin, (void)sclPin, (void)doPin, (void)diPin;
   for (uint8_t pin : adc_pins) Io(pin).drive(false);
@@ -26,6 +27,7 @@ inline void adc_init(int32_t csPin, int32_t sclPin, int32_t doPin, int32_t diPin
 //#   needs: adc_pins
 //#   fidelity: 0 to 4095 for 0 to 5 V, in steps of 4
 //#   limit: 10 bits; the reference is the supply of the board
+//#   stack: 2 0
 inline int32_t adc_in(int32_t channel) {
   uint8_t pin = adc_pins[channel & 3];
   return pin < NUM_DIGITAL_PINS ? analogRead(pin) * 4L : 0;
@@ -37,6 +39,7 @@ inline int32_t adc_in(int32_t channel) {
 //#   needs: adc_in
 //#   fidelity: in steps of 5 mV
 //#   limit: 10 bits; the reference is the supply of the board
+//#   stack: 2 0
 inline float adc_volts(int32_t channel) {
   return adc_in(channel) * (5.0f / 4096.0f);
 }

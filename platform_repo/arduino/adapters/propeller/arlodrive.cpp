@@ -103,6 +103,7 @@ static bool arlo_on;
 //#   role: motor-controller
 //#   fidelity: exact: half a second of waiting, then "verb 1" and its answer; 1 s more and a text that says so without one
 //#   limit: while a byte is sent or received interrupts are off for 0.5 ms, and other cogs wait for an answer
+//#   stack: 36 26
 inline char *drive_open() {
   arlo_on = true;
   delay(510);
@@ -116,6 +117,7 @@ inline char *drive_open() {
 //#   needs: arlo_on arlo_command drive_open
 //#   role: motor-controller
 //#   fidelity: exact: the text up to a carriage return, and the answer up to one, of 63 characters at most; 0 for a carriage return alone
+//#   stack: 36 26
 inline char *dhb10_com(const char *configStr) {
   if (!arlo_on) drive_open();
   return arlo_command(configStr);
@@ -137,6 +139,7 @@ static struct {
 //#   needs: dhb10_com simpletext.h/sscan
 //#   role: motor-controller
 //#   fidelity: exact: encoder ticks/s as the controller measures them; the answer as a text
+//#   stack: 59 55
 template <class Int> inline char *drive_getSpeed(Int *left, Int *right) {
   char *reply = dhb10_com("spd\r");
   sscan(reply, "%d%d", left, right);
@@ -149,6 +152,7 @@ template <class Int> inline char *drive_getSpeed(Int *left, Int *right) {
 //#   needs: dhb10_com simpletext.h/sscan
 //#   role: motor-controller
 //#   fidelity: exact: encoder ticks as the controller counts them; the answer as a text
+//#   stack: 59 55
 template <class Int> inline char *drive_getTicks(Int *left, Int *right) {
   char *reply = dhb10_com("dist\r");
   sscan(reply, "%d%d", left, right);
@@ -162,6 +166,7 @@ template <class Int> inline char *drive_getTicks(Int *left, Int *right) {
 //#   role: motor-controller
 //#   fidelity: exact: "gospd" when a speed has changed, without feedback "go" each time, "acc" when ramps begin or end; it waits for the speed
 //#   fidelity: only after drive_speedBlocking
+//#   stack: 361 339
 inline char *drive_speed(int32_t left, int32_t right) {
   if (!arlo_on) drive_open();
   char text[40], *reply = 0;
@@ -210,6 +215,7 @@ static int32_t arlo_goto = 16;
 //#   kind: oneToOne
 //#   needs: arlo_goto
 //#   fidelity: exact: in units of 20 ms, whatever the name of the parameter says
+//#   stack: 0
 inline void drive_gotoDoneDelay(int32_t msTillDoneApprox) {
   arlo_goto = msTillDoneApprox;
 }
@@ -220,6 +226,7 @@ inline void drive_gotoDoneDelay(int32_t msTillDoneApprox) {
 //#   needs: arlo arlo_goto dhb10_com drive_getTicks simpletext.h/sprint
 //#   role: motor-controller
 //#   fidelity: exact: it returns when the wheels are there, or rest, for some 16 times 20 ms
+//#   stack: 346 324
 inline char *drive_goto(int32_t distLeft, int32_t distRight) {
   char text[48];
   int32_t to[2], before[2], now[2] = {0, 0};
@@ -246,6 +253,7 @@ inline char *drive_goto(int32_t distLeft, int32_t distRight) {
 //#   role: motor-controller
 //#   fidelity: exact: 50 ms after the call before at the earliest; with feedback the controller makes the ramp, and only the first of several
 //#   fidelity: calls says a speed, as there
+//#   stack: 351 339
 inline void drive_rampStep(int32_t left, int32_t right) {
   if (!arlo_on) drive_open();
   while (millis() - arlo.stepped < 50) yield();
@@ -265,6 +273,7 @@ inline void drive_rampStep(int32_t left, int32_t right) {
 //#   needs: arlo arlo_on drive_open drive_rampStep
 //#   role: motor-controller
 //#   fidelity: exact; a speed above the limit is never reached, and it does not return, as there
+//#   stack: 365 347
 inline void drive_ramp(int32_t left, int32_t right) {
   if (!arlo_on) drive_open();
   while (arlo.left != left || arlo.right != right) drive_rampStep(left, right);
@@ -276,6 +285,7 @@ inline void drive_ramp(int32_t left, int32_t right) {
 //#   needs: dhb10_com
 //#   role: motor-controller
 //#   fidelity: exact
+//#   stack: 36 26
 inline char *drive_clearTicks() {
   return dhb10_com("rst\r");
 }
@@ -286,6 +296,7 @@ inline char *drive_clearTicks() {
 //#   needs: arlo arlo_on drive_open
 //#   role: motor-controller
 //#   fidelity: exact: a quarter of it is said to the controller
+//#   stack: 36 26
 inline void drive_setRampStep(int32_t stepsize) {
   if (!arlo_on) drive_open();
   arlo.step = stepsize / 4;
@@ -297,6 +308,7 @@ inline void drive_setRampStep(int32_t stepsize) {
 //#   needs: arlo arlo_on drive_open
 //#   role: motor-controller
 //#   fidelity: exact
+//#   stack: 36 26
 inline void drive_setMaxSpeed(int32_t speed) {
   if (!arlo_on) drive_open();
   arlo.top = speed;
@@ -308,6 +320,7 @@ inline void drive_setMaxSpeed(int32_t speed) {
 //#   needs: arlo arlo_on drive_open
 //#   role: motor-controller
 //#   fidelity: exact: without it drive_speed says powers and does not wait for speeds
+//#   stack: 40 26
 inline void drive_feedback(int32_t enabled) {
   if (!arlo_on) drive_open();
   arlo.open_loop = !enabled;
@@ -321,6 +334,7 @@ inline void drive_feedback(int32_t enabled) {
 //#   needs: arlo arlo_on drive_open
 //#   role: motor-controller
 //#   fidelity: exact
+//#   stack: 36 26
 inline void drive_speedBlocking(int32_t enabled) {
   if (!arlo_on) drive_open();
   arlo.block_speed = enabled;
@@ -332,6 +346,7 @@ inline void drive_speedBlocking(int32_t enabled) {
 //#   needs: arlo_on arlo_pin drive_speedBlocking drive_speed simpletools.h/Io
 //#   role: motor-controller
 //#   fidelity: exact: the wheels stand, and the pin is an input
+//#   stack: 341 323
 inline void drive_close() {
   drive_speedBlocking(1);
   drive_speed(0, 0);
@@ -347,6 +362,7 @@ inline void drive_close() {
 //#   pin: servoPinLeft digital both motor-controller
 //#   pin: servoPinRight digital both
 //#   fidelity: exact: the line is at the first pin, the second is not used, as there
+//#   stack: 341 323
 inline void drive_servoPins(int32_t servoPinLeft, int32_t servoPinRight) {
   (void)servoPinRight;
   if (arlo_on) drive_close();
@@ -360,6 +376,9 @@ inline void drive_servoPins(int32_t servoPinLeft, int32_t servoPinRight) {
 //#   needs: arlo_on arlo_pin ArloLine drive_open fdserial.h/fdserial simpletext.h/text_t simpletext.h/dport_ptr simpletext.h/dprint simpletext.h/writeChar simpletext.h/sendChar simpletext.h/readChar
 //#   role: motor-controller
 //#   fidelity: what is typed goes to the controller, what it says is shown, up to a line with "exit" or "EXIT"
+//#   stack: 314 301
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void dhb10_terminal(fdserial *fdterm) {
   text_t *terminal = fdterm ? fdterm : dport_ptr;
   if (!terminal || !terminal->port) return;

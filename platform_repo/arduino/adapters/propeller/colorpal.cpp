@@ -35,6 +35,12 @@ inline void colorPal_init(colorPal *device) {
 //#   needs: colorPal colorPal_init fdserial.h/FDSERIAL_MODE_OPENDRAIN_TX fdserial.h/open_line
 //#   pin: sioPin interrupt both
 //#   fidelity: 4,800 baud; a tenth of a second, then the sensor is reset, as there, and its command is sent before the call ends
+//#   stack: 47 35
+//#   interrupt: PCINT0_vect 41
+//#   interrupt: PCINT1_vect 58
+//#   interrupt: PCINT2_vect 58
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline colorPal *colorPal_open(int32_t sioPin) {
   colorPal *device = open_line(sioPin, sioPin, FDSERIAL_MODE_OPENDRAIN_TX, 4800);
   delay(100);
@@ -48,6 +54,7 @@ inline colorPal *colorPal_open(int32_t sioPin) {
 //#   needs: colorPal fdserial.h/fdserial_rxFlush simpletext.h/readChar simpletext.h/text_t
 //#   fidelity: exact: the next colours, of 12 bits each
 //#   limit: 0 at once where the line is not wired
+//#   stack: 53 39
 template <class Int> inline void colorPal_getRGB(colorPal *device, Int *r, Int *g, Int *b) {
   Int *colours[3] = {r, g, b};
   fdserial_rxFlush(device);
@@ -64,6 +71,9 @@ template <class Int> inline void colorPal_getRGB(colorPal *device, Int *r, Int *
 //#   kind: oneToOne
 //#   needs: colorPal fdserial.h/fdserial_close
 //#   fidelity: exact
+//#   stack: 8 6
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void colorPal_close(colorPal *device) {
   fdserial_close(device);
 }
@@ -78,6 +88,7 @@ inline uint8_t in_byte(int32_t value) {
 //#   kind: oneToOne
 //#   needs: in_byte
 //#   fidelity: exact: 24 bits of a colour, as corrected there
+//#   stack: 0
 inline uint32_t colorPalRRGGBB(int32_t r, int32_t g, int32_t b) {
   uint32_t red = in_byte(21 * r / 11 - 65 - r * r / 415), green = in_byte(48 * g / 17 - 70 - g * g / 170);
   return red << 16 | green << 8 | in_byte(8 * b / 9 - 30 - b * b / 1680);

@@ -19,6 +19,7 @@ typedef dac2ch dac2ch_t;
 //#   needs: dac2ch
 //#   fidelity: up to 32 bits, of which the upper 8 count
 //#   range: bits 1..8: further bits are left out
+//#   stack: 6
 inline dac2ch *dac2ch_start(int32_t bits) {
   return new dac2ch{(uint8_t)bits, {255, 255}};
 }
@@ -31,6 +32,7 @@ inline dac2ch *dac2ch_start(int32_t bits) {
 //#   fidelity: the mean voltage, of 8 bits and 5 V; less than nothing makes the pin an input, and so does another pin of the channel
 //#   limit: a PWM of 490 or 980 Hz instead of pulses of 12.5 ns: a filter has to be some thousand times slower
 //#   limit: full scale is 5 V instead of 3.3 V
+//#   stack: 36 20
 inline void dac2ch_set(dac2ch *device, int32_t pin, int32_t channel, int32_t dacVal) {
   uint8_t &used = device->pins[channel ? 1 : 0];
   Io io(pin), before(used);
@@ -50,6 +52,7 @@ inline void dac2ch_set(dac2ch *device, int32_t pin, int32_t channel, int32_t dac
 //#   kind: semantic
 //#   needs: dac2ch dac2ch_set
 //#   fidelity: the pins become inputs
+//#   stack: 30 26
 inline void dac2ch_stop(dac2ch *device) {
   dac2ch_set(device, 255, 0, -1);
   dac2ch_set(device, 255, 1, -1);

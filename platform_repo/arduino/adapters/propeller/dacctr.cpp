@@ -51,6 +51,7 @@ static dac *dac_started[7][2];
 //#   needs: dac
 //#   pin: pin pwm out
 //#   fidelity: exact: nothing is put out yet
+//#   stack: 22
 inline dac dac_setup(int32_t pin, int32_t channel, int32_t bits) {
   dac made;
   made.daCog = channel > 1 ? -1 : 0;
@@ -68,6 +69,7 @@ inline dac dac_setup(int32_t pin, int32_t channel, int32_t bits) {
 //#   fidelity: the mean voltage within 0.4 % of the supply, which is 5 V here and 3.3 V there; a value for another cog is kept until dac_start
 //#   limit: 490 or 980 Hz instead of megahertz: a filter needs a hundred to a thousand times the capacity
 //#   limit: 8 bits: further bits of the resolution are left out
+//#   stack: 10 2
 inline void dac_set(dac *da, int32_t value) {
   da->daVal = value;
   if (da->daCog >= 0) dac_put(da, value);
@@ -78,6 +80,7 @@ inline void dac_set(dac *da, int32_t value) {
 //#   kind: oneToMany
 //#   needs: dac dac_end
 //#   fidelity: the wave ends and the pin becomes an input
+//#   stack: 6 0
 inline void dac_close(dac *da) {
   dac_end(da);
 }
@@ -88,6 +91,7 @@ inline void dac_close(dac *da) {
 //#   needs: dac dacmem dac_put dac_started
 //#   fidelity: both voltages are put out, and each dac_set takes effect at once, not at the next sample; -1 when seven were started
 //#   limit: the number that it gives is one for dac_stop alone, no cog
+//#   stack: 32 14
 inline int32_t dac_start(dacmem mem, int32_t sampleRate, dac *da0, dac *da1) {
   (void)mem;
   (void)sampleRate;
@@ -114,6 +118,7 @@ inline int32_t dac_start(dacmem mem, int32_t sampleRate, dac *da0, dac *da1) {
 //#   kind: semantic
 //#   needs: dac dac_end dac_started
 //#   fidelity: the voltages that dac_start put out end and the pins become inputs; the answer is 0, and undefined there
+//#   stack: 13 0
 inline int32_t dac_stop(int32_t cogid) {
   if (cogid < 1 || cogid > 7) return 0;
   for (dac *&da : dac_started[cogid - 1]) {

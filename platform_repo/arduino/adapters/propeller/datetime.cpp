@@ -60,6 +60,7 @@ inline int32_t clock_now() {
 //#   for: int dte_toJD(int y, int m, int d)
 //#   kind: oneToOne
 //#   fidelity: exact: the Julian day
+//#   stack: 0
 inline int32_t dte_toJD(int32_t y, int32_t m, int32_t d) {
   int32_t before = m <= 2;  // January and February count as months 11 and 12 of the year before
   int32_t year = y + 4800 - before, month = m - 2 + 12 * before;
@@ -70,6 +71,7 @@ inline int32_t dte_toJD(int32_t y, int32_t m, int32_t d) {
 //#   for: int dte_toCal(int jd)
 //#   kind: oneToOne
 //#   fidelity: exact: year, month and day of a Julian day, in bits 16 up, 8 to 15 and 0 to 7
+//#   stack: 0
 inline int32_t dte_toCal(int32_t jd) {
   int32_t days = jd + 68569, centuries = 4 * days / 146097;
   days -= (146097 * centuries + 3) / 4;
@@ -83,6 +85,7 @@ inline int32_t dte_toCal(int32_t jd) {
 //#   for: int dte_toSPD(int h, int m, int s)
 //#   kind: oneToOne
 //#   fidelity: exact: seconds of the day
+//#   stack: 0
 inline int32_t dte_toSPD(int32_t h, int32_t m, int32_t s) {
   return (h * 60 + m) * 60 + s;
 }
@@ -92,6 +95,7 @@ inline int32_t dte_toSPD(int32_t h, int32_t m, int32_t s) {
 //#   kind: oneToOne
 //#   needs: _epoch dte_toCal
 //#   fidelity: exact: as dte_toCal
+//#   stack: 0
 inline int32_t dte_dateETV(int32_t etv) {
   return dte_toCal(etv / 86400 + _epoch);
 }
@@ -100,6 +104,7 @@ inline int32_t dte_dateETV(int32_t etv) {
 //#   for: int dte_timeETV(int etv)
 //#   kind: oneToOne
 //#   fidelity: exact: hours, minutes and seconds in bits 16 up, 8 to 15 and 0 to 7
+//#   stack: 0
 inline int32_t dte_timeETV(int32_t etv) {
   int32_t seconds = etv % 86400;
   return seconds / 3600 << 16 | seconds / 60 % 60 << 8 | seconds % 60;
@@ -110,6 +115,7 @@ inline int32_t dte_timeETV(int32_t etv) {
 //#   kind: oneToOne
 //#   needs: _epoch datetime datetime_st dte_toJD dte_toSPD
 //#   fidelity: exact: seconds since 1970
+//#   stack: 0
 inline int32_t dt_toEt(datetime dt) {
   return (dte_toJD(dt.y, dt.mo, dt.d) - _epoch) * 86400 + dte_toSPD(dt.h, dt.m, dt.s);
 }
@@ -119,6 +125,7 @@ inline int32_t dt_toEt(datetime dt) {
 //#   kind: oneToOne
 //#   needs: datetime dte_dateETV dte_timeETV
 //#   fidelity: exact
+//#   stack: 68 0
 inline datetime dt_fromEt(int32_t et) {
   int32_t date = dte_dateETV(et), time = dte_timeETV(et);
   return datetime{date >> 16, date >> 8 & 0xFF, date & 0xFF, time >> 16, time >> 8 & 0xFF, time & 0xFF};
@@ -129,6 +136,7 @@ inline datetime dt_fromEt(int32_t et) {
 //#   kind: semantic
 //#   needs: datetime clock_seconds dt_toEt
 //#   fidelity: the clock goes from that time on; the resonator of an Uno is up to 0.5 % off, 7 minutes a day
+//#   stack: 102 0
 inline void dt_run(datetime dt) {
   clock_seconds = dt_toEt(dt);
   clock_looked = millis();
@@ -140,6 +148,7 @@ inline void dt_run(datetime dt) {
 //#   kind: oneToOne
 //#   needs: datetime clock_seconds dt_toEt
 //#   fidelity: exact; the second under way goes on
+//#   stack: 122 62
 inline void dt_set(datetime dt) {
   clock_now();
   clock_seconds = dt_toEt(dt);
@@ -150,6 +159,7 @@ inline void dt_set(datetime dt) {
 //#   kind: oneToOne
 //#   needs: datetime clock_seconds dt_fromEt
 //#   fidelity: exact
+//#   stack: 68 0
 inline datetime dt_get() {
   return dt_fromEt(clock_now());
 }
@@ -159,6 +169,7 @@ inline datetime dt_get() {
 //#   kind: oneToOne
 //#   needs: clock_seconds
 //#   fidelity: the clock stands
+//#   stack: 2 0
 inline void dt_end() {
   clock_now();
   clock_on = false;
@@ -169,6 +180,7 @@ inline void dt_end() {
 //#   kind: oneToOne
 //#   needs: clock_seconds
 //#   fidelity: milliseconds of the second under way
+//#   stack: 4 0
 inline int32_t dt_getms() {
   clock_now();
   return millis() - clock_looked;
@@ -191,6 +203,7 @@ inline char *clock_digits(char *to, int32_t first, int32_t second, int32_t third
 //#   kind: oneToOne
 //#   needs: datetime datetime_st clock_digits
 //#   fidelity: exact: 11/22/26
+//#   stack: 26 18
 inline void dt_toDateStr(datetime dt, char *s) {
   clock_digits(s, dt.mo, dt.d, dt.y % 2000 % 1900, '/');
 }
@@ -200,6 +213,7 @@ inline void dt_toDateStr(datetime dt, char *s) {
 //#   kind: oneToOne
 //#   needs: datetime datetime_st clock_digits
 //#   fidelity: exact: 09:05:00
+//#   stack: 26 16
 inline void dt_toTimeStr(datetime dt, char *s) {
   clock_digits(s, dt.h, dt.m, dt.s, ':');
 }
@@ -221,6 +235,7 @@ inline void clock_numbers(const char *from, int32_t *first, int32_t *second, int
 //#   kind: oneToOne
 //#   needs: datetime datetime_st clock_numbers
 //#   fidelity: month, day and year of two digits: 39 to 99 are of the century of 1900, as there
+//#   stack: 143 85
 inline datetime dt_fromDateStr(datetime dt, const char *s) {
   clock_numbers(s, &dt.mo, &dt.d, &dt.y);
   dt.y += dt.y > 38 ? 1900 : 2000;
@@ -232,6 +247,7 @@ inline datetime dt_fromDateStr(datetime dt, const char *s) {
 //#   kind: oneToOne
 //#   needs: datetime datetime_st clock_numbers
 //#   fidelity: hours, minutes and seconds
+//#   stack: 143 85
 inline datetime dt_fromTimeStr(datetime dt, const char *s) {
   clock_numbers(s, &dt.h, &dt.m, &dt.s);
   return dt;

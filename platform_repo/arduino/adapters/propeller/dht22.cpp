@@ -31,6 +31,7 @@ static uint32_t dht22_hasty;  // bit for each pin that is read without a pause
 //#   needs: dht22_hasty
 //#   pin: dht_pin digital both
 //#   fidelity: exact
+//#   stack: 0
 inline void dht22_set_timeout_ignore(int32_t dht_pin, char ignore_timeout) {
   uint32_t bit = 1UL << (dht_pin & 31);
   if (ignore_timeout) dht22_hasty |= bit;
@@ -46,6 +47,7 @@ inline void dht22_set_timeout_ignore(int32_t dht_pin, char ignore_timeout) {
 //#   fidelity: an edge within an interrupt is taken for its middle: bits are right beside interrupts of up to 40 us
 //#   limit: other cogs wait for 6 ms
 //#   ram: 128
+//#   stack: 43 20
 inline char dht22_read(int32_t dht_pin) {
   static uint32_t last[32];
   Io io(dht_pin);
@@ -88,6 +90,7 @@ inline char dht22_read(int32_t dht_pin) {
 //#   kind: oneToOne
 //#   needs: dht22_celsius KELVIN FAHRENHEIT
 //#   fidelity: exact: tenths of a degree
+//#   stack: 0
 inline int32_t dht22_getTemp(char temp_units) {
   if (temp_units == KELVIN) return dht22_celsius + 2732;
   return temp_units == FAHRENHEIT ? dht22_celsius * 9 / 5 + 320 : dht22_celsius;
@@ -98,6 +101,7 @@ inline int32_t dht22_getTemp(char temp_units) {
 //#   kind: oneToOne
 //#   needs: dht22_humidity
 //#   fidelity: exact: tenths of a percent
+//#   stack: 0
 inline int32_t dht22_getHumidity() {
   return dht22_humidity;
 }

@@ -51,6 +51,7 @@ struct DIR {
 //#   include: <SD.h>
 //#   library: SD
 //#   fidelity: exact: 0 where there is no such folder
+//#   stack: 28 24
 inline DIR *opendir(const char *path) {
   if (path[0] == '.' && (!path[1] || path[1] == '/')) path++;  // the folder of the program is that of the card
   File folder = SD.open(*path ? path : "/");
@@ -72,6 +73,7 @@ inline DIR *opendir(const char *path) {
 //#   library: SD
 //#   fidelity: the name in both forms, the size, and whether it is a folder; 0 behind the last one
 //#   limit: the library of the card tells no times and no further attributes: a file has ATTR_ARCHIVE, and the entries . and .. are left out
+//#   stack: 33 24
 inline struct dirent *readdir(DIR *dirp) {
   File found = dirp->folder.openNextFile();
   if (!found) return 0;
@@ -101,6 +103,7 @@ inline struct dirent *readdir(DIR *dirp) {
 //#   include: <SD.h>
 //#   library: SD
 //#   fidelity: exact: 0, or -1 without a folder
+//#   stack: 4
 inline int32_t closedir(DIR *dirp) {
   if (!dirp) return -1;
   dirp->folder.close();

@@ -28,6 +28,7 @@ typedef EEPROM_COGDRIVER EEPROM_SIMPLE;
 //#   kind: oneToMany
 //#   needs: EEPROM i2c.h/I2C
 //#   fidelity: exact
+//#   stack: 0
 inline void eepromInit(EEPROM *eeprom, I2C *dev, int32_t address) {
   eeprom->dev = dev;
   eeprom->address = address;
@@ -41,6 +42,7 @@ inline void eepromInit(EEPROM *eeprom, I2C *dev, int32_t address) {
 //#   pin: sda digital both
 //#   fidelity: exact: 0 beyond 400 kHz; the address has 8 bits
 //#   limit: only at the pins SCL and SDA; connect a memory there
+//#   stack: 0
 inline EEPROM *eepromOpen(EEPROM_COGDRIVER *eeprom, int32_t scl, int32_t sda, int32_t freq, int32_t address) {
   I2C *dev = i2cOpen(&eeprom->dev, scl, sda, freq);
   if (!dev) return 0;
@@ -56,6 +58,7 @@ inline EEPROM *eepromOpen(EEPROM_COGDRIVER *eeprom, int32_t scl, int32_t sda, in
 //#   pin: sda digital both
 //#   fidelity: 100 kHz; the address has 8 bits
 //#   limit: only at the pins SCL and SDA; connect a memory there
+//#   stack: 0
 inline EEPROM *simple_eepromOpen(EEPROM_SIMPLE *eeprom, int32_t scl, int32_t sda, int32_t address) {
   eepromInit(&eeprom->state, simple_i2cOpen(&eeprom->dev, scl, sda), address);
   return &eeprom->state;
@@ -66,6 +69,7 @@ inline EEPROM *simple_eepromOpen(EEPROM_SIMPLE *eeprom, int32_t scl, int32_t sda
 //#   kind: oneToMany
 //#   needs: EEPROM i2c.h/i2cWrite i2c.h/i2cRead
 //#   fidelity: exact: 0, or -1 when the memory does not answer
+//#   stack: 26 10
 inline int32_t eepromRead(EEPROM *eeprom, uint32_t address, void *buffer, int32_t count) {
   const uint8_t place[2] = {(uint8_t)(address >> 8), (uint8_t)address};
   if (i2cWrite(eeprom->dev, eeprom->address, place, 2, 0)) return -1;
@@ -77,6 +81,7 @@ inline int32_t eepromRead(EEPROM *eeprom, uint32_t address, void *buffer, int32_
 //#   kind: oneToMany
 //#   needs: EEPROM i2c.h/i2cWrite i2c.h/i2cWriteMore
 //#   fidelity: exact: it waits until the memory has written; 0, or -1 when it does not answer
+//#   stack: 44 28
 inline int32_t eepromWrite(EEPROM *eeprom, uint32_t address, const void *buffer, int32_t count) {
   const uint8_t place[2] = {(uint8_t)(address >> 8), (uint8_t)address};
   if (i2cWrite(eeprom->dev, eeprom->address, place, 2, 0)) return -1;
@@ -90,6 +95,7 @@ inline int32_t eepromWrite(EEPROM *eeprom, uint32_t address, const void *buffer,
 //#   kind: oneToMany
 //#   needs: EEPROM i2c.h/i2cClose
 //#   fidelity: exact: 0, or -1 when it is closed already
+//#   stack: 0
 inline int32_t eepromClose(EEPROM *eeprom) {
   if (!eeprom->dev) return -1;
   i2cClose(eeprom->dev);

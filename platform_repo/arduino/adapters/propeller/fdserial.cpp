@@ -211,6 +211,12 @@ inline text_t *open_line(int32_t rxpin, int32_t txpin, int32_t mode, int32_t bau
 //#   range: baudrate 245..57600 away from RX: bytes get lost or broken
 //#   range: baudrate 245..19200 beside servo.h/ServoSlot away from RX: the interrupts of servos break bytes
 //#   range: baudrate 245..9600 beside servo360.h/feedback360_edge away from RX: the interrupts of feedback signals break bytes
+//#   stack: 23 8
+//#   interrupt: PCINT0_vect 41
+//#   interrupt: PCINT1_vect 58
+//#   interrupt: PCINT2_vect 58
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline fdserial *fdserial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baudrate) {
   fdserial *line = open_line(rxpin, txpin, mode, baudrate);
   delay(500);
@@ -222,6 +228,7 @@ inline fdserial *fdserial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32
 //#   kind: oneToOne
 //#   needs: fdserial simpletext.h/text_t
 //#   fidelity: exact
+//#   stack: 2 0
 inline int32_t fdserial_rxCount(fdserial *term) {
   return term->port ? term->port->available() : 0;
 }
@@ -231,6 +238,7 @@ inline int32_t fdserial_rxCount(fdserial *term) {
 //#   kind: oneToOne
 //#   needs: fdserial fdserial_rxCount
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t fdserial_rxReady(fdserial *term) {
   return fdserial_rxCount(term) != 0;
 }
@@ -240,6 +248,7 @@ inline int32_t fdserial_rxReady(fdserial *term) {
 //#   kind: oneToOne
 //#   needs: fdserial fdserial_rxCount simpletext.h/text_t
 //#   fidelity: exact: 0 without a byte
+//#   stack: 4 0
 inline int32_t fdserial_rxPeek(fdserial *term) {
   return fdserial_rxCount(term) ? term->port->peek() : 0;
 }
@@ -249,6 +258,7 @@ inline int32_t fdserial_rxPeek(fdserial *term) {
 //#   kind: oneToOne
 //#   needs: fdserial fdserial_rxCount simpletext.h/text_t
 //#   fidelity: exact: -1 without a byte
+//#   stack: 4 0
 inline int32_t fdserial_rxCheck(fdserial *term) {
   return fdserial_rxCount(term) ? term->port->read() : -1;
 }
@@ -259,6 +269,7 @@ inline int32_t fdserial_rxCheck(fdserial *term) {
 //#   needs: fdserial fdserial_rxCheck simpletext.h/text_t
 //#   fidelity: exact: it waits for a byte
 //#   limit: 0 at once where the line is not wired
+//#   stack: 4 0
 inline int32_t fdserial_rxChar(fdserial *term) {
   if (!term->port) return 0;
   int32_t byte;
@@ -271,6 +282,7 @@ inline int32_t fdserial_rxChar(fdserial *term) {
 //#   kind: oneToMany
 //#   needs: fdserial fdserial_rxCheck
 //#   fidelity: exact: -1 when no byte comes in that time
+//#   stack: 14 0
 inline int32_t fdserial_rxTime(fdserial *term, int32_t ms) {
   int32_t byte;
   for (uint32_t begun = millis(); (byte = fdserial_rxCheck(term)) < 0 && (int32_t)(millis() - begun) <= ms;) yield();
@@ -282,6 +294,7 @@ inline int32_t fdserial_rxTime(fdserial *term, int32_t ms) {
 //#   kind: oneToMany
 //#   needs: fdserial fdserial_rxCheck
 //#   fidelity: exact
+//#   stack: 4 0
 inline void fdserial_rxFlush(fdserial *term) {
   while (fdserial_rxCheck(term) >= 0) {}
 }
@@ -291,6 +304,7 @@ inline void fdserial_rxFlush(fdserial *term) {
 //#   kind: oneToOne
 //#   needs: fdserial simpletext.h/text_t
 //#   fidelity: exact; the answer is -1, as there without echo
+//#   stack: 0
 inline int32_t fdserial_txChar(fdserial *term, int32_t txbyte) {
   if (term->port) term->port->write((uint8_t)txbyte);
   return -1;
@@ -301,6 +315,7 @@ inline int32_t fdserial_txChar(fdserial *term, int32_t txbyte) {
 //#   kind: oneToOne
 //#   needs: fdserial simpletext.h/text_t
 //#   fidelity: exact: it waits until all is sent
+//#   stack: 2 0
 inline void fdserial_txFlush(fdserial *term) {
   if (term->port) term->port->flush();
 }
@@ -310,6 +325,9 @@ inline void fdserial_txFlush(fdserial *term) {
 //#   kind: oneToOne
 //#   needs: fdserial simpletext.h/text_t
 //#   fidelity: exact; away from the console nothing ever waits, as bytes are sent at once
+//#   stack: 6
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t fdserial_txEmpty(fdserial *term) {
   return term->port != &Serial || Serial.availableForWrite() == SERIAL_TX_BUFFER_SIZE - 1;
 }
@@ -319,6 +337,9 @@ inline int32_t fdserial_txEmpty(fdserial *term) {
 //#   kind: oneToMany
 //#   needs: fdserial SerialLine fdserial_rxFlush fdserial_txFlush simpletext.h/text_t
 //#   fidelity: what was to be sent is sent, then the pins are inputs and nothing more is received
+//#   stack: 8 6
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void fdserial_close(fdserial *term) {
   fdserial_rxFlush(term);
   fdserial_txFlush(term);

@@ -123,6 +123,12 @@ typedef text_t fpScanner;
 //#   pin: pin_tx digital out
 //#   fidelity: 19,200 baud, and a tenth of a second of waiting, as there
 //#   limit: beside servos with feedback a byte may get lost
+//#   stack: 23 8
+//#   interrupt: PCINT0_vect 41
+//#   interrupt: PCINT1_vect 58
+//#   interrupt: PCINT2_vect 58
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline fpScanner *fingerprint_open(int32_t pin_rx, int32_t pin_tx) {
   fpScanner *device = open_line(pin_rx, pin_tx, 0, 19200);
   delay(100);
@@ -134,6 +140,9 @@ inline fpScanner *fingerprint_open(int32_t pin_rx, int32_t pin_tx) {
 //#   kind: oneToOne
 //#   needs: fpScanner fdserial.h/fdserial_close
 //#   fidelity: exact
+//#   stack: 8 6
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void fingerprint_close(fpScanner *device) {
   fdserial_close(device);
 }
@@ -143,6 +152,7 @@ inline void fingerprint_close(fpScanner *device) {
 //#   kind: oneToMany
 //#   needs: fpScanner fdserial.h/fdserial_txChar
 //#   fidelity: exact
+//#   stack: 18 10
 inline void fingerprint_sendCommand(fpScanner *device, char __fpCmd, char __fpParam1, char __fpParam2, char __fpParam3) {
   uint8_t sum = __fpCmd ^ __fpParam1 ^ __fpParam2 ^ __fpParam3;
   const uint8_t bytes[8] = {0xF5, (uint8_t)__fpCmd, (uint8_t)__fpParam1, (uint8_t)__fpParam2, (uint8_t)__fpParam3, 0, sum, 0xF5};
@@ -155,6 +165,7 @@ inline void fingerprint_sendCommand(fpScanner *device, char __fpCmd, char __fpPa
 //#   needs: fpScanner fdserial.h/fdserial_rxChar
 //#   fidelity: exact: it waits for eight bytes; byte 5 of the response is 0xF5 when they are whole
 //#   limit: where the line is not wired the answer is not whole, and there it waits for ever
+//#   stack: 22 10
 inline void fingerprint_readResponse(fpScanner *device, char *__fpResponse) {
   uint8_t bytes[8], sum = 0;
   for (uint8_t number = 0; number < 8; number++) {
@@ -182,6 +193,7 @@ inline uint8_t fingerprint_ask(fpScanner *device, uint8_t command, uint16_t numb
 //#   kind: oneToMany
 //#   needs: fpScanner fingerprint_ask CMD_SET_MODE
 //#   fidelity: exact
+//#   stack: 32 18
 inline int32_t fingerprint_allowOverwrite(fpScanner *device, char b) {
   return fingerprint_ask(device, CMD_SET_MODE, b == 0, 0, 0);
 }
@@ -191,6 +203,7 @@ inline int32_t fingerprint_allowOverwrite(fpScanner *device, char b) {
 //#   kind: oneToMany
 //#   needs: fpScanner fingerprint_ask ACK_NOUSER ACK_SUCCESS CMD_ADD_FINGERPRINT_1 CMD_ADD_FINGERPRINT_2 CMD_ADD_FINGERPRINT_3
 //#   fidelity: exact: all three scans a second apart, or one; the answer of a last scan is 0 whatever the reader said, as there
+//#   stack: 60 46
 inline int32_t fingerprint_add(fpScanner *device, int32_t userId, char userLevel, int32_t scanNumber) {
   const uint8_t scans[3] = {CMD_ADD_FINGERPRINT_1, CMD_ADD_FINGERPRINT_2, CMD_ADD_FINGERPRINT_3};
   uint8_t level = userLevel & 3;
@@ -213,6 +226,7 @@ inline int32_t fingerprint_add(fpScanner *device, int32_t userId, char userLevel
 //#   kind: oneToMany
 //#   needs: fpScanner fingerprint_ask CMD_DELETE_USER CMD_DELETE_ALL_USERS simpletools.h/high propeller.h/port
 //#   fidelity: exact: all users when there is none of that number, and port 26 is high then; the answer is 0, as there
+//#   stack: 28 18
 inline int32_t fingerprint_deleteUser(fpScanner *device, int32_t userId) {
   fingerprint_ask(device, userId < 1 ? CMD_DELETE_ALL_USERS : CMD_DELETE_USER, userId < 1 ? 0 : (uint16_t)userId, 0, 0);
   if (userId < 1) high(port(26));
@@ -224,6 +238,7 @@ inline int32_t fingerprint_deleteUser(fpScanner *device, int32_t userId) {
 //#   kind: oneToMany
 //#   needs: fpScanner fingerprint_ask CMD_GET_USERS_COUNT
 //#   fidelity: exact: -1 when the reader says that it failed
+//#   stack: 28 18
 inline int32_t fingerprint_countUsers(fpScanner *device) {
   uint8_t said[3];
   return fingerprint_ask(device, CMD_GET_USERS_COUNT, 0, 0, said) ? -1 : (int32_t)said[0] << 8 | said[1];
@@ -234,6 +249,7 @@ inline int32_t fingerprint_countUsers(fpScanner *device) {
 //#   kind: oneToMany
 //#   needs: fpScanner fingerprint_ask ACK_SUCCESS CMD_SCAN_COMPARE_1_TO_N CMD_SCAN_COMPARE_1_TO_1 CMD_READ_USER_PRIVLAGE
 //#   fidelity: exact: the level of the user, or what went wrong; uid is the user's number
+//#   stack: 47 37
 template <class Int> inline int32_t fingerprint_scan(fpScanner *device, int32_t userId, Int *uid) {
   uint8_t said[3];
   *uid = 0;
@@ -253,6 +269,7 @@ template <class Int> inline int32_t fingerprint_scan(fpScanner *device, int32_t 
 //#   kind: oneToMany
 //#   needs: fpScanner fingerprint_ask CMD_READ_USER_PRIVLAGE
 //#   fidelity: exact: the level of the user; 0 without a number, where there it is undefined
+//#   stack: 32 18
 inline int32_t fingerprint_lookupUserPrivlage(fpScanner *device, int32_t userId) {
   return userId > 0 ? fingerprint_ask(device, CMD_READ_USER_PRIVLAGE, (uint16_t)userId, 0, 0) : 0;
 }
@@ -262,6 +279,7 @@ inline int32_t fingerprint_lookupUserPrivlage(fpScanner *device, int32_t userId)
 //#   kind: oneToMany
 //#   needs: fpScanner fingerprint_ask CMD_SET_SCAN_TIMEOUT
 //#   fidelity: exact
+//#   stack: 32 18
 inline int32_t fingerprint_setTimeout(fpScanner *device, int32_t timeout) {
   return fingerprint_ask(device, CMD_SET_SCAN_TIMEOUT, (uint8_t)abs(timeout), 0, 0);
 }
@@ -271,6 +289,7 @@ inline int32_t fingerprint_setTimeout(fpScanner *device, int32_t timeout) {
 //#   kind: oneToMany
 //#   needs: fpScanner fingerprint_ask CMD_SENSITIVITY
 //#   fidelity: exact: 0 to 9; what is more is 9
+//#   stack: 32 18
 inline int32_t fingerprint_setStrictness(fpScanner *device, char s_level) {
   uint8_t level = (uint8_t)s_level;
   return fingerprint_ask(device, CMD_SENSITIVITY, level > 9 ? 9 : level, 0, 0);

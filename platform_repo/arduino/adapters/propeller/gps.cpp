@@ -29,7 +29,6 @@
 
 //# helper gps_receiver
 //#   needs: simpletext.h/text_t
-//#   stack: 60
 //#   fidelity: sentences of up to 82 characters, as the standard has them
 //#   ram: 267
 struct GpsReceiver {
@@ -110,6 +109,13 @@ inline float gps_degrees(uint8_t number, char positive) {  // a place in degrees
 //#   pin: gpsSout digital out
 //#   fidelity: sentences are read from now on, in the background; the library's cog begins half a second later
 //#   limit: up to 19,200 baud, beside servos with feedback up to 9,600 baud
+//#   stack: 28 8
+//#   interrupt: PCINT0_vect 41
+//#   interrupt: PCINT1_vect 58
+//#   interrupt: PCINT2_vect 58
+//#   interrupt: TIMER0_COMPA_vect 50 50
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t gps_open(int32_t gpsSin, int32_t gpsSout, int32_t gps_baud) {
   gps_receiver.rx = gpsSin;
   gps_receiver.tx = gpsSout;
@@ -128,6 +134,9 @@ inline int32_t gps_open(int32_t gpsSin, int32_t gpsSout, int32_t gps_baud) {
 //#   kind: semantic
 //#   needs: gps_receiver fdserial.h/fdserial_close simpletext.h/text_t
 //#   fidelity: nothing more is read, all values are 0 and the pins are inputs, as there
+//#   stack: 8 6
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void gps_close() {
   uint8_t old = SREG;
   cli();
@@ -143,6 +152,13 @@ inline void gps_close() {
 //#   kind: oneToMany
 //#   needs: gps_receiver gps_open gps_close
 //#   fidelity: exact: values are 0 until the next sentence
+//#   stack: 46 26
+//#   interrupt: PCINT0_vect 41
+//#   interrupt: PCINT1_vect 58
+//#   interrupt: PCINT2_vect 58
+//#   interrupt: TIMER0_COMPA_vect 50 50
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t gps_changeBaud(int32_t newBaudRate) {
   gps_close();
   delay(50);
@@ -154,6 +170,7 @@ inline int32_t gps_changeBaud(int32_t newBaudRate) {
 //#   kind: oneToOne
 //#   needs: gps_receiver
 //#   fidelity: exact: 0 for none, 1 GPS, 2 DGPS and so on
+//#   stack: 42 40
 inline int32_t gps_fix() {
   return (int32_t)gps_number(1, 6);
 }
@@ -163,6 +180,7 @@ inline int32_t gps_fix() {
 //#   kind: oneToOne
 //#   needs: gps_receiver GPS_TRUE GPS_FALSE
 //#   fidelity: exact
+//#   stack: 20 18
 inline int32_t gps_fixValid() {
   char text[16];
   gps_field(0, 2, text);
@@ -174,6 +192,7 @@ inline int32_t gps_fixValid() {
 //#   kind: oneToOne
 //#   needs: gps_receiver
 //#   fidelity: degrees, north positive, of 24 bits, as there
+//#   stack: 54 40
 inline float gps_latitude() {
   return gps_degrees(3, 'N');
 }
@@ -183,6 +202,7 @@ inline float gps_latitude() {
 //#   kind: oneToOne
 //#   needs: gps_receiver
 //#   fidelity: degrees, east positive, of 24 bits, as there
+//#   stack: 54 40
 inline float gps_longitude() {
   return gps_degrees(5, 'E');
 }
@@ -192,6 +212,7 @@ inline float gps_longitude() {
 //#   kind: oneToOne
 //#   needs: gps_receiver KNOTS MPH KPH MPS
 //#   fidelity: exact; -1 for an unknown unit
+//#   stack: 46 40
 inline float gps_velocity(int32_t units_type) {
   float knots = gps_number(0, 7);
   switch (units_type) {
@@ -208,6 +229,7 @@ inline float gps_velocity(int32_t units_type) {
 //#   kind: oneToOne
 //#   needs: gps_receiver
 //#   fidelity: exact: degrees
+//#   stack: 40
 inline float gps_heading() {
   return gps_number(0, 8);
 }
@@ -217,6 +239,7 @@ inline float gps_heading() {
 //#   kind: oneToOne
 //#   needs: gps_receiver
 //#   fidelity: exact: degrees, without their side
+//#   stack: 40
 inline float gps_magneticVariation() {
   return gps_number(0, 10);
 }
@@ -226,6 +249,7 @@ inline float gps_magneticVariation() {
 //#   kind: oneToOne
 //#   needs: gps_receiver
 //#   fidelity: exact: day, month and year as one number
+//#   stack: 42 40
 inline int32_t gps_rawDate() {
   return (int32_t)gps_number(0, 9);
 }
@@ -235,6 +259,7 @@ inline int32_t gps_rawDate() {
 //#   kind: oneToOne
 //#   needs: gps_receiver
 //#   fidelity: exact: hours, minutes and seconds as one number
+//#   stack: 42 40
 inline int32_t gps_rawTime() {
   return (int32_t)gps_number(0, 1);
 }
@@ -244,6 +269,7 @@ inline int32_t gps_rawTime() {
 //#   kind: oneToOne
 //#   needs: gps_receiver
 //#   fidelity: exact
+//#   stack: 42 40
 inline int32_t gps_satsTracked() {
   return (int32_t)gps_number(1, 7);
 }
@@ -253,6 +279,7 @@ inline int32_t gps_satsTracked() {
 //#   kind: oneToOne
 //#   needs: gps_receiver
 //#   fidelity: exact: metres
+//#   stack: 40
 inline float gps_altitude() {
   return gps_number(1, 9);
 }
@@ -263,6 +290,7 @@ inline float gps_altitude() {
 //#   needs: gps_receiver simpletext.h/text_t
 //#   fidelity: exact
 //#   limit: a byte is sent while the program waits, and what arrives meanwhile may get lost
+//#   stack: 0
 inline void gps_txByte(int32_t txByte) {
   if (gps_receiver.line && gps_receiver.line->port) gps_receiver.line->port->write((uint8_t)txByte);
 }
@@ -274,6 +302,7 @@ inline void gps_txByte(int32_t txByte) {
 //#   setup: gps_receiver.talkers = (char *)memset(gps_talkers, ' ', 64);
 //#   fidelity: exact: a letter for the source of each of the last 64 sentences, the newest first
 //#   ram: 65
+//#   stack: 2
 static char gps_talkers[65];
 
 inline char *gps_sources() {

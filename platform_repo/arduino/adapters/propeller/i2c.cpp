@@ -31,6 +31,7 @@ typedef I2C_COGDRIVER I2C_SIMPLE;
 //#   pin: sda digital both
 //#   fidelity: up to 400 kHz, 0 beyond, as there; a frequency below 31 kHz is made 31 kHz
 //#   limit: only at the pins SCL and SDA; a bus at others has no devices
+//#   stack: 0
 inline I2C *i2cOpen(I2C_COGDRIVER *dev, int32_t scl, int32_t sda, int32_t freq) {
   if (freq > 400000) return 0;
   i2c_open(&dev->i2c.bus, scl, sda, 0);
@@ -47,6 +48,7 @@ inline I2C *i2cOpen(I2C_COGDRIVER *dev, int32_t scl, int32_t sda, int32_t freq) 
 //#   pin: sda digital both
 //#   fidelity: 100 kHz
 //#   limit: only at the pins SCL and SDA; a bus at others has no devices
+//#   stack: 0
 inline I2C *simple_i2cOpen(I2C_SIMPLE *dev, int32_t scl, int32_t sda) {
   i2c_open(&dev->i2c.bus, scl, sda, 0);
   return &dev->i2c;
@@ -57,6 +59,7 @@ inline I2C *simple_i2cOpen(I2C_SIMPLE *dev, int32_t scl, int32_t sda) {
 //#   kind: semantic
 //#   needs: I2C simplei2c.h/i2c
 //#   fidelity: exact: 0, and there are no devices any more
+//#   stack: 0
 inline int32_t i2cClose(I2C *dev) {
   if (dev->bus.wired) TWCR = 0;
   dev->bus.wired = false;
@@ -68,6 +71,7 @@ inline int32_t i2cClose(I2C *dev) {
 //#   kind: oneToMany
 //#   needs: I2C simplei2c.h/i2c_writeByte simplei2c.h/i2c_stop
 //#   fidelity: exact: 0, or -1 for a byte that was not acknowledged, with which the transfer ends here
+//#   stack: 14 2
 inline int32_t i2cWriteMore(I2C *dev, const void *buffer, int32_t count, int32_t stop) {
   for (int32_t number = 0; number < count; number++) {
     if (!i2c_writeByte(&dev->bus, ((const uint8_t *)buffer)[number])) continue;
@@ -83,6 +87,7 @@ inline int32_t i2cWriteMore(I2C *dev, const void *buffer, int32_t count, int32_t
 //#   kind: oneToMany
 //#   needs: I2C i2cWriteMore simplei2c.h/i2c_start simplei2c.h/i2c_stop simplei2c.h/i2c_writeByte
 //#   fidelity: exact: 0, or -1 for a byte that was not acknowledged, with which the transfer ends here. The address has 8 bits
+//#   stack: 27 2
 inline int32_t i2cWrite(I2C *dev, int32_t address, const void *buffer, int32_t count, int32_t stop) {
   i2c_start(&dev->bus);
   if (!i2c_writeByte(&dev->bus, address)) return i2cWriteMore(dev, buffer, count, stop);
@@ -95,6 +100,7 @@ inline int32_t i2cWrite(I2C *dev, int32_t address, const void *buffer, int32_t c
 //#   kind: oneToMany
 //#   needs: I2C simplei2c.h/i2c_readByte simplei2c.h/i2c_stop
 //#   fidelity: exact: all bytes but the last are acknowledged
+//#   stack: 25 0
 inline int32_t i2cReadMore(I2C *dev, void *buffer, int32_t count, int32_t stop) {
   for (int32_t number = 0; number < count; number++) ((uint8_t *)buffer)[number] = i2c_readByte(&dev->bus, number == count - 1);
   if (stop) i2c_stop(&dev->bus);
@@ -106,6 +112,7 @@ inline int32_t i2cReadMore(I2C *dev, void *buffer, int32_t count, int32_t stop) 
 //#   kind: oneToMany
 //#   needs: I2C i2cReadMore simplei2c.h/i2c_start simplei2c.h/i2c_stop simplei2c.h/i2c_writeByte
 //#   fidelity: exact: 0, or -1 when the device does not answer. The address has 8 bits
+//#   stack: 30 11
 inline int32_t i2cRead(I2C *dev, int32_t address, void *buffer, int32_t count, int32_t stop) {
   i2c_start(&dev->bus);
   if (!i2c_writeByte(&dev->bus, address | 1)) return i2cReadMore(dev, buffer, count, stop);

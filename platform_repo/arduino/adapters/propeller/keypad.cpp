@@ -18,6 +18,7 @@ static Keypad keypad;
 //#   limit: 8 rows and 8 columns
 //#   range: rowCount 1..8: further rows are not read
 //#   range: columnCount 1..8: further columns are not read
+//#   stack: 19 6
 template <class Pin, class Value>
 inline void keypad_setup(int32_t rowCount, int32_t columnCount, Pin *rowPinCons, Pin *columnPinCons, Value *buttonValues) {
   keypad.rows = min(rowCount, 8);
@@ -35,6 +36,7 @@ inline void keypad_setup(int32_t rowCount, int32_t columnCount, Pin *rowPinCons,
 //#   kind: oneToMany
 //#   needs: Keypad simpletools.h/input simpletools.h/high simpletools.h/low
 //#   fidelity: the first key held behind that one, -1 without one; in the first row looked at, columns behind it only, as there
+//#   stack: 0
 inline int32_t keypad_readFrom(int32_t button) {
   uint8_t keys = keypad.rows * keypad.columns, key = 0;
   if (button != -1) {
@@ -63,6 +65,7 @@ inline int32_t keypad_readFrom(int32_t button) {
 //#   kind: oneToOne
 //#   needs: keypad_readFrom
 //#   fidelity: the first key held, -1 without one
+//#   stack: 0
 inline int32_t keypad_read() {
   return keypad_readFrom(-1);
 }
@@ -76,6 +79,9 @@ static int32_t keypad_end_key;
 //#   kind: oneToMany
 //#   needs: keypad_end_key keypad_read simpletext.h/putChar simpletext.h/putDec
 //#   fidelity: the digits until a key above 9 is held and let go; it prints the keys, as there
+//#   stack: 82 68
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t keypad_getNumber() {
   int32_t number = 0;
   keypad_end_key = -1;
@@ -101,6 +107,7 @@ inline int32_t keypad_getNumber() {
 //#   kind: oneToOne
 //#   needs: keypad_end_key
 //#   fidelity: exact: the key that ended the last number
+//#   stack: 0
 inline int32_t keypad_getNumberEndKey() {
   return keypad_end_key;
 }

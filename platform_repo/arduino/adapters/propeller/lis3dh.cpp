@@ -262,6 +262,7 @@ typedef lis3dh_t lis3dh;
 //#   kind: oneToMany
 //#   needs: LIS3DH_MASK_READSINGLE lis3dh_t simpletools.h/high simpletools.h/low simpletools.h/shift_in simpletools.h/shift_out
 //#   fidelity: exact
+//#   stack: 51 39
 inline uint8_t lis3dh_readByte(lis3dh_t *device, uint8_t address) {
   low(device->cs_pin);
   shift_out(device->sdi_pin, device->sck_pin, MSBFIRST, 8, address | LIS3DH_MASK_READSINGLE);
@@ -275,6 +276,7 @@ inline uint8_t lis3dh_readByte(lis3dh_t *device, uint8_t address) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t simpletools.h/high simpletools.h/low simpletools.h/shift_out
 //#   fidelity: exact
+//#   stack: 60 51
 inline void lis3dh_writeByte(lis3dh_t *device, uint8_t address, uint8_t value) {
   low(device->cs_pin);
   shift_out(device->sdi_pin, device->sck_pin, MSBFIRST, 8, address);
@@ -287,6 +289,7 @@ inline void lis3dh_writeByte(lis3dh_t *device, uint8_t address, uint8_t value) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_CTRL_REG1 LIS3DH_CTRL_REG4 lis3dh_t lis3dh_readByte
 //#   fidelity: bits: 8, 10 or 12; 0 for settings that exclude each other
+//#   stack: 56 51
 inline int32_t lis3dh_getResolution(lis3dh_t *device) {
   bool low_power = lis3dh_readByte(device, LIS3DH_CTRL_REG1) & 8, fine = lis3dh_readByte(device, LIS3DH_CTRL_REG4) & 8;
   return low_power ? (fine ? 0 : 8) : fine ? 12 : 10;
@@ -297,6 +300,7 @@ inline int32_t lis3dh_getResolution(lis3dh_t *device) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_CTRL_REG1 LIS3DH_CTRL_REG4 lis3dh_t lis3dh_readByte lis3dh_writeByte
 //#   fidelity: 12, 10, else 8 bits
+//#   stack: 91 81
 inline void lis3dh_setResolution(lis3dh_t *device, int32_t bits) {
   uint8_t first = lis3dh_readByte(device, LIS3DH_CTRL_REG1) & ~8, fourth = lis3dh_readByte(device, LIS3DH_CTRL_REG4) & ~8;
   lis3dh_writeByte(device, LIS3DH_CTRL_REG1, bits == 12 || bits == 10 ? first : first | 8);
@@ -308,6 +312,7 @@ inline void lis3dh_setResolution(lis3dh_t *device, int32_t bits) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_CTRL_REG4 lis3dh_t lis3dh_readByte
 //#   fidelity: g: 2, 4, 8 or 16
+//#   stack: 51 39
 inline int32_t lis3dh_getRange(lis3dh_t *device) {
   return 2 << (lis3dh_readByte(device, LIS3DH_CTRL_REG4) >> 4 & 3);
 }
@@ -317,6 +322,7 @@ inline int32_t lis3dh_getRange(lis3dh_t *device) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_CTRL_REG4 LIS3DH_RANGE_16 LIS3DH_RANGE_8 LIS3DH_RANGE_4 LIS3DH_RANGE_2 lis3dh_t lis3dh_readByte lis3dh_writeByte
 //#   fidelity: 16, 8, 4, else 2 g
+//#   stack: 82 69
 inline void lis3dh_setRange(lis3dh_t *device, int32_t range) {
   uint8_t bits = range == 16 ? LIS3DH_RANGE_16 : range == 8 ? LIS3DH_RANGE_8 : range == 4 ? LIS3DH_RANGE_4 : LIS3DH_RANGE_2;
   lis3dh_writeByte(device, LIS3DH_CTRL_REG4, (lis3dh_readByte(device, LIS3DH_CTRL_REG4) & ~0x30) | bits << 4);
@@ -327,6 +333,7 @@ inline void lis3dh_setRange(lis3dh_t *device, int32_t range) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_CTRL_REG4 LIS3DH_MASK_BDUMODE LIS3DH_BDUMODE_CONSISTENT lis3dh_t lis3dh_readByte lis3dh_writeByte
 //#   fidelity: exact
+//#   stack: 85 69
 inline void lis3dh_setBDUmode(lis3dh_t *device, int32_t mode) {
   uint8_t fourth = lis3dh_readByte(device, LIS3DH_CTRL_REG4);
   bool consistent = mode == LIS3DH_BDUMODE_CONSISTENT;
@@ -338,6 +345,7 @@ inline void lis3dh_setBDUmode(lis3dh_t *device, int32_t mode) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_CTRL_REG4 LIS3DH_MASK_SPIMODE lis3dh_t lis3dh_readByte
 //#   fidelity: wires: 3 or 4
+//#   stack: 51 39
 inline int32_t lis3dh_getSPImode(lis3dh_t *device) {
   return lis3dh_readByte(device, LIS3DH_CTRL_REG4) & LIS3DH_MASK_SPIMODE ? 3 : 4;
 }
@@ -347,6 +355,7 @@ inline int32_t lis3dh_getSPImode(lis3dh_t *device) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_CTRL_REG4 LIS3DH_MASK_SPIMODE lis3dh_t lis3dh_readByte lis3dh_writeByte
 //#   fidelity: exact
+//#   stack: 85 69
 inline void lis3dh_setSPImode(lis3dh_t *device, int32_t mode) {
   uint8_t fourth = lis3dh_readByte(device, LIS3DH_CTRL_REG4);
   lis3dh_writeByte(device, LIS3DH_CTRL_REG4, mode == 3 ? fourth | LIS3DH_MASK_SPIMODE : fourth & ~LIS3DH_MASK_SPIMODE);
@@ -357,6 +366,7 @@ inline void lis3dh_setSPImode(lis3dh_t *device, int32_t mode) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_WHO_AM_I lis3dh_t lis3dh_readByte
 //#   fidelity: exact: 0x33
+//#   stack: 51 39
 inline int32_t lis3dh_getWhoAmI(lis3dh_t *device) {
   return lis3dh_readByte(device, LIS3DH_WHO_AM_I);
 }
@@ -366,6 +376,7 @@ inline int32_t lis3dh_getWhoAmI(lis3dh_t *device) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_TEMP_CFG_REG LIS3DH_BDUMODE_CONSISTENT lis3dh_t lis3dh_writeByte lis3dh_setBDUmode
 //#   fidelity: exact
+//#   stack: 98 82
 inline void lis3dh_setADCmode(lis3dh_t *device, int32_t adcEnable, int32_t tempEnable) {
   lis3dh_setBDUmode(device, LIS3DH_BDUMODE_CONSISTENT);
   lis3dh_writeByte(device, LIS3DH_TEMP_CFG_REG, (adcEnable ? 0x80 : 0) | (tempEnable ? 0x40 : 0));
@@ -389,6 +400,7 @@ inline void lis3dh_words(lis3dh_t *device, uint8_t address, int32_t words[3]) { 
 //#   kind: oneToMany
 //#   needs: LIS3DH_STATUS_REG LIS3DH_OUT_X_L lis3dh_t lis3dh_readByte lis3dh_words
 //#   fidelity: exact; 0 while there is nothing new
+//#   stack: 95 83
 template <class Int> inline int32_t lis3dh_accel(lis3dh_t *device, Int *x, Int *y, Int *z) {
   if (!(lis3dh_readByte(device, LIS3DH_STATUS_REG) & 8)) return 0;
   int32_t words[3];
@@ -404,6 +416,7 @@ template <class Int> inline int32_t lis3dh_accel(lis3dh_t *device, Int *x, Int *
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_accel
 //#   fidelity: exact
+//#   stack: 105 77
 inline int32_t lis3dh_getAccel(lis3dh_t *device, int32_t axis) {
   int32_t words[3];
   if (axis < 1 || axis > 3 || !lis3dh_accel(device, words, words + 1, words + 2)) return 0;
@@ -415,6 +428,7 @@ inline int32_t lis3dh_getAccel(lis3dh_t *device, int32_t axis) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_getResolution lis3dh_getRange lis3dh_accel
 //#   fidelity: exact: thousandths of g
+//#   stack: 100 88
 template <class Int> inline int32_t lis3dh_accel_mg(lis3dh_t *device, Int *x, Int *y, Int *z) {
   if (!lis3dh_accel(device, x, y, z)) return 0;
   int32_t bits = lis3dh_getResolution(device), range = lis3dh_getRange(device);
@@ -430,6 +444,7 @@ template <class Int> inline int32_t lis3dh_accel_mg(lis3dh_t *device, Int *x, In
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_accel_mg
 //#   fidelity: exact
+//#   stack: 104 82
 inline int32_t lis3dh_getAccel_mg(lis3dh_t *device, int32_t axis) {
   int32_t words[3];
   if (axis < 1 || axis > 3 || !lis3dh_accel_mg(device, words, words + 1, words + 2)) return 0;
@@ -441,6 +456,7 @@ inline int32_t lis3dh_getAccel_mg(lis3dh_t *device, int32_t axis) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_OUT_ADC1_L lis3dh_t lis3dh_words
 //#   fidelity: exact
+//#   stack: 89 83
 template <class Int> inline void lis3dh_adc(lis3dh_t *device, Int *ad1, Int *ad2, Int *ad3) {
   int32_t words[3];
   lis3dh_words(device, LIS3DH_OUT_ADC1_L, words);
@@ -454,6 +470,7 @@ template <class Int> inline void lis3dh_adc(lis3dh_t *device, Int *ad1, Int *ad2
 //#   kind: oneToMany
 //#   needs: LIS3DH_OUT_ADC1_L lis3dh_t lis3dh_words
 //#   fidelity: exact
+//#   stack: 89 77
 inline int32_t lis3dh_getADC(lis3dh_t *device, int32_t channel) {
   int32_t words[3];
   lis3dh_words(device, LIS3DH_OUT_ADC1_L, words);
@@ -465,6 +482,7 @@ inline int32_t lis3dh_getADC(lis3dh_t *device, int32_t channel) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_OUT_ADC1_L lis3dh_t lis3dh_getResolution lis3dh_words
 //#   fidelity: exact: millivolts
+//#   stack: 105 88
 template <class Int> inline void lis3dh_adc_mV(lis3dh_t *device, Int *ad1, Int *ad2, Int *ad3) {
   int32_t words[3], bits = lis3dh_getResolution(device);
   lis3dh_words(device, LIS3DH_OUT_ADC1_L, words);
@@ -482,6 +500,7 @@ template <class Int> inline void lis3dh_adc_mV(lis3dh_t *device, Int *ad1, Int *
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_adc_mV
 //#   fidelity: exact: millivolts
+//#   stack: 119 82
 inline int32_t lis3dh_getADC_mV(lis3dh_t *device, int32_t channel) {
   int32_t words[3];
   lis3dh_adc_mV(device, words, words + 1, words + 2);
@@ -493,6 +512,7 @@ inline int32_t lis3dh_getADC_mV(lis3dh_t *device, int32_t channel) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t
 //#   fidelity: exact; the lower voltage is taken for 0, as there
+//#   stack: 8
 inline void lis3dh_adcCal_mV(lis3dh_t *device, int32_t mV_L, int32_t mV_H, int32_t value_L, int32_t value_H) {
   device->adccal_m1000 = device->adccal_b1000 = 0;
   if (!mV_L && !mV_H && !value_L && !value_H) return;
@@ -505,6 +525,7 @@ inline void lis3dh_adcCal_mV(lis3dh_t *device, int32_t mV_L, int32_t mV_H, int32
 //#   kind: oneToMany
 //#   needs: LIS3DH_TEMP_CFG_REG lis3dh_t lis3dh_readByte lis3dh_writeByte lis3dh_getADC
 //#   fidelity: six samples divided by five, as there
+//#   stack: 98 80
 inline int32_t lis3dh_tempRaw(lis3dh_t *device) {
   uint8_t before = lis3dh_readByte(device, LIS3DH_TEMP_CFG_REG);
   lis3dh_writeByte(device, LIS3DH_TEMP_CFG_REG, 0xC0);
@@ -523,6 +544,7 @@ inline int32_t lis3dh_tempRaw(lis3dh_t *device) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_tempRaw
 //#   fidelity: exact
+//#   stack: 98 80
 inline int32_t lis3dh_temp_C(lis3dh_t *device) {
   return lis3dh_tempRaw(device) + device->tempcalC;
 }
@@ -532,6 +554,7 @@ inline int32_t lis3dh_temp_C(lis3dh_t *device) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_temp_C
 //#   fidelity: exact
+//#   stack: 98 80
 inline int32_t lis3dh_temp_F(lis3dh_t *device) {
   return lis3dh_temp_C(device) * 9 / 5 + 32;
 }
@@ -541,6 +564,7 @@ inline int32_t lis3dh_temp_F(lis3dh_t *device) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_tempRaw
 //#   fidelity: exact
+//#   stack: 98 84
 inline void lis3dh_tempCal_C(lis3dh_t *device, int32_t actualTempC) {
   device->tempcalC = actualTempC - lis3dh_tempRaw(device);
 }
@@ -550,6 +574,7 @@ inline void lis3dh_tempCal_C(lis3dh_t *device, int32_t actualTempC) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_tempCal_C
 //#   fidelity: exact
+//#   stack: 102 84
 inline void lis3dh_tempCal_F(lis3dh_t *device, int32_t actualTempF) {
   lis3dh_tempCal_C(device, (actualTempF - 32) * 5 / 9 + (actualTempF * 18 % 10 > 5));
 }
@@ -559,6 +584,7 @@ inline void lis3dh_tempCal_F(lis3dh_t *device, int32_t actualTempF) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t lis3dh_tiltConfig(lis3dh_t *device, int32_t avg_factor) {
   if (avg_factor < 0 || avg_factor > 100) return 0;
   device->tiltavg_factor = avg_factor;
@@ -570,6 +596,7 @@ inline int32_t lis3dh_tiltConfig(lis3dh_t *device, int32_t avg_factor) {
 //#   kind: oneToMany
 //#   needs: lis3dh_t lis3dh_accel_mg
 //#   fidelity: whole degrees, and thousandths of g beyond 1 g
+//#   stack: 128 108
 template <class Int> inline int32_t lis3dh_tilt(lis3dh_t *device, Int *ax, Int *ay, Int *az, Int *motion) {
   int32_t now[3], *average[3] = {&device->tiltavgX, &device->tiltavgY, &device->tiltavgZ};
   if (!lis3dh_accel_mg(device, now, now + 1, now + 2)) return 0;
@@ -596,6 +623,7 @@ template <class Int> inline int32_t lis3dh_tilt(lis3dh_t *device, Int *ax, Int *
 //#   pin: pinCS digital out accelerometer
 //#   fidelity: 12 bits, 2 g, 400 samples a second
 //#   limit: the sensor takes 3.6 V at most: its lines need level shifters on a board of 5 V
+//#   stack: 108 90
 inline lis3dh_t *lis3dh_init4wire(int32_t pinSCK, int32_t pinSDI, int32_t pinSDO, int32_t pinCS) {
   lis3dh_t *device = new lis3dh_t();
   device->sck_pin = pinSCK;
@@ -627,6 +655,7 @@ inline lis3dh_t *lis3dh_init4wire(int32_t pinSCK, int32_t pinSDI, int32_t pinSDO
 //#   pin: pinCS digital out accelerometer
 //#   fidelity: as lis3dh_init4wire, with one line for data
 //#   limit: the sensor takes 3.6 V at most: its lines need level shifters on a board of 5 V
+//#   stack: 108 92
 inline lis3dh_t *lis3dh_init(int32_t pinSCK, int32_t pinSDI, int32_t pinCS) {
   return lis3dh_init4wire(pinSCK, pinSDI, pinSDI, pinCS);
 }
@@ -636,6 +665,7 @@ inline lis3dh_t *lis3dh_init(int32_t pinSCK, int32_t pinSDI, int32_t pinCS) {
 //#   kind: oneToMany
 //#   needs: LIS3DH_TEMP_CFG_REG LIS3DH_CTRL_REG1 LIS3DH_CTRL_REG2 LIS3DH_CTRL_REG3 LIS3DH_CTRL_REG4 LIS3DH_CTRL_REG5 LIS3DH_CTRL_REG6 lis3dh_t lis3dh_writeByte simpletools.h/high
 //#   fidelity: exact
+//#   stack: 81 67
 inline void lis3dh_shutdown(lis3dh_t *device) {
   high(device->cs_pin);
   lis3dh_writeByte(device, LIS3DH_CTRL_REG4, device->sdi_pin == device->sdo_pin);

@@ -367,6 +367,7 @@ static ImuState imu_state = {255, 255, 255, 255, 0, 0, 16, 2000, {{0, 0, 0}, {0,
 //#   needs: imu_state simpletools.h/low simpletools.h/high simpletools.h/shift_out
 //#   pin: csPin digital out
 //#   fidelity: exact
+//#   stack: 62 51
 inline void imu_SPIwriteByte(int32_t csPin, uint8_t subAddress, uint8_t data) {
   low(csPin);
   shift_out(imu_state.data, imu_state.clock, MSBFIRST, 8, subAddress & 0x3F);
@@ -380,6 +381,7 @@ inline void imu_SPIwriteByte(int32_t csPin, uint8_t subAddress, uint8_t data) {
 //#   needs: imu_state simpletools.h/low simpletools.h/high simpletools.h/shift_out simpletools.h/shift_in simpletools.h/MSBPRE
 //#   pin: csPin digital out
 //#   fidelity: exact: the magnetometer is told when several bytes are read
+//#   stack: 54 39
 inline void imu_SPIreadBytes(int32_t csPin, uint8_t subAddress, void *dest, uint8_t count) {
   uint8_t address = 0x80 | (subAddress & 0x3F);
   if (csPin == imu_state.field && count > 1) address |= 0x40;
@@ -426,6 +428,7 @@ inline void imu_change(uint8_t select, uint8_t address, uint8_t kept, uint8_t se
 //#   kind: oneToMany
 //#   needs: imu_state imu_readAxes imu_lessBias OUT_X_L_G
 //#   fidelity: exact: 16 bits with a sign, less the bias once there is a calibration
+//#   stack: 64 51
 inline void imu_readGyro(int32_t *gx, int32_t *gy, int32_t *gz) {
   imu_readAxes(imu_state.motion, OUT_X_L_G, gx, gy, gz);
   imu_lessBias(0, gx, gy, gz);
@@ -436,6 +439,7 @@ inline void imu_readGyro(int32_t *gx, int32_t *gy, int32_t *gz) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_readGyro
 //#   fidelity: exact: degrees per second
+//#   stack: 82 70
 inline void imu_readGyroCalculated(float *gx, float *gy, float *gz) {
   int32_t x, y, z;
   imu_readGyro(&x, &y, &z);
@@ -449,6 +453,7 @@ inline void imu_readGyroCalculated(float *gx, float *gy, float *gz) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_readAxes imu_lessBias OUT_X_L_XL
 //#   fidelity: exact: 16 bits with a sign, less the bias once there is a calibration
+//#   stack: 64 51
 inline void imu_readAccel(int32_t *ax, int32_t *ay, int32_t *az) {
   imu_readAxes(imu_state.motion, OUT_X_L_XL, ax, ay, az);
   imu_lessBias(1, ax, ay, az);
@@ -459,6 +464,7 @@ inline void imu_readAccel(int32_t *ax, int32_t *ay, int32_t *az) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_readAccel
 //#   fidelity: exact: g
+//#   stack: 82 70
 inline void imu_readAccelCalculated(float *ax, float *ay, float *az) {
   int32_t x, y, z;
   imu_readAccel(&x, &y, &z);
@@ -472,6 +478,7 @@ inline void imu_readAccelCalculated(float *ax, float *ay, float *az) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_readAxes OUT_X_L_M
 //#   fidelity: exact: 16 bits with a sign
+//#   stack: 68 51
 inline void imu_readMag(int32_t *mx, int32_t *my, int32_t *mz) {
   imu_readAxes(imu_state.field, OUT_X_L_M, mx, my, mz);
 }
@@ -481,6 +488,7 @@ inline void imu_readMag(int32_t *mx, int32_t *my, int32_t *mz) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_readMag
 //#   fidelity: exact: gauss
+//#   stack: 82 70
 inline void imu_readMagCalculated(float *mx, float *my, float *mz) {
   int32_t x, y, z;
   imu_readMag(&x, &y, &z);
@@ -494,6 +502,7 @@ inline void imu_readMagCalculated(float *mx, float *my, float *mz) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_SPIreadBytes OUT_TEMP_L
 //#   fidelity: exact: sixteenths of a degree from 25 degrees Celsius on
+//#   stack: 54 41
 inline void imu_readTemp(int32_t *temperature) {
   uint8_t bytes[2];
   imu_SPIreadBytes(imu_state.motion, OUT_TEMP_L, bytes, 2);
@@ -505,6 +514,7 @@ inline void imu_readTemp(int32_t *temperature) {
 //#   kind: oneToMany
 //#   needs: imu_readTemp FAHRENHEIT KELVIN
 //#   fidelity: exact
+//#   stack: 55 41
 inline void imu_readTempCalculated(float *temperature, uint8_t tempUnit) {
   int32_t raw;
   imu_readTemp(&raw);
@@ -518,6 +528,7 @@ inline void imu_readTempCalculated(float *temperature, uint8_t tempUnit) {
 //#   kind: oneToOne
 //#   needs: imu_state imu_byte STATUS_REG_1
 //#   fidelity: exact: whether there is a new reading, 1 or 0
+//#   stack: 47 39
 inline uint8_t imu_accelAvailable() {
   return imu_byte(imu_state.motion, STATUS_REG_1) >> 0 & 1;
 }
@@ -527,6 +538,7 @@ inline uint8_t imu_accelAvailable() {
 //#   kind: oneToOne
 //#   needs: imu_state imu_byte STATUS_REG_1
 //#   fidelity: exact: whether there is a new reading, 1 or 0
+//#   stack: 47 39
 inline uint8_t imu_gyroAvailable() {
   return imu_byte(imu_state.motion, STATUS_REG_1) >> 1 & 1;
 }
@@ -536,6 +548,7 @@ inline uint8_t imu_gyroAvailable() {
 //#   kind: oneToOne
 //#   needs: imu_state imu_byte STATUS_REG_1
 //#   fidelity: exact: whether there is a new reading, 1 or 0
+//#   stack: 47 39
 inline uint8_t imu_tempAvailable() {
   return imu_byte(imu_state.motion, STATUS_REG_1) >> 2 & 1;
 }
@@ -545,6 +558,7 @@ inline uint8_t imu_tempAvailable() {
 //#   kind: oneToOne
 //#   needs: imu_state imu_byte STATUS_REG_M
 //#   fidelity: exact: whether there is a new reading, 1 or 0
+//#   stack: 47 39
 inline uint8_t imu_magAvailable() {
   return imu_byte(imu_state.field, STATUS_REG_M) >> 3 & 1;
 }
@@ -554,6 +568,7 @@ inline uint8_t imu_magAvailable() {
 //#   kind: oneToMany
 //#   needs: imu_state imu_change CTRL_REG1_G
 //#   fidelity: exact: 245, 500 or 2000 degrees per second, 245 for others
+//#   stack: 88 73
 inline void imu_setGyroScale(uint32_t gScl) {
   if (gScl != 500 && gScl != 2000) gScl = 245;
   imu_state.gyroScale = gScl;
@@ -566,6 +581,7 @@ inline void imu_setGyroScale(uint32_t gScl) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_change CTRL_REG6_XL
 //#   fidelity: exact: 2, 4, 8 or 16 g, 2 for others
+//#   stack: 88 73
 inline void imu_setAccelScale(uint8_t aScl) {
   if (aScl != 4 && aScl != 8 && aScl != 16) aScl = 2;
   imu_state.accelScale = aScl;
@@ -578,6 +594,7 @@ inline void imu_setAccelScale(uint8_t aScl) {
 //#   kind: oneToMany
 //#   needs: imu_state imu_change CTRL_REG2_M
 //#   fidelity: exact: 4, 8, 12 or 16 gauss, 4 for others
+//#   stack: 88 73
 inline void imu_setMagScale(uint8_t mScl) {
   if (mScl != 8 && mScl != 12 && mScl != 16) mScl = 4;
   imu_state.fieldScale = mScl;
@@ -590,6 +607,7 @@ inline void imu_setMagScale(uint8_t mScl) {
 //#   kind: oneToOne
 //#   needs: imu_state
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t imu_getGyroScale() {
   return imu_state.gyroScale;
 }
@@ -599,6 +617,7 @@ inline int32_t imu_getGyroScale() {
 //#   kind: oneToOne
 //#   needs: imu_state
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t imu_getAccelScale() {
   return imu_state.accelScale;
 }
@@ -608,6 +627,7 @@ inline int32_t imu_getAccelScale() {
 //#   kind: oneToOne
 //#   needs: imu_state
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t imu_getMagScale() {
   return imu_state.fieldScale;
 }
@@ -633,6 +653,7 @@ inline void imu_keep(uint8_t sensor, int32_t x, int32_t y, int32_t z) {
 //#   needs: imu_state imu_keep
 //#   limit: it is kept in the memory of the microcontroller, at the address that is left of the library's within 1 KB
 //#   fidelity: exact: readings are less by it from now on; those of the accelerometer are not any more, as there
+//#   stack: 26 16
 inline void imu_setGyroCalibration(int32_t gxBias, int32_t gyBias, int32_t gzBias) {
   imu_keep(0, gxBias, gyBias, gzBias);
   imu_state.corrected = 1;
@@ -644,6 +665,7 @@ inline void imu_setGyroCalibration(int32_t gxBias, int32_t gyBias, int32_t gzBia
 //#   needs: imu_state imu_keep
 //#   limit: it is kept in the memory of the microcontroller, at the address that is left of the library's within 1 KB
 //#   fidelity: exact: readings are less by it from now on
+//#   stack: 28 16
 inline void imu_setAccelCalibration(int32_t axBias, int32_t ayBias, int32_t azBias) {
   imu_keep(1, axBias, ayBias, azBias);
   imu_state.corrected |= 2;
@@ -655,6 +677,7 @@ inline void imu_setAccelCalibration(int32_t axBias, int32_t ayBias, int32_t azBi
 //#   needs: imu_state imu_keep imu_SPIwriteByte OFFSET_X_REG_L_M OFFSET_X_REG_H_M
 //#   limit: it is kept in the memory of the microcontroller, at the address that is left of the library's within 1 KB
 //#   fidelity: exact: the sensor takes it off
+//#   stack: 124 106
 inline void imu_setMagCalibration(int32_t mxBias, int32_t myBias, int32_t mzBias) {
   const int32_t given[3] = {mxBias, myBias, mzBias};
   for (uint8_t axis = 0; axis < 3; axis++) {
@@ -669,6 +692,7 @@ inline void imu_setMagCalibration(int32_t mxBias, int32_t myBias, int32_t mzBias
 //#   kind: oneToOne
 //#   needs: imu_state
 //#   fidelity: exact
+//#   stack: 0
 inline void imu_getGyroCalibration(int32_t *gxBias, int32_t *gyBias, int32_t *gzBias) {
   *gxBias = imu_state.bias[0][0];
   *gyBias = imu_state.bias[0][1];
@@ -680,6 +704,7 @@ inline void imu_getGyroCalibration(int32_t *gxBias, int32_t *gyBias, int32_t *gz
 //#   kind: oneToOne
 //#   needs: imu_state
 //#   fidelity: exact
+//#   stack: 0
 inline void imu_getAccelCalibration(int32_t *axBias, int32_t *ayBias, int32_t *azBias) {
   *axBias = imu_state.bias[1][0];
   *ayBias = imu_state.bias[1][1];
@@ -691,6 +716,7 @@ inline void imu_getAccelCalibration(int32_t *axBias, int32_t *ayBias, int32_t *a
 //#   kind: oneToOne
 //#   needs: imu_state
 //#   fidelity: exact
+//#   stack: 0
 inline void imu_getMagCalibration(int32_t *mxBias, int32_t *myBias, int32_t *mzBias) {
   *mxBias = imu_state.bias[2][0];
   *myBias = imu_state.bias[2][1];
@@ -718,6 +744,7 @@ inline int32_t imu_kept(uint8_t sensor, uint8_t axis) {
 //#   limit: the sensor takes 3.6 V at most: its lines need level shifters on a board of 5 V
 //#   limit: the library compares a text without its end, so that it depends on what lies behind whether it uses what was kept
 //#   fidelity: exact: 0x683D, or 0 where another sensor or none answers; 500 degrees per second, 8 g, 12 gauss. What was kept is used, with its sign
+//#   stack: 163 147
 inline int32_t imu_init(int32_t pinSCL, int32_t pinSDIO, int32_t pinAG, int32_t pinM) {
   const int32_t pins[4] = {pinSCL, pinSDIO, pinAG, pinM};
   uint8_t *const kept[4] = {&imu_state.clock, &imu_state.data, &imu_state.motion, &imu_state.field};
@@ -754,6 +781,7 @@ inline int32_t imu_init(int32_t pinSCL, int32_t pinSDIO, int32_t pinAG, int32_t 
 //#   kind: oneToMany
 //#   needs: imu_state imu_change imu_byte imu_SPIwriteByte imu_readGyro imu_readAccel imu_setGyroCalibration imu_setAccelCalibration CTRL_REG9 FIFO_CTRL FIFO_SRC FIFO_THS FIFO_OFF
 //#   fidelity: exact: the mean of the 31 readings or more that the sensor has stored, the third axis upwards; it waits for them, and for ever without a sensor
+//#   stack: 160 144
 inline void imu_calibrateAG() {
   int32_t sums[2][3] = {{0, 0, 0}, {0, 0, 0}}, x, y, z;
   imu_change(imu_state.motion, CTRL_REG9, 0xFF, 2);
@@ -777,6 +805,7 @@ inline void imu_calibrateAG() {
 //#   kind: oneToMany
 //#   needs: imu_magAvailable imu_readMag imu_setMagCalibration
 //#   fidelity: exact: the middle of what 1,200 readings had, which are to be new ones: some 30 s; it waits for them, and for ever without a sensor
+//#   stack: 172 162
 inline void imu_calibrateMag() {
   int32_t least[3] = {0, 0, 0}, most[3] = {0, 0, 0}, now[3];
   for (uint16_t reading = 0; reading < 1200; reading++) {
@@ -795,6 +824,7 @@ inline void imu_calibrateMag() {
 //#   kind: oneToMany
 //#   needs: imu_state imu_SPIwriteByte imu_change INT_GEN_THS_X_XL INT_GEN_THS_Y_XL INT_GEN_THS_Z_XL INT_GEN_CFG_XL INT_GEN_DUR_XL INT1_CTRL
 //#   fidelity: exact
+//#   stack: 93 85
 inline void imu_clearAccelInterrupt() {
   const uint8_t cleared[] = {INT_GEN_THS_X_XL, INT_GEN_THS_Y_XL, INT_GEN_THS_Z_XL, INT_GEN_CFG_XL, INT_GEN_DUR_XL};
   for (uint8_t address : cleared) imu_SPIwriteByte(imu_state.motion, address, 0);
@@ -807,6 +837,7 @@ inline void imu_clearAccelInterrupt() {
 //#   needs: imu_state imu_SPIwriteByte imu_change INT_GEN_THS_XH_G INT_GEN_THS_XL_G INT_GEN_THS_YH_G INT_GEN_THS_YL_G INT_GEN_THS_ZH_G INT_GEN_THS_ZL_G
 //#   needs: INT_GEN_CFG_G INT_GEN_DUR_G INT1_CTRL
 //#   fidelity: exact
+//#   stack: 96 88
 inline void imu_clearGyroInterrupt() {
   const uint8_t cleared[] = {
     INT_GEN_THS_XH_G, INT_GEN_THS_XL_G, INT_GEN_THS_YH_G, INT_GEN_THS_YL_G, INT_GEN_THS_ZH_G, INT_GEN_THS_ZL_G, INT_GEN_CFG_G, INT_GEN_DUR_G};
@@ -819,6 +850,7 @@ inline void imu_clearGyroInterrupt() {
 //#   kind: oneToMany
 //#   needs: imu_state imu_SPIwriteByte INT_THS_L_M INT_THS_H_M INT_SRC_M INT_CFG_M
 //#   fidelity: exact: the third write goes to the register of the fourth, as there
+//#   stack: 67 57
 inline void imu_clearMagInterrupt() {
   const uint8_t cleared[] = {INT_THS_L_M, INT_THS_H_M, INT_SRC_M, INT_CFG_M};
   for (uint8_t address : cleared) imu_SPIwriteByte(imu_state.field, address, 0);
@@ -829,6 +861,7 @@ inline void imu_clearMagInterrupt() {
 //#   kind: oneToMany
 //#   needs: imu_state imu_byte imu_change imu_SPIwriteByte CTRL_REG4 INT_GEN_CFG_XL INT_GEN_THS_X_XL INT_GEN_DUR_XL INT1_CTRL
 //#   fidelity: exact: of one axis, or of all for any other number
+//#   stack: 117 89
 inline void imu_setAccelInterrupt(uint8_t axis, float threshold, uint8_t duration, uint8_t overUnder, uint8_t andOr) {
   const uint8_t select = imu_state.motion;
   imu_change(select, CTRL_REG4, 0xFD, 0);
@@ -849,6 +882,7 @@ inline void imu_setAccelInterrupt(uint8_t axis, float threshold, uint8_t duratio
 //#   kind: oneToMany
 //#   needs: imu_state imu_byte imu_change imu_SPIwriteByte CTRL_REG4 INT_GEN_CFG_G INT_GEN_THS_XH_G INT_GEN_THS_XL_G INT_GEN_DUR_G INT1_CTRL
 //#   fidelity: exact: of one axis, or of all for any other number
+//#   stack: 118 91
 inline void imu_setGyroInterrupt(uint8_t axis, float threshold, uint8_t duration, uint8_t overUnder, uint8_t andOr) {
   const uint8_t select = imu_state.motion;
   imu_change(select, CTRL_REG4, 0xFD, 0);
@@ -871,6 +905,7 @@ inline void imu_setGyroInterrupt(uint8_t axis, float threshold, uint8_t duration
 //#   kind: oneToMany
 //#   needs: imu_state imu_SPIwriteByte INT_THS_L_M INT_THS_H_M INT_CFG_M
 //#   fidelity: exact: of one axis, or of all for any other number
+//#   stack: 72 62
 inline void imu_setMagInterrupt(uint8_t axis, float threshold, uint8_t lowHigh) {
   int32_t value = labs((int32_t)(imu_state.perUnit[2] * threshold));
   if (value > 32767) value = 32767;

@@ -15,6 +15,7 @@ static bool mstime_on;
 //#   kind: oneToOne
 //#   needs: mstime_origin mstime_on
 //#   fidelity: milliseconds since the start; the resonator of an Uno is up to 0.5 % off
+//#   stack: 0
 inline int32_t mstime_get() {
   return mstime_on ? (int32_t)(millis() - mstime_origin) : mstime_held;
 }
@@ -24,6 +25,7 @@ inline int32_t mstime_get() {
 //#   kind: oneToOne
 //#   needs: mstime_origin
 //#   fidelity: exact
+//#   stack: 0
 inline void mstime_set(int32_t newTime) {
   mstime_held = newTime;
   mstime_origin = millis() - newTime;
@@ -34,6 +36,7 @@ inline void mstime_set(int32_t newTime) {
 //#   kind: oneToOne
 //#   needs: mstime_set
 //#   fidelity: exact
+//#   stack: 0
 inline void mstime_reset() {
   mstime_set(0);
 }
@@ -43,6 +46,7 @@ inline void mstime_reset() {
 //#   kind: oneToOne
 //#   needs: mstime_on mstime_set
 //#   fidelity: from 0; the answer is the number of a cog, always 1 here
+//#   stack: 0
 inline int32_t mstime_start() {
   mstime_set(0);
   mstime_on = true;
@@ -54,6 +58,7 @@ inline int32_t mstime_start() {
 //#   kind: oneToOne
 //#   needs: mstime_origin mstime_on mstime_get
 //#   fidelity: the time stands
+//#   stack: 2 0
 inline void mstime_stop() {
   mstime_held = mstime_get();
   mstime_on = false;

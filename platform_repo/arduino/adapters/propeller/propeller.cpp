@@ -43,6 +43,7 @@ inline int32_t *ports(const Number *numbers, int32_t count) {
 //#   needs: CLKFREQ
 //#   fidelity: as CLKFREQ
 //#   limit: a program that writes it changes nothing
+//#   stack: 0
 const uint32_t _clkfreq = CLKFREQ;
 
 //# constant HUBDATA
@@ -55,10 +56,12 @@ const uint32_t _clkfreq = CLKFREQ;
 
 //# register CNT
 //#   fidelity: exact on average; it moves in steps of 4 us (320 ticks)
+//#   stack: 4
 #define CNT ((uint32_t)micros() * 80UL)
 
 //# register _CNT
 //#   fidelity: as CNT
+//#   stack: 4
 #define _CNT ((uint32_t)micros() * 80UL)
 
 //# helper wait_until
@@ -75,6 +78,7 @@ inline void wait_until(uint32_t target) {
 //#   fidelity: within 8 us while no cogs take turns
 //#   limit: where cogs take turns it ends as much later as the others go on until they wait: see RS325
 //#   limit: a target that is already past returns at once; there it waits until the counter comes round, up to 53.7 s
+//#   stack: 4
 inline uint32_t waitcnt(uint32_t target) {
   wait_until(target);
   return target;
@@ -87,6 +91,7 @@ inline uint32_t waitcnt(uint32_t target) {
 //#   fidelity: within 8 us while no cogs take turns; the next target is exact
 //#   limit: where cogs take turns it ends as much later as the others go on until they wait: see RS325
 //#   limit: a target that is already past returns at once; there it waits until the counter comes round, up to 53.7 s
+//#   stack: 4
 inline uint32_t waitcnt2(uint32_t target, uint32_t delta) {
   return waitcnt(target) + delta;
 }
@@ -109,6 +114,7 @@ inline uint32_t read_ports(bool (Io::*property)() const, uint32_t mask) {
 //#   needs: simpletools.h/Io read_ports
 //#   fidelity: levels at the pins; they are read one after the other, all in some 250 us; of `INA & mask` only
 //#   fidelity: those of the mask, one in some 25 us
+//#   stack: 28 14
 const struct {
   operator uint32_t() const { return read_ports(&Io::high, ~0UL); }
   template <class Mask> uint32_t operator&(Mask mask) const { return read_ports(&Io::high, (uint32_t)mask); }
@@ -117,6 +123,7 @@ const struct {
 //# register _INA
 //#   needs: INA
 //#   fidelity: as INA
+//#   stack: 28 14
 const auto &_INA = INA;
 
 //# helper PortRegister
@@ -154,6 +161,7 @@ struct PortRegister {
 //#   fidelity: the output latches of the whole program; on the Propeller each cog has its own. Bits change one after the other:
 //#   fidelity: all in some 280 us, one with |=, &= or ^= in some 40 us
 //#   limit: ports that are not wired keep no bit: 0 is read
+//#   stack: 29 16
 const PortRegister OUTA = {false};
 
 //# register DIRA
@@ -161,16 +169,19 @@ const PortRegister OUTA = {false};
 //#   fidelity: the directions of the whole program; on the Propeller each cog has its own. Bits change one after the other:
 //#   fidelity: all in some 280 us, one with |=, &= or ^= in some 40 us
 //#   limit: ports that are not wired keep no bit: 0 is read
+//#   stack: 28 16
 const PortRegister DIRA = {true};
 
 //# register _OUTA
 //#   needs: PortRegister OUTA
 //#   fidelity: as OUTA
+//#   stack: 29 16
 static const PortRegister &_OUTA = OUTA;
 
 //# register _DIRA
 //#   needs: PortRegister DIRA
 //#   fidelity: as DIRA
+//#   stack: 28 16
 static const PortRegister &_DIRA = DIRA;
 
 //# adapter waitpeq
@@ -179,6 +190,7 @@ static const PortRegister &_DIRA = DIRA;
 //#   needs: INA
 //#   fidelity: within 40 us for one port, 10 us more for each further one
 //#   limit: a state that lasts less than that can be missed
+//#   stack: 35 17
 inline void waitpeq(uint32_t state, uint32_t mask) {
   while ((INA & mask) != state) yield();
 }
@@ -189,6 +201,7 @@ inline void waitpeq(uint32_t state, uint32_t mask) {
 //#   needs: INA
 //#   fidelity: within 40 us for one port, 10 us more for each further one
 //#   limit: a state that lasts less than that can be missed
+//#   stack: 35 17
 inline void waitpne(uint32_t state, uint32_t mask) {
   while ((INA & mask) == state) yield();
 }
@@ -198,6 +211,7 @@ inline void waitpne(uint32_t state, uint32_t mask) {
 //#   kind: oneToOne
 //#   needs: CNT
 //#   fidelity: as CNT
+//#   stack: 2 0
 inline uint32_t getcnt() {
   return CNT;
 }
@@ -208,6 +222,7 @@ inline uint32_t getcnt() {
 //#   needs: simpletools.h/Io
 //#   pin: pin digital in
 //#   fidelity: exact: the output latch is cleared and the direction stays, as there
+//#   stack: 8 0
 inline int32_t getpin(int32_t pin) {
   Io io(pin);
   io.set(false);
@@ -220,6 +235,7 @@ inline int32_t getpin(int32_t pin) {
 //#   needs: simpletools.h/drive_level
 //#   pin: pin digital out
 //#   fidelity: exact
+//#   stack: 10 0
 inline void setpin(int32_t pin, int32_t value) {
   drive_level(pin, value != 0);
 }
@@ -230,6 +246,7 @@ inline void setpin(int32_t pin, int32_t value) {
 //#   needs: simpletools.h/Io
 //#   pin: pin digital out
 //#   fidelity: exact: the latch is inverted and the pin becomes an output
+//#   stack: 8 0
 inline void togglepin(int32_t pin) {
   Io io(pin);
   io.set(!io.latch());
@@ -251,6 +268,7 @@ static uint8_t locks_set = 0;
 //#   kind: semantic
 //#   needs: locks_given
 //#   fidelity: exact: the number of a lock, -1 when all eight are given out
+//#   stack: 2 0
 inline int32_t locknew() {
   for (uint8_t number = 0; number < 8; number++) {
     if (locks_given >> number & 1) continue;
@@ -265,6 +283,7 @@ inline int32_t locknew() {
 //#   kind: semantic
 //#   needs: locks_given
 //#   fidelity: exact
+//#   stack: 0
 inline void lockret(int32_t lockid) {
   locks_given &= ~(1 << (lockid & 7));
 }
@@ -274,6 +293,7 @@ inline void lockret(int32_t lockid) {
 //#   kind: semantic
 //#   needs: locks_set
 //#   fidelity: exact: -1 when the lock was set already, else 0
+//#   stack: 0
 inline int32_t lockset(int32_t lockid) {
   bool before = locks_set >> (lockid & 7) & 1;
   locks_set |= 1 << (lockid & 7);
@@ -285,6 +305,7 @@ inline int32_t lockset(int32_t lockid) {
 //#   kind: semantic
 //#   needs: locks_set
 //#   fidelity: exact: -1 when the lock was set, else 0
+//#   stack: 2 0
 inline int32_t lockclr(int32_t lockid) {
   bool before = locks_set >> (lockid & 7) & 1;
   locks_set &= ~(1 << (lockid & 7));
@@ -369,6 +390,7 @@ inline void cog_heap(bool leaves_main, bool enters_main) {  // without an end, m
 //#   mcu: atmega328p atmega32u4 atmega2560
 //#   needs: cog_table cogs_running cog_switch cog_overflow cog_heap COG_SLOTS
 //#   fidelity: the next cog that runs goes on; all that waits on the target calls this
+//#   stack: 61
 extern "C" inline __attribute__((used)) void yield() {
   uint8_t from = cog_table.now, to = from;
   if (from) {
@@ -452,6 +474,7 @@ inline uint16_t cog_stack_used(uint8_t number) {
 //#   needs: cog_start
 //#   fidelity: the number of the cog, -1 when none is free; it runs whenever the others wait
 //#   limit: the memory given is not used: each cog has a stack of COG_STACK bytes of its own
+//#   stack: 14 2
 inline int32_t cogstart(void (*func)(void *), void *par, void *stack, uint32_t stacksize) {
   (void)stack;
   (void)stacksize;
@@ -464,6 +487,7 @@ inline int32_t cogstart(void (*func)(void *), void *par, void *stack, uint32_t s
 //#   kind: semantic
 //#   needs: cog_table
 //#   fidelity: exact; 0 is the cog of main
+//#   stack: 0
 inline int32_t cogid() {
   return cog_table.now;
 }
@@ -475,6 +499,7 @@ inline int32_t cogid() {
 //#   needs: cog_stop
 //#   fidelity: exact; pins stay as the cog left them
 //#   limit: pins that only the stopped cog drove go on being driven; there they become inputs
+//#   stack: 65 61
 inline void cogstop(int32_t cogid) {
   cog_stop(cogid);
 }
@@ -487,6 +512,7 @@ inline void cogstop(int32_t cogid) {
 //#   needs: waitcnt2
 //#   fidelity: within 8 us; the next target is exact
 //#   limit: a target that is already past returns at once; there it waits until the counter comes round, up to 53.7 s
+//#   stack: 4
 inline uint32_t __builtin_propeller_waitcnt(uint32_t target, uint32_t delta) {
   return waitcnt2(target, delta);
 }
@@ -497,6 +523,7 @@ inline uint32_t __builtin_propeller_waitcnt(uint32_t target, uint32_t delta) {
 //#   needs: waitpeq
 //#   fidelity: as waitpeq
 //#   limit: a state that lasts less than 200 us can be missed
+//#   stack: 35 17
 inline void __builtin_propeller_waitpeq(uint32_t state, uint32_t mask) {
   waitpeq(state, mask);
 }
@@ -507,6 +534,7 @@ inline void __builtin_propeller_waitpeq(uint32_t state, uint32_t mask) {
 //#   needs: waitpne
 //#   fidelity: as waitpne
 //#   limit: a state that lasts less than 200 us can be missed
+//#   stack: 35 17
 inline void __builtin_propeller_waitpne(uint32_t state, uint32_t mask) {
   waitpne(state, mask);
 }
@@ -516,6 +544,7 @@ inline void __builtin_propeller_waitpne(uint32_t state, uint32_t mask) {
 //#   kind: oneToOne
 //#   needs: locknew
 //#   fidelity: exact: the number of a lock, -1 when all eight are given out
+//#   stack: 2 0
 inline int32_t __builtin_propeller_locknew() {
   return locknew();
 }
@@ -525,6 +554,7 @@ inline int32_t __builtin_propeller_locknew() {
 //#   kind: oneToOne
 //#   needs: lockret
 //#   fidelity: exact
+//#   stack: 0
 inline void __builtin_propeller_lockret(int32_t lockid) {
   lockret(lockid);
 }
@@ -534,6 +564,7 @@ inline void __builtin_propeller_lockret(int32_t lockid) {
 //#   kind: oneToOne
 //#   needs: lockset
 //#   fidelity: exact: -1 when the lock was set already, else 0
+//#   stack: 0
 inline int32_t __builtin_propeller_lockset(int32_t lockid) {
   return lockset(lockid);
 }
@@ -543,6 +574,7 @@ inline int32_t __builtin_propeller_lockset(int32_t lockid) {
 //#   kind: oneToOne
 //#   needs: lockclr
 //#   fidelity: exact: -1 when the lock was set, else 0
+//#   stack: 0
 inline int32_t __builtin_propeller_lockclr(int32_t lockid) {
   return lockclr(lockid);
 }
@@ -551,6 +583,7 @@ inline int32_t __builtin_propeller_lockclr(int32_t lockid) {
 //#   for: int __builtin_propeller_rev(int value, int cleared)
 //#   kind: oneToMany
 //#   fidelity: the lower 32 less `cleared` bits the other way round, the others 0; five bits of `cleared` count, as in the instruction
+//#   stack: 0
 inline int32_t __builtin_propeller_rev(int32_t value, int32_t cleared) {
   uint32_t left = value, turned = 0;
   for (uint8_t bits = 32 - (cleared & 31); bits > 0; bits--) {
@@ -566,6 +599,7 @@ inline int32_t __builtin_propeller_rev(int32_t value, int32_t cleared) {
 //#   kind: oneToOne
 //#   needs: cogid
 //#   fidelity: exact; 0 is the cog of main
+//#   stack: 0
 inline int32_t __builtin_propeller_cogid() {
   return cogid();
 }
@@ -577,6 +611,7 @@ inline int32_t __builtin_propeller_cogid() {
 //#   needs: cogstop
 //#   fidelity: exact; pins stay as the cog left them
 //#   limit: pins that only the stopped cog drove go on being driven; there they become inputs
+//#   stack: 65 61
 inline void __builtin_propeller_cogstop(int32_t cogid) {
   cogstop(cogid);
 }

@@ -74,6 +74,7 @@ typedef uint8_t pthread_key_t;
 //#   kind: oneToOne
 //#   needs: pthread_attr_t
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t pthread_attr_init(pthread_attr_t *attr) {
   *attr = {512, 0, 0};
   return 0;
@@ -84,6 +85,7 @@ inline int32_t pthread_attr_init(pthread_attr_t *attr) {
 //#   kind: oneToOne
 //#   needs: pthread_attr_t
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t pthread_attr_destroy(pthread_attr_t *attr) {
   *attr = {0, 0, 0};
   return 0;
@@ -95,6 +97,7 @@ inline int32_t pthread_attr_destroy(pthread_attr_t *attr) {
 //#   needs: pthread_attr_t
 //#   fidelity: the size is kept
 //#   limit: a thread has a stack of COG_STACK bytes, whatever is asked for
+//#   stack: 0
 inline int32_t pthread_attr_setstacksize(pthread_attr_t *attr, uint32_t stacksize) {
   attr->stksiz = stacksize;
   return 0;
@@ -105,6 +108,7 @@ inline int32_t pthread_attr_setstacksize(pthread_attr_t *attr, uint32_t stacksiz
 //#   kind: oneToOne
 //#   needs: pthread_attr_t
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t pthread_attr_setdetachstate(pthread_attr_t *attr, int32_t detachstate) {
   attr->flags = detachstate;
   return 0;
@@ -138,6 +142,7 @@ inline void thread_main(void *) {
 //#   needs: pthread_t pthread_attr_t threads thread_main propeller.h/cog_begin propeller.h/COG_SLOTS Thread
 //#   fidelity: runs whenever the others wait; 11 (EAGAIN) when no thread is free
 //#   limit: there are as many threads as the migration counted, each with a stack of COG_STACK bytes
+//#   stack: 14 5
 inline int32_t pthread_create(pthread_t *thread, const pthread_attr_t *attr, void *(*startfunc)(void *), void *arg) {
   for (uint8_t number = 1; number <= COG_SLOTS; number++) {
     if (threads[number].used || !cog_begin(number, thread_main, 0)) continue;
@@ -154,6 +159,7 @@ inline int32_t pthread_create(pthread_t *thread, const pthread_attr_t *attr, voi
 //#   kind: semantic
 //#   needs: thread_end
 //#   fidelity: exact
+//#   stack: 65 61
 inline void pthread_exit(void *value) {
   thread_end(value);
 }
@@ -164,6 +170,7 @@ inline void pthread_exit(void *value) {
 //#   kind: semantic
 //#   needs: pthread_t propeller.h/yield Thread
 //#   fidelity: exact; 22 (EINVAL) for a thread that is detached
+//#   stack: 61
 inline int32_t pthread_join(pthread_t thread, void **result_ptr) {
   if (thread->detached) return 22;
   while (!thread->ended) yield();
@@ -178,6 +185,7 @@ inline int32_t pthread_join(pthread_t thread, void **result_ptr) {
 //#   kind: semantic
 //#   needs: pthread_t Thread
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t pthread_detach(pthread_t thread) {
   thread->detached = true;
   if (thread->ended) thread->used = false;
@@ -190,6 +198,7 @@ inline int32_t pthread_detach(pthread_t thread) {
 //#   kind: semantic
 //#   needs: pthread_t threads propeller.h/cog_table
 //#   fidelity: exact
+//#   stack: 0
 inline pthread_t pthread_self() {
   return &threads[cog_table.now];
 }
@@ -200,6 +209,7 @@ inline pthread_t pthread_self() {
 //#   kind: oneToOne
 //#   needs: propeller.h/yield
 //#   fidelity: exact
+//#   stack: 61
 inline void pthread_yield() {
   yield();
 }
@@ -208,6 +218,7 @@ inline void pthread_yield() {
 //#   for: void pthread_set_affinity_thiscog_np(void)
 //#   kind: semantic
 //#   fidelity: nothing to be done: a thread stays on its cog
+//#   stack: 0
 inline void pthread_set_affinity_thiscog_np() {}
 
 //# adapter pthread_mutex_init
@@ -215,6 +226,7 @@ inline void pthread_set_affinity_thiscog_np() {}
 //#   kind: semantic
 //#   needs: pthread_mutex_t pthread_mutexattr_t
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t pthread_mutex_init(pthread_mutex_t *mutex, const pthread_mutexattr_t *attr) {
   (void)attr;
   *mutex = {0, 0};
@@ -226,6 +238,7 @@ inline int32_t pthread_mutex_init(pthread_mutex_t *mutex, const pthread_mutexatt
 //#   kind: semantic
 //#   needs: pthread_mutex_t propeller.h/yield
 //#   fidelity: exact; of several that wait any may be next
+//#   stack: 61
 inline int32_t pthread_mutex_lock(pthread_mutex_t *mutex) {
   while (mutex->locked) yield();
   mutex->locked = 1;
@@ -237,6 +250,7 @@ inline int32_t pthread_mutex_lock(pthread_mutex_t *mutex) {
 //#   kind: semantic
 //#   needs: pthread_mutex_t
 //#   fidelity: exact; 16 (EBUSY) when it is locked
+//#   stack: 0
 inline int32_t pthread_mutex_trylock(pthread_mutex_t *mutex) {
   if (mutex->locked) return 16;
   mutex->locked = 1;
@@ -248,6 +262,7 @@ inline int32_t pthread_mutex_trylock(pthread_mutex_t *mutex) {
 //#   kind: semantic
 //#   needs: pthread_mutex_t
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t pthread_mutex_unlock(pthread_mutex_t *mutex) {
   mutex->locked = 0;
   return 0;
@@ -258,6 +273,7 @@ inline int32_t pthread_mutex_unlock(pthread_mutex_t *mutex) {
 //#   kind: semantic
 //#   needs: pthread_mutex_t
 //#   fidelity: exact; 16 (EBUSY) when it is locked
+//#   stack: 0
 inline int32_t pthread_mutex_destroy(pthread_mutex_t *mutex) {
   return mutex->locked ? 16 : 0;
 }
@@ -267,6 +283,7 @@ inline int32_t pthread_mutex_destroy(pthread_mutex_t *mutex) {
 //#   kind: semantic
 //#   needs: pthread_cond_t pthread_condattr_t
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t pthread_cond_init(pthread_cond_t *cond, const pthread_condattr_t *attr) {
   (void)attr;
   *cond = {0, 0};
@@ -278,6 +295,7 @@ inline int32_t pthread_cond_init(pthread_cond_t *cond, const pthread_condattr_t 
 //#   kind: semantic
 //#   needs: pthread_cond_t
 //#   fidelity: exact; 16 (EBUSY) while somebody waits
+//#   stack: 0
 inline int32_t pthread_cond_destroy(pthread_cond_t *cond) {
   return cond->waiting ? 16 : 0;
 }
@@ -287,6 +305,7 @@ inline int32_t pthread_cond_destroy(pthread_cond_t *cond) {
 //#   kind: semantic
 //#   needs: pthread_cond_t pthread_mutex_lock pthread_mutex_unlock propeller.h/yield pthread_mutex_t
 //#   fidelity: exact; of several that wait any may be next
+//#   stack: 67 61
 inline int32_t pthread_cond_wait(pthread_cond_t *cond, pthread_mutex_t *mutex) {
   cond->waiting++;
   pthread_mutex_unlock(mutex);
@@ -301,6 +320,7 @@ inline int32_t pthread_cond_wait(pthread_cond_t *cond, pthread_mutex_t *mutex) {
 //#   kind: semantic
 //#   needs: pthread_cond_t
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t pthread_cond_signal(pthread_cond_t *cond) {
   if (cond->woken < cond->waiting) cond->woken++;
   return 0;
@@ -311,6 +331,7 @@ inline int32_t pthread_cond_signal(pthread_cond_t *cond) {
 //#   kind: semantic
 //#   needs: pthread_cond_t
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t pthread_cond_broadcast(pthread_cond_t *cond) {
   cond->woken = cond->waiting;
   return 0;

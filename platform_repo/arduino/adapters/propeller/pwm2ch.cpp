@@ -18,7 +18,6 @@ struct pwm2ch {
 //# helper pwm2ch_running
 //#   needs: pwm2ch
 //#   vector: TIMER1_COMPA_vect TIMER1_COMPB_vect
-//#   stack: 36
 //#   timer: Timer1
 //#   ram: 3
 static pwm2ch *volatile pwm2ch_running;
@@ -68,6 +67,9 @@ ISR(TIMER1_COMPB_vect) { pwm2ch_end(); }
 //#   fidelity: cycles from 100 us up to 4.19 s, one tick of the timer exact: 0.06 us up to 4 ms, 0.5 us up to 32 ms
 //#   limit: takes Timer1, which Servo.h needs: one of the two
 //#   limit: a second pwm2ch takes the place of the first
+//#   stack: 27 14
+//#   interrupt: TIMER1_COMPA_vect 34
+//#   interrupt: TIMER1_COMPB_vect 27
 inline pwm2ch *pwm2ch_start(uint32_t cycleMicroseconds) {
   pwm2ch *device = new pwm2ch();
   uint8_t clock = 1;
@@ -97,6 +99,9 @@ inline pwm2ch *pwm2ch_start(uint32_t cycleMicroseconds) {
 //#   fidelity: width within 8 us: the interrupts add up to 5 us; less than nothing ends the pulses, and the pin becomes an input
 //#   limit: widths and rests of less than 20 us are not kept
 //#   range: tHigh 20.. or 0: the pulse is not kept
+//#   stack: 52 29
+//#   interrupt: TIMER1_COMPA_vect 34
+//#   interrupt: TIMER1_COMPB_vect 27
 inline void pwm2ch_set(pwm2ch *device, int32_t pin, int32_t channel, int32_t tHigh) {
   Io io(pin);
   uint8_t place = channel ? 1 : 0, bit = 1 << place;
@@ -131,6 +136,9 @@ inline void pwm2ch_set(pwm2ch *device, int32_t pin, int32_t channel, int32_t tHi
 //#   kind: semantic
 //#   needs: pwm2ch pwm2ch_running pwm2ch_set
 //#   fidelity: the pins become inputs
+//#   stack: 32 28
+//#   interrupt: TIMER1_COMPA_vect 34
+//#   interrupt: TIMER1_COMPB_vect 27
 inline void pwm2ch_stop(pwm2ch *device) {
   pwm2ch_set(device, 255, 0, -1);
   pwm2ch_set(device, 255, 1, -1);

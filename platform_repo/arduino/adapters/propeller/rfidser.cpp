@@ -18,6 +18,7 @@ struct RfidReader : text_t {
 //#   kind: oneToOne
 //#   needs: rfidser RfidReader simpletools.h/high
 //#   fidelity: exact: the line for the reader is high
+//#   stack: 10 0
 inline void rfid_disable(rfidser *device) {
   high(static_cast<RfidReader *>(device)->enable);
 }
@@ -27,6 +28,7 @@ inline void rfid_disable(rfidser *device) {
 //#   kind: oneToOne
 //#   needs: rfidser RfidReader simpletools.h/low
 //#   fidelity: exact: the line for the reader is low
+//#   stack: 10 0
 inline void rfid_enable(rfidser *device) {
   low(static_cast<RfidReader *>(device)->enable);
 }
@@ -36,6 +38,7 @@ inline void rfid_enable(rfidser *device) {
 //#   kind: oneToMany
 //#   needs: rfidser rfid_disable rfid_enable
 //#   fidelity: exact
+//#   stack: 10
 inline void rfid_reset(rfidser *device) {
   rfid_disable(device);
   rfid_enable(device);
@@ -48,6 +51,10 @@ inline void rfid_reset(rfidser *device) {
 //#   pin: soutPin interrupt in
 //#   pin: enablePin digital out
 //#   fidelity: it waits half a second, as there, and the reader is on
+//#   stack: 35 21
+//#   interrupt: PCINT0_vect 41
+//#   interrupt: PCINT1_vect 58
+//#   interrupt: PCINT2_vect 58
 inline rfidser *rfid_open(int32_t soutPin, int32_t enablePin) {
   RfidReader *reader = new RfidReader();
   reader->enable = (uint8_t)enablePin;
@@ -66,6 +73,7 @@ inline rfidser *rfid_open(int32_t soutPin, int32_t enablePin) {
 //#   kind: oneToMany
 //#   needs: rfidser RfidReader fdserial.h/fdserial_rxCheck simpletext.h/readStr
 //#   fidelity: exact: the text of the next card, of 10 characters, 50 ms after it began, or "timed out"
+//#   stack: 20 2
 inline char *rfid_get(rfidser *device, int32_t timeoutms) {
   RfidReader *reader = static_cast<RfidReader *>(device);
   memset(reader->id, 0, sizeof reader->id);
@@ -81,6 +89,7 @@ inline char *rfid_get(rfidser *device, int32_t timeoutms) {
 //#   kind: oneToMany
 //#   needs: rfidser RfidReader fdserial.h/SerialLine simpletext.h/text_t
 //#   fidelity: exact: nothing more is received, and the reader stays as it is
+//#   stack: 4
 inline void rfidser_close(rfidser *device) {
   RfidReader *reader = static_cast<RfidReader *>(device);
   delete static_cast<SerialLine *>(reader->port);

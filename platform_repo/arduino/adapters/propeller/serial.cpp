@@ -46,6 +46,12 @@ struct HalfLine : SerialLine {
 //#   fidelity: the line rests at once; nothing is waited for. Bytes that come while nobody asks are kept, 63 of them, and lost there
 //#   limit: up to 57,600 baud away from the console, beside servos up to 19,200 and beside their feedback signals up to 9,600 baud
 //#   limit: beside servos a byte waits for a time between their pulses; below 9,600 baud it does not, and they are up to 40 us longer
+//#   stack: 22 8
+//#   interrupt: PCINT0_vect 41
+//#   interrupt: PCINT1_vect 58
+//#   interrupt: PCINT2_vect 58
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline serial *serial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baudrate) {
   serial *device = new serial();
   device->terminalEcho = (mode & ECHO_RX_TO_TX) != 0;
@@ -71,6 +77,7 @@ inline serial *serial_open(int32_t rxpin, int32_t txpin, int32_t mode, int32_t b
 //#   needs: serial simpletext.h/readByte
 //#   fidelity: it waits for a byte, 0 to 255
 //#   limit: 0 at once where the line is not wired
+//#   stack: 4 0
 inline int32_t serial_rxChar(serial *device) {
   return readByte(device);
 }
@@ -80,6 +87,7 @@ inline int32_t serial_rxChar(serial *device) {
 //#   kind: oneToOne
 //#   needs: serial simpletext.h/text_t
 //#   fidelity: exact: it waits until the byte is sent, and gives it back
+//#   stack: 8 0
 inline int32_t serial_txChar(serial *device, int32_t txbyte) {
   if (device->port) {
     device->port->write((uint8_t)txbyte);
@@ -93,6 +101,9 @@ inline int32_t serial_txChar(serial *device, int32_t txbyte) {
 //#   kind: oneToMany
 //#   needs: serial HalfLine simpletext.h/text_t
 //#   fidelity: exact: both pins are inputs
+//#   stack: 8 6
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void serial_close(serial *device) {
   if (!device) return;
   if (device->port == &Serial) Serial.end();

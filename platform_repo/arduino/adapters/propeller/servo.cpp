@@ -7,7 +7,6 @@
 
 //# helper background
 //#   vector: TIMER0_COMPA_vect
-//#   stack: 46
 //#   fidelity: sample jobs every 1,024 us with interrupts on
 //#   ram: 6
 static void (*sample_jobs[2])();
@@ -141,7 +140,6 @@ inline void do_each_frame(void (*job)()) {
 //# helper frame_interrupt
 //#   needs: servo_timer
 //#   vector: TIMER1_COMPB_vect
-//#   stack: 124
 inline void frame_comes();
 
 ISR(TIMER1_COMPB_vect) { frame_comes(); }
@@ -155,7 +153,6 @@ inline void begin_frames() {
 //#   mcu: atmega2560
 //#   needs: servo_timer
 //#   vector: TIMER5_COMPB_vect
-//#   stack: 124
 inline void frame_comes();
 
 ISR(TIMER5_COMPB_vect) { frame_comes(); }
@@ -167,7 +164,6 @@ inline void begin_frames() {
 
 //# helper ServoSlot
 //#   needs: simpletools.h/Io servo_timer frame_ticks
-//#   stack: 24
 //#   fidelity: Servo.h makes pulses for at most 12 servos with one timer, the library for 14 with a cog
 //#   ram: 132
 const uint8_t servo_places = MAX_SERVOS < 14 ? MAX_SERVOS : 14;
@@ -254,6 +250,8 @@ inline int16_t servo_us(uint8_t pin, int16_t speed, int16_t otherwise) {  // oth
 //#   limit: 12 servos at a time instead of 14, and no PWM on pins 9 and 10 of an Uno
 //#   limit: widths from 40 to 2,900 us
 //#   range: time 40..2900 or 0: the pulse is made 40 or 2,900 us long
+//#   stack: 36 18
+//#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servo_set(int32_t pin, int32_t time) {
   if (!Io(pin).wired()) return 0;
   ServoSlot *slot = servo_slot(pin, false);
@@ -287,6 +285,8 @@ inline int32_t servo_set(int32_t pin, int32_t time) {
 //#   pin: pin digital out servo
 //#   fidelity: 500 us and one more for each tenth of a degree, as there
 //#   range: degreeTenths -460..2400 or -500: the pulse is made 40 or 2,900 us long
+//#   stack: 36 18
+//#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servo_angle(int32_t pin, int32_t degreeTenths) {
   return servo_set(pin, degreeTenths + 500);
 }
@@ -298,6 +298,8 @@ inline int32_t servo_angle(int32_t pin, int32_t degreeTenths) {
 //#   pin: pin digital out servo
 //#   fidelity: 1,500 us and one more for each unit, as there; positive is counter-clockwise
 //#   range: speed -1460..1400 or -1500: the pulse is made 40 or 2,900 us long
+//#   stack: 36 18
+//#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servo_speed(int32_t pin, int32_t speed) {
   int32_t us = speed + 1500;
   return servo_set(pin, us > 0 && us < 3000 ? servo_us(pin, speed, us) : us);
@@ -309,6 +311,8 @@ inline int32_t servo_speed(int32_t pin, int32_t speed) {
 //#   needs: ServoSlot
 //#   pin: pin digital out servo
 //#   fidelity: the width last sent in microseconds, on the way of a ramp too; -4 for a pin without a servo
+//#   stack: 4 0
+//#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servo_get(int32_t pin) {
   ServoSlot *slot = servo_slot(pin, false);
   if (!slot) return -4;
@@ -325,6 +329,10 @@ inline int32_t servo_get(int32_t pin) {
 //#   needs: ServoSlot frames
 //#   pin: pin digital out servo
 //#   fidelity: at most so many microseconds more or less every 20 ms, in the background; -4 for a pin without a servo
+//#   stack: 2 0
+//#   interrupt: TIMER0_COMPA_vect 25 25
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline void servo_ramps() {
   for (auto &slot : servo_slots) {
     if (!slot.used || slot.own || !slot.servo->attached()) continue;
@@ -349,6 +357,8 @@ inline int32_t servo_setramp(int32_t pin, int32_t stepSize) {
 //#   needs: servo_set
 //#   pin: pin digital out servo
 //#   fidelity: as there: the pin becomes an input; a pulse under way is ended first, for which it waits up to 3 ms
+//#   stack: 20 12
+//#   interrupt: TIMER1_COMPA_vect 21
 inline int32_t servo_disable(int32_t pin) {
   return servo_set(pin, 0);
 }
@@ -358,6 +368,8 @@ inline int32_t servo_disable(int32_t pin) {
 //#   kind: oneToMany
 //#   needs: ServoSlot
 //#   fidelity: all pulses end and the pins become inputs; they go on with the next call of servo_set and its like, as there
+//#   stack: 22 12
+//#   interrupt: TIMER1_COMPA_vect 21
 inline void servo_stop() {
   for (auto &slot : servo_slots)
     if (slot.used && !slot.own) slot.release();

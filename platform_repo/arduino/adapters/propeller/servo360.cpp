@@ -306,6 +306,13 @@ inline int8_t servo360_place(int32_t pin) {
 //#   fidelity: the place of the servo, or -8 without a signal, -4 and -5 for a pin in use, -7 for a fifth servo
 //#   limit: the feedback pin needs a pin-change interrupt (all pins of an Uno)
 //#   limit: where the feedback is not wired, the angle is taken to be as calculated
+//#   stack: 83 61
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
+//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_connect(int32_t pinControl, int32_t pinFeedback) {
   Io control(pinControl), signal(pinFeedback);
   if (signal.wired()) {
@@ -358,6 +365,10 @@ inline int32_t servo360_connect(int32_t pinControl, int32_t pinFeedback) {
 //#   needs: S360_SPEED S360_POSITION S360_GOTO Uninterrupted Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: units a second, reached by the ramp in the background
+//#   stack: 27 4
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_speed(int32_t pin, int32_t speed) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -378,6 +389,10 @@ inline int32_t servo360_speed(int32_t pin, int32_t speed) {
 //#   needs: S360_POSITION Uninterrupted Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: the angle is held in the background, by the same control as there
+//#   stack: 25 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_angle(int32_t pin, int32_t position) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -396,6 +411,10 @@ inline int32_t servo360_angle(int32_t pin, int32_t position) {
 //#   needs: S360_POSITION S360_GOTO Uninterrupted Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: so many units from where it is to be, with the ramp and the top speed, in the background
+//#   stack: 26 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_goto(int32_t pin, int32_t position) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -416,6 +435,10 @@ inline int32_t servo360_goto(int32_t pin, int32_t position) {
 //#   needs: Servo360 servo360_run servo.h/servo_us
 //#   pin: pin digital out servo
 //#   fidelity: a width in microseconds, which holds while the feedback is off; within 1,260 to 1,740 us, as there
+//#   stack: 25 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_set(int32_t pin, int32_t time) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -430,6 +453,10 @@ inline int32_t servo360_set(int32_t pin, int32_t time) {
 //#   needs: servo360_run servo360_speed
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 25 12
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_stop(int32_t pin) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -443,6 +470,10 @@ inline int32_t servo360_stop(int32_t pin) {
 //#   needs: Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: exact: without it the servo gets no pulses
+//#   stack: 12
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_enable(int32_t pin, int32_t state) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -458,6 +489,10 @@ inline int32_t servo360_enable(int32_t pin, int32_t state) {
 //#   needs: servo360_run Servo360 Uninterrupted
 //#   pin: pin digital out servo
 //#   fidelity: off, servo360_set decides; on again, the angle there is the new zero, as there
+//#   stack: 24 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_feedback(int32_t pin, int32_t state) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -480,6 +515,10 @@ inline int32_t servo360_feedback(int32_t pin, int32_t state) {
 //#   needs: servo360_run Servo360
 //#   pin: pin digital out servo
 //#   fidelity: within a degree; -1 for a pin without such a servo
+//#   stack: 24 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_getAngle(int32_t pin) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -493,6 +532,10 @@ inline int32_t servo360_getAngle(int32_t pin) {
 //#   needs: servo360_run Servo360
 //#   pin: pin digital out servo
 //#   fidelity: within 12 of 4,096 units; -1 for a pin without such a servo
+//#   stack: 18 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_getAngle12Bit(int32_t pin) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -506,6 +549,10 @@ inline int32_t servo360_getAngle12Bit(int32_t pin) {
 //#   needs: servo360_run Servo360
 //#   pin: pin digital out servo
 //#   fidelity: within 12 of 4,096 units; -1 for a pin without such a servo
+//#   stack: 12 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_getAngleFixedOrigin(int32_t pin) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -519,6 +566,10 @@ inline int32_t servo360_getAngleFixedOrigin(int32_t pin) {
 //#   needs: servo360_run Servo360
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 24 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_getAngleCalc(int32_t pin) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -532,6 +583,10 @@ inline int32_t servo360_getAngleCalc(int32_t pin) {
 //#   needs: servo360_run Servo360
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 24 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_getAngleOffset(int32_t pin) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -546,6 +601,10 @@ inline int32_t servo360_getAngleOffset(int32_t pin) {
 //#   pin: pin digital out servo
 //#   fidelity: from two angles 20 ms apart; an error of one unit of 4,096 is 50 of them a second
 //#   limit: at rest up to seven units of 360 a second are measured: compare with a threshold, not with 0
+//#   stack: 24 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_getSpeed(int32_t pin) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -559,6 +618,10 @@ inline int32_t servo360_getSpeed(int32_t pin) {
 //#   needs: servo360_run Servo360
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 18 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_getTurns(int32_t pin) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -572,6 +635,10 @@ inline int32_t servo360_getTurns(int32_t pin) {
 //#   needs: servo360_run Servo360
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 12 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_getCsop(int32_t pin) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -585,6 +652,10 @@ inline int32_t servo360_getCsop(int32_t pin) {
 //#   needs: servo360_run Servo360
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 24 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_getMaxSpeed(int32_t pin) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -598,6 +669,10 @@ inline int32_t servo360_getMaxSpeed(int32_t pin) {
 //#   needs: servo360_run Servo360
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 12 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_getRampStep(int32_t pin) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -611,6 +686,10 @@ inline int32_t servo360_getRampStep(int32_t pin) {
 //#   needs: servo360_run Servo360
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 24 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_getAcceleration(int32_t pin) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -624,6 +703,10 @@ inline int32_t servo360_getAcceleration(int32_t pin) {
 //#   needs: servo360_run Servo360
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 12 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_getUnitsFullCircle(int32_t pin) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -637,6 +720,10 @@ inline int32_t servo360_getUnitsFullCircle(int32_t pin) {
 //#   needs: servo360_run Servo360
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 24 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_getAngleCtrlSpeedMax(int32_t pin) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -650,6 +737,10 @@ inline int32_t servo360_getAngleCtrlSpeedMax(int32_t pin) {
 //#   needs: Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: exact: more than two turns a second is not taken, and 0 the answer
+//#   stack: 25 4
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_setMaxSpeed(int32_t pin, int32_t speed) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -666,6 +757,10 @@ inline int32_t servo360_setMaxSpeed(int32_t pin, int32_t speed) {
 //#   needs: Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 12 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_setRampStep(int32_t pin, int32_t stepSize) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -680,6 +775,10 @@ inline int32_t servo360_setRampStep(int32_t pin, int32_t stepSize) {
 //#   needs: Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 25 4
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_setAcceleration(int32_t pin, int32_t unitsPerSecSquared) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -694,6 +793,10 @@ inline int32_t servo360_setAcceleration(int32_t pin, int32_t unitsPerSecSquared)
 //#   needs: Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: exact: once more than 360 is set it stays
+//#   stack: 22 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_setUnitsFullCircle(int32_t pin, int32_t units) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -709,6 +812,10 @@ inline int32_t servo360_setUnitsFullCircle(int32_t pin, int32_t units) {
 //#   needs: Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: exact: -2 for more than two turns a second
+//#   stack: 25 4
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_setAngleCtrlSpeedMax(int32_t pin, int32_t speed) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -725,6 +832,10 @@ inline int32_t servo360_setAngleCtrlSpeedMax(int32_t pin, int32_t speed) {
 //#   needs: Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 12 8
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_setAngleLimits(int32_t pin, int32_t ccwMax, int32_t cwMax) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -740,6 +851,10 @@ inline int32_t servo360_setAngleLimits(int32_t pin, int32_t ccwMax, int32_t cwMa
 //#   needs: Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 25 4
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_setAngleOffset(int32_t pin, int32_t angle) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -754,6 +869,10 @@ inline int32_t servo360_setAngleOffset(int32_t pin, int32_t angle) {
 //#   needs: Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 25 4
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_setAngleCalc(int32_t pin, int32_t angle) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -768,6 +887,10 @@ inline int32_t servo360_setAngleCalc(int32_t pin, int32_t angle) {
 //#   needs: S360_SPEED S360_POSITION S360_GOTO Uninterrupted Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: so many turns more, as there
+//#   stack: 22 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_setTurns(int32_t pin, int32_t turns) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -789,6 +912,10 @@ inline int32_t servo360_setTurns(int32_t pin, int32_t turns) {
 //#   needs: S360_SETTING_KPV S360_SETTING_KIV S360_SETTING_KDV S360_SETTING_IV_MAX S360_SETTING_KPA S360_SETTING_KIA S360_SETTING_KDA S360_SETTING_IA_MAX Uninterrupted Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 28 8
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_setControlSys(int32_t pin, int32_t constant, int32_t value) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -813,6 +940,10 @@ inline int32_t servo360_setControlSys(int32_t pin, int32_t constant, int32_t val
 //#   needs: S360_SETTING_VB_CCW S360_SETTING_VB_CW S360_SETTING_VM_CCW S360_SETTING_VM_CW Uninterrupted Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 30 8
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_setTransferFunction(int32_t pin, int32_t constant, int32_t value) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -834,6 +965,10 @@ inline int32_t servo360_setTransferFunction(int32_t pin, int32_t constant, int32
 //#   pin: pinA digital out servo
 //#   pin: pinB digital out servo
 //#   fidelity: the one that lags less is slowed down, as there
+//#   stack: 23 12
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_couple(int32_t pinA, int32_t pinB) {
   int8_t a = servo360_place(pinA), b = servo360_place(pinB);
   if (a < 0) return -1;
@@ -853,6 +988,10 @@ inline int32_t servo360_couple(int32_t pinA, int32_t pinB) {
 //#   pin: pinA digital out servo
 //#   pin: pinB digital out servo
 //#   fidelity: that of the first one, as there
+//#   stack: 29 12
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_setCoupleScale(int32_t pinA, int32_t pinB, int32_t scale) {
   int8_t a = servo360_place(pinA), b = servo360_place(pinB);
   if (a < 0) return -1;
@@ -867,6 +1006,10 @@ inline int32_t servo360_setCoupleScale(int32_t pinA, int32_t pinB, int32_t scale
 //#   needs: S360_SETTING_KPV S360_SETTING_KIV S360_SETTING_KDV S360_SETTING_IV_MAX S360_SETTING_KPA S360_SETTING_KIA S360_SETTING_KDA S360_SETTING_IA_MAX Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo; 0 for any other setting, where the library returns anything
+//#   stack: 26 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_getControlSys(int32_t pin, int32_t constant) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -890,6 +1033,10 @@ inline int32_t servo360_getControlSys(int32_t pin, int32_t constant) {
 //#   needs: Servo360 servo360_run
 //#   pin: pin digital out servo
 //#   fidelity: exact; -1 for a pin without such a servo
+//#   stack: 12 2
+//#   interrupt: TIMER0_COMPA_vect 114 114
+//#   interrupt: TIMER1_COMPA_vect 21
+//#   interrupt: TIMER1_COMPB_vect 21 21
 template <class Int> inline int32_t servo360_getAngleLimits(int32_t pin, Int *ccwMax, Int *cwMax) {
   int8_t place = servo360_place(pin);
   if (place < 0) return -1;
@@ -903,6 +1050,7 @@ template <class Int> inline int32_t servo360_getAngleLimits(int32_t pin, Int *cc
 //#   kind: oneToOne
 //#   needs: S360_UNITS_ENCODER
 //#   fidelity: exact, rounded towards 0
+//#   stack: 0
 inline int32_t servo360_unitsAngleToEncoder(int32_t value, int32_t unitsRev) {
   return value * S360_UNITS_ENCODER / unitsRev;
 }
@@ -913,6 +1061,7 @@ inline int32_t servo360_unitsAngleToEncoder(int32_t value, int32_t unitsRev) {
 //#   needs: S360_UNITS_ENCODER
 //#   symmetric: value unitsRev
 //#   fidelity: exact, rounded towards 0
+//#   stack: 0
 inline int32_t servo360_unitsEncoderToAngle(int32_t value, int32_t unitsRev) {
   return value * unitsRev / S360_UNITS_ENCODER;
 }
@@ -921,10 +1070,12 @@ inline int32_t servo360_unitsEncoderToAngle(int32_t value, int32_t unitsRev) {
 //#   for: void servo360_monitorRun(void)
 //#   kind: oneToOne
 //#   fidelity: exact: the library as it is shipped leaves its monitor out, and does nothing
+//#   stack: 0
 inline void servo360_monitorRun() {}
 
 //# adapter servo360_monitorEnd
 //#   for: void servo360_monitorEnd(void)
 //#   kind: oneToOne
 //#   fidelity: exact: the library as it is shipped leaves its monitor out, and does nothing
+//#   stack: 0
 inline void servo360_monitorEnd() {}

@@ -25,6 +25,7 @@ inline uint8_t two_wire(uint8_t command) {
 //#   pin: sdaPin digital both
 //#   fidelity: 100 kHz; weak pull-ups are switched on
 //#   limit: only at the pins SCL and SDA; the clock is never driven high
+//#   stack: 0
 inline i2c *i2c_open(i2c *bus, int32_t sclPin, int32_t sdaPin, int32_t sclDrive) {
   (void)sclDrive;
   bus->wired = sclPin == SCL && sdaPin == SDA;
@@ -42,6 +43,7 @@ inline i2c *i2c_open(i2c *bus, int32_t sclPin, int32_t sdaPin, int32_t sclDrive)
 //#   kind: semantic
 //#   needs: i2c two_wire
 //#   fidelity: exact
+//#   stack: 2 0
 inline void i2c_start(i2c *bus) {
   if (bus->wired) two_wire(_BV(TWSTA));
 }
@@ -51,6 +53,7 @@ inline void i2c_start(i2c *bus) {
 //#   kind: semantic
 //#   needs: i2c
 //#   fidelity: exact
+//#   stack: 2 0
 inline void i2c_stop(i2c *bus) {
   if (!bus->wired) return;
   TWCR = _BV(TWINT) | _BV(TWEN) | _BV(TWSTO);
@@ -62,6 +65,7 @@ inline void i2c_stop(i2c *bus) {
 //#   kind: semantic
 //#   needs: i2c two_wire
 //#   fidelity: exact: 0 when the byte is acknowledged, else 1
+//#   stack: 2 0
 inline int32_t i2c_writeByte(i2c *bus, int32_t byte) {
   if (!bus->wired) return 1;
   TWDR = (uint8_t)byte;
@@ -74,6 +78,7 @@ inline int32_t i2c_writeByte(i2c *bus, int32_t byte) {
 //#   kind: semantic
 //#   needs: i2c two_wire
 //#   fidelity: exact: it acknowledges the byte when ackState is 0
+//#   stack: 2 0
 inline int32_t i2c_readByte(i2c *bus, int32_t ackState) {
   if (!bus->wired) return 0;
   two_wire(ackState ? 0 : _BV(TWEA));
@@ -85,6 +90,7 @@ inline int32_t i2c_readByte(i2c *bus, int32_t ackState) {
 //#   kind: oneToMany
 //#   needs: i2c i2c_writeByte
 //#   fidelity: exact: the number of bytes that were acknowledged
+//#   stack: 8 0
 inline int32_t i2c_writeData(i2c *bus, const void *data, int32_t count) {
   int32_t number = 0;
   while (number < count && !i2c_writeByte(bus, ((const uint8_t *)data)[number])) number++;
@@ -96,6 +102,7 @@ inline int32_t i2c_writeData(i2c *bus, const void *data, int32_t count) {
 //#   kind: oneToMany
 //#   needs: i2c i2c_readByte
 //#   fidelity: exact: it acknowledges all bytes but the last, and returns their number without it
+//#   stack: 14 0
 inline int32_t i2c_readData(i2c *bus, void *data, int32_t count) {
   int32_t number = 0;
   do ((uint8_t *)data)[number] = (uint8_t)i2c_readByte(bus, number + 1 >= count);
@@ -108,6 +115,7 @@ inline int32_t i2c_readData(i2c *bus, void *data, int32_t count) {
 //#   kind: oneToMany
 //#   needs: i2c i2c_start i2c_writeByte
 //#   fidelity: exact: 0 when the device acknowledges; the address has 8 bits here
+//#   stack: 7 2
 inline int32_t i2c_poll(i2c *bus, int32_t addr) {
   i2c_start(bus);
   return i2c_writeByte(bus, addr);

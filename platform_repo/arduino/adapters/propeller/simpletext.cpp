@@ -148,6 +148,7 @@ static text_t *dport_ptr = &console;
 //#   kind: oneToOne
 //#   needs: text_t
 //#   fidelity: exact
+//#   stack: 0
 inline void set_endChars(text_t *text, char cA, char cB) {
   text->ecA = cA;
   text->ecB = cB;
@@ -158,6 +159,7 @@ inline void set_endChars(text_t *text, char cA, char cB) {
 //#   kind: oneToOne
 //#   needs: text_t
 //#   fidelity: exact
+//#   stack: 0
 inline void set_endCharSequence(text_t *text, char cA, char cB) {
   text->ecsA = cA;
   text->ecsB = cB;
@@ -168,6 +170,7 @@ inline void set_endCharSequence(text_t *text, char cA, char cB) {
 //#   kind: oneToOne
 //#   needs: text_t
 //#   fidelity: exact
+//#   stack: 0
 inline void terminal_setEcho(text_t *text, int32_t state) {
   text->terminalEcho = state;
 }
@@ -177,6 +180,7 @@ inline void terminal_setEcho(text_t *text, int32_t state) {
 //#   kind: oneToOne
 //#   needs: text_t
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t terminal_checkEcho(text_t *text) {
   return text->terminalEcho;
 }
@@ -186,6 +190,9 @@ inline int32_t terminal_checkEcho(text_t *text) {
 //#   kind: oneToOne
 //#   needs: terminal dport_ptr
 //#   fidelity: exact
+//#   stack: 6
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline terminal *simpleterm_pointer() {
   return dport_ptr;
 }
@@ -196,6 +203,9 @@ inline terminal *simpleterm_pointer() {
 //#   needs: text_t dport_ptr
 //#   fidelity: print and its like send nothing any more
 //#   limit: the pins of the console stay with the serial port
+//#   stack: 6
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void simpleterm_close() {
   if (dport_ptr && dport_ptr->port) dport_ptr->port->flush();
   dport_ptr = 0;
@@ -206,6 +216,9 @@ inline void simpleterm_close() {
 //#   kind: semantic
 //#   needs: text_t terminal console dport_ptr
 //#   fidelity: exact: 115200 baud, and a second of waiting when it was closed
+//#   stack: 12 6
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline terminal *simpleterm_open() {
   if (dport_ptr) return dport_ptr;
   Serial.begin(115200);
@@ -223,6 +236,9 @@ inline terminal *simpleterm_open() {
 //#   pin: txpin digital out
 //#   fidelity: exact at the pins of the console, 0 and 1; at any others the terminal is not wired
 //#   limit: the terminal cannot move to other pins
+//#   stack: 8
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline terminal *simpleterm_reopen(int32_t rxpin, int32_t txpin, int32_t mode, int32_t baud) {
   bool wired = rxpin == 0 && txpin == 1;
   Serial.flush();
@@ -238,6 +254,9 @@ inline terminal *simpleterm_reopen(int32_t rxpin, int32_t txpin, int32_t mode, i
 //#   kind: oneToMany
 //#   needs: text_t dport_ptr simpleterm_close
 //#   fidelity: exact
+//#   stack: 6
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void simpleterm_set(text_t *ptr) {
   simpleterm_close();
   dport_ptr = ptr;
@@ -289,6 +308,7 @@ inline void waitSent(text_t *device) {  // the program goes on when the terminal
 //#   kind: oneToOne
 //#   needs: text_t sendChar
 //#   fidelity: exact: the byte as it is
+//#   stack: 2 0
 inline void writeByte(text_t *device, char c) {
   sendByte(device, c);
   waitSent(device);
@@ -299,6 +319,7 @@ inline void writeByte(text_t *device, char c) {
 //#   kind: oneToMany
 //#   needs: text_t sendChar
 //#   fidelity: exact: one that ends a line is sent as the device's line end
+//#   stack: 6 2
 inline void writeChar(text_t *device, char c) {
   sendChar(device, c);
   waitSent(device);
@@ -309,6 +330,9 @@ inline void writeChar(text_t *device, char c) {
 //#   kind: oneToOne
 //#   needs: dport_ptr writeByte
 //#   fidelity: exact
+//#   stack: 8
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void putByte(char c) {
   writeByte(dport_ptr, c);
 }
@@ -318,6 +342,9 @@ inline void putByte(char c) {
 //#   kind: oneToOne
 //#   needs: dport_ptr writeChar
 //#   fidelity: exact but for line ends
+//#   stack: 12 8
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void putChar(char c) {
   writeChar(dport_ptr, c);
 }
@@ -327,6 +354,7 @@ inline void putChar(char c) {
 //#   kind: oneToMany
 //#   needs: text_t
 //#   fidelity: it waits; 0 to 255. Bytes that came before the call are kept here, 64 of them, and lost there
+//#   stack: 4 0
 inline int32_t readByte(text_t *device) {
   if (!device || !device->port) return 0;
   while (!device->port->available()) yield();
@@ -353,6 +381,7 @@ inline int32_t readByte(text_t *device) {
 //#   kind: oneToOne
 //#   needs: text_t readByte
 //#   fidelity: it waits; 0 to 255. Bytes that came before the call are kept here, 64 of them, and lost there
+//#   stack: 4 0
 inline int32_t readChar(text_t *device) {
   return readByte(device);
 }
@@ -362,6 +391,9 @@ inline int32_t readChar(text_t *device) {
 //#   kind: oneToOne
 //#   needs: dport_ptr readByte
 //#   fidelity: it waits; 0 to 255. Bytes that came before the call are kept here, 64 of them, and lost there
+//#   stack: 6
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t getByte() {
   return readByte(dport_ptr);
 }
@@ -371,6 +403,9 @@ inline int32_t getByte() {
 //#   kind: oneToOne
 //#   needs: dport_ptr readByte
 //#   fidelity: it waits; 0 to 255. Bytes that came before the call are kept here, 64 of them, and lost there
+//#   stack: 6
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t getChar() {
   return readByte(dport_ptr);
 }
@@ -418,6 +453,7 @@ struct TextOut {
 //#   include: <math.h>
 //#   fidelity: exact, digit by digit in the same steps: 6 decimal places at most, and a carry does not add a digit, so that 9.96 with one
 //#   fidelity: place is 0.0
+//#   stack: 88 73
 inline char *float2string(float f, char *s, int32_t width, int32_t precision) {
   if (isnan(f)) return strcpy(s, "nan");
   if (isinf(f)) return strcpy(s, f < 0 ? "-inf" : "inf");
@@ -471,6 +507,7 @@ inline void write_float(TextOut out, float value, int32_t width, int32_t precisi
 //#   kind: semantic
 //#   needs: text_t TextOut
 //#   fidelity: exact: base 2 to 16; the number of characters
+//#   stack: 79 60
 inline int32_t printNumber(text_t *device, uint32_t u, int32_t base, int32_t width, int32_t fill_char) {
   TextOut out(device);
   out.number(u, (uint8_t)base, width, (char)fill_char);
@@ -482,6 +519,7 @@ inline int32_t printNumber(text_t *device, uint32_t u, int32_t base, int32_t wid
 //#   kind: oneToMany
 //#   needs: text_t TextOut
 //#   fidelity: exact but for line ends
+//#   stack: 12 2
 inline int32_t writeStr(text_t *device, const char *str) {
   TextOut out(device);
   out.put(str);
@@ -493,6 +531,9 @@ inline int32_t writeStr(text_t *device, const char *str) {
 //#   kind: oneToOne
 //#   needs: dport_ptr writeStr
 //#   fidelity: exact but for line ends
+//#   stack: 33 8
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t putStr(const char *str) {
   return writeStr(dport_ptr, str);
 }
@@ -502,6 +543,7 @@ inline int32_t putStr(const char *str) {
 //#   kind: oneToMany
 //#   needs: text_t TextOut writeChar
 //#   fidelity: exact but for line ends
+//#   stack: 20 6
 inline int32_t writeLine(text_t *device, const char *str) {
   TextOut out(device);
   out.put(str);
@@ -514,6 +556,9 @@ inline int32_t writeLine(text_t *device, const char *str) {
 //#   kind: oneToOne
 //#   needs: dport_ptr writeLine
 //#   fidelity: exact but for line ends
+//#   stack: 26 12
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t putLine(const char *str) {
   return writeLine(dport_ptr, str);
 }
@@ -523,6 +568,9 @@ inline int32_t putLine(const char *str) {
 //#   kind: oneToOne
 //#   needs: putLine
 //#   fidelity: exact but for line ends
+//#   stack: 26 12
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t putln(const char *str) {
   return putLine(str);
 }
@@ -532,6 +580,7 @@ inline int32_t putln(const char *str) {
 //#   kind: oneToMany
 //#   needs: text_t TextOut
 //#   fidelity: exact but for line ends: letters and digits count for the width, and no more than it are sent
+//#   stack: 43 27
 inline int32_t writeStrLen(text_t *device, const char *str, int32_t width) {
   TextOut out(device);
   int32_t letters = 0;
@@ -546,6 +595,9 @@ inline int32_t writeStrLen(text_t *device, const char *str, int32_t width) {
 //#   kind: oneToOne
 //#   needs: dport_ptr writeStrLen
 //#   fidelity: exact but for line ends: letters and digits count for the width, and no more than it are sent
+//#   stack: 49 33
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t putStrLen(const char *str, int32_t width) {
   return writeStrLen(dport_ptr, str, width);
 }
@@ -555,17 +607,20 @@ inline int32_t putStrLen(const char *str, int32_t width) {
 //#   kind: oneToMany
 //#   needs: text_t writeChar printNumber
 //#   fidelity: exact
+//#   stack: 74 62
 inline void writeDec(text_t *device, int32_t value) {
   if (value < 0) writeChar(device, '-');
   printNumber(device, labs(value), 10, 0, ' ');
 }
 
 //# adapter putDec
-//#   stack: 70
 //#   for: void putDec(int value)
 //#   kind: oneToOne
 //#   needs: dport_ptr writeDec
 //#   fidelity: exact
+//#   stack: 80 68
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void putDec(int32_t value) {
   writeDec(dport_ptr, value);
 }
@@ -575,6 +630,7 @@ inline void putDec(int32_t value) {
 //#   kind: oneToMany
 //#   needs: text_t writeChar printNumber
 //#   fidelity: exact: a minus sign comes before the padding, and the width does not count it
+//#   stack: 76 62
 inline void writeDecLen(text_t *device, int32_t value, int32_t width) {
   if (value < 0) writeChar(device, '-');
   printNumber(device, labs(value), 10, width, ' ');
@@ -585,6 +641,9 @@ inline void writeDecLen(text_t *device, int32_t value, int32_t width) {
 //#   kind: oneToMany
 //#   needs: dport_ptr writeChar printNumber
 //#   fidelity: exact: a minus sign comes before the padding, and the width does not count it
+//#   stack: 84 68
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void putDecLen(int32_t value, int32_t width) {
   if (value < 0) writeChar(dport_ptr, '-');
   printNumber(dport_ptr, labs(value), 10, width, '0');
@@ -595,6 +654,7 @@ inline void putDecLen(int32_t value, int32_t width) {
 //#   kind: oneToMany
 //#   needs: text_t printNumber
 //#   fidelity: exact
+//#   stack: 60
 inline void writeBin(text_t *device, int32_t value) {
   printNumber(device, value, 2, 0, ' ');
 }
@@ -604,6 +664,9 @@ inline void writeBin(text_t *device, int32_t value) {
 //#   kind: oneToOne
 //#   needs: dport_ptr writeBin
 //#   fidelity: exact
+//#   stack: 66
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void putBin(int32_t value) {
   writeBin(dport_ptr, value);
 }
@@ -613,6 +676,7 @@ inline void putBin(int32_t value) {
 //#   kind: oneToMany
 //#   needs: text_t printNumber
 //#   fidelity: exact
+//#   stack: 70 60
 inline void writeBinLen(text_t *device, int32_t value, int32_t digits) {
   printNumber(device, value, 2, digits, ' ');
 }
@@ -622,6 +686,9 @@ inline void writeBinLen(text_t *device, int32_t value, int32_t digits) {
 //#   kind: oneToMany
 //#   needs: dport_ptr printNumber
 //#   fidelity: exact
+//#   stack: 66
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void putBinLen(int32_t value, int32_t digits) {
   printNumber(dport_ptr, value, 2, digits, '0');
 }
@@ -631,6 +698,7 @@ inline void putBinLen(int32_t value, int32_t digits) {
 //#   kind: oneToMany
 //#   needs: text_t printNumber
 //#   fidelity: exact
+//#   stack: 60
 inline void writeHex(text_t *device, int32_t value) {
   printNumber(device, value, 16, 0, ' ');
 }
@@ -640,6 +708,9 @@ inline void writeHex(text_t *device, int32_t value) {
 //#   kind: oneToOne
 //#   needs: dport_ptr writeHex
 //#   fidelity: exact
+//#   stack: 66
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void putHex(int32_t value) {
   writeHex(dport_ptr, value);
 }
@@ -649,6 +720,7 @@ inline void putHex(int32_t value) {
 //#   kind: oneToMany
 //#   needs: text_t printNumber
 //#   fidelity: exact
+//#   stack: 70 60
 inline void writeHexLen(text_t *device, int32_t value, int32_t digits) {
   printNumber(device, value, 16, digits, ' ');
 }
@@ -658,6 +730,9 @@ inline void writeHexLen(text_t *device, int32_t value, int32_t digits) {
 //#   kind: oneToMany
 //#   needs: dport_ptr printNumber
 //#   fidelity: exact
+//#   stack: 66
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void putHexLen(int32_t value, int32_t digits) {
   printNumber(dport_ptr, value, 16, digits, '0');
 }
@@ -667,16 +742,19 @@ inline void putHexLen(int32_t value, int32_t digits) {
 //#   kind: oneToMany
 //#   needs: text_t TextOut write_float
 //#   fidelity: exact: 6 decimal places
+//#   stack: 156 139
 inline void writeFloat(text_t *device, float value) {
   write_float(TextOut(device), value, 1, 10);
 }
 
 //# adapter putFloat
-//#   stack: 150
 //#   for: void putFloat(float value)
 //#   kind: oneToMany
 //#   needs: dport_ptr TextOut write_float
 //#   fidelity: exact: 6 decimal places
+//#   stack: 153 137
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void putFloat(float value) {
   write_float(TextOut(dport_ptr), value, 4, 10);
 }
@@ -686,6 +764,7 @@ inline void putFloat(float value) {
 //#   kind: oneToMany
 //#   needs: text_t TextOut write_float
 //#   fidelity: exact up to a width of 20
+//#   stack: 175 144
 inline void writeFloatPrecision(text_t *device, float value, int32_t width, int32_t precision) {
   write_float(TextOut(device), value, width, precision);
 }
@@ -695,6 +774,9 @@ inline void writeFloatPrecision(text_t *device, float value, int32_t width, int3
 //#   kind: oneToOne
 //#   needs: dport_ptr writeFloatPrecision
 //#   fidelity: exact up to a width of 20
+//#   stack: 175 143
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void putFloatPrecision(float value, int32_t width, int32_t precision) {
   writeFloatPrecision(dport_ptr, value, width, precision);
 }
@@ -704,6 +786,9 @@ inline void putFloatPrecision(float value, int32_t width, int32_t precision) {
 //#   kind: oneToMany
 //#   needs: dport_ptr TextOut
 //#   fidelity: exact but for line ends
+//#   stack: 84 66
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t putStrWithNpcVals(const char *s) {
   TextOut out(dport_ptr);
   for (const char *at = s;; at++) {
@@ -722,7 +807,6 @@ inline int32_t putStrWithNpcVals(const char *s) {
 // ---------------------------------------------------------------- formats
 
 //# helper TextArgument
-//#   stack: 200
 //#   fidelity: an argument of print as it is there: 32 bits of integer, a float or a text
 struct TextArgument {
   char kind;  // 'd', 'f' or 's'
@@ -794,6 +878,9 @@ inline int32_t format_text(TextOut out, const char *format, const TextArgument *
 //#   kind: semantic
 //#   needs: dport_ptr TextOut TextArgument format_text
 //#   fidelity: exact but for line ends, in 32 bits; texts of more than 255 characters, which overflow a buffer there, are printed
+//#   stack: 275 253
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 template <class... Arguments>
 inline int32_t print(const char *format, Arguments... given) {
   const TextArgument arguments[] = {TextArgument(), given...};
@@ -805,6 +892,9 @@ inline int32_t print(const char *format, Arguments... given) {
 //#   kind: semantic
 //#   needs: dport_ptr TextOut TextArgument format_text
 //#   fidelity: exact but for line ends, in 32 bits; %f prints nothing, as there; texts of more than 255 characters, which overflow a buffer there, are printed
+//#   stack: 275 253
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 template <class... Arguments>
 inline int32_t printi(const char *format, Arguments... given) {
   const TextArgument arguments[] = {TextArgument(), given...};
@@ -816,6 +906,7 @@ inline int32_t printi(const char *format, Arguments... given) {
 //#   kind: semantic
 //#   needs: text_t TextOut TextArgument format_text
 //#   fidelity: exact but for line ends, in 32 bits; texts of more than 255 characters, which overflow a buffer there, are printed
+//#   stack: 269 247
 template <class... Arguments>
 inline int32_t dprint(text_t *device, const char *format, Arguments... given) {
   const TextArgument arguments[] = {TextArgument(), given...};
@@ -827,6 +918,7 @@ inline int32_t dprint(text_t *device, const char *format, Arguments... given) {
 //#   kind: semantic
 //#   needs: text_t TextOut TextArgument format_text
 //#   fidelity: exact but for line ends, in 32 bits; %f prints nothing, as there; texts of more than 255 characters, which overflow a buffer there, are printed
+//#   stack: 269 247
 template <class... Arguments>
 inline int32_t dprinti(text_t *device, const char *format, Arguments... given) {
   const TextArgument arguments[] = {TextArgument(), given...};
@@ -838,6 +930,7 @@ inline int32_t dprinti(text_t *device, const char *format, Arguments... given) {
 //#   kind: semantic
 //#   needs: TextOut TextArgument format_text
 //#   fidelity: exact, in 32 bits
+//#   stack: 269 247
 template <class... Arguments>
 inline int32_t sprint(char *buffer, const char *format, Arguments... given) {
   const TextArgument arguments[] = {TextArgument(), given...};
@@ -849,6 +942,7 @@ inline int32_t sprint(char *buffer, const char *format, Arguments... given) {
 //#   kind: semantic
 //#   needs: TextOut TextArgument format_text
 //#   fidelity: exact, in 32 bits; %f prints nothing, as there
+//#   stack: 269 247
 template <class... Arguments>
 inline int32_t sprinti(char *buffer, const char *format, Arguments... given) {
   const TextArgument arguments[] = {TextArgument(), given...};
@@ -863,6 +957,7 @@ inline int32_t sprinti(char *buffer, const char *format, Arguments... given) {
 //#   needs: text_t readByte writeByte
 //#   fidelity: exact: up to a line end, or `max` characters and a 0 behind them; echo and backspace only when echo is on
 //#   limit: a terminal that ends lines with both CR and LF sends an empty line more, as there
+//#   stack: 20 2
 inline char *readStr(text_t *device, char *buffer, int32_t max) {
   char *end = buffer;
   for (int32_t left = max; device && left > 0;) {
@@ -895,6 +990,9 @@ inline char *readStr(text_t *device, char *buffer, int32_t max) {
 //#   kind: oneToOne
 //#   needs: dport_ptr readStr
 //#   fidelity: exact: up to a line end, or `max` characters and a 0 behind them
+//#   stack: 26 8
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline char *getStr(char *buffer, int32_t max) {
   return readStr(dport_ptr, buffer, max);
 }
@@ -923,6 +1021,7 @@ inline const char *scan_integer(const char *text, int32_t *value, uint8_t base, 
 //#   for: float string2float(char *s, char **end)
 //#   kind: semantic
 //#   fidelity: exact, in the same steps; it leaves out what cannot begin a number, and there is no exponent
+//#   stack: 23 2
 inline float string2float(const char *s, char **end) {
   while (*s && !strchr("+-.0123456789", *s)) s++;
   bool negative = *s == '-';
@@ -941,6 +1040,7 @@ inline float string2float(const char *s, char **end) {
 //#   kind: oneToMany
 //#   needs: text_t readStr scan_integer
 //#   fidelity: exact; 0 for a line without a number
+//#   stack: 62 44
 inline int32_t readDec(text_t *device) {
   char line[40];
   int32_t value = 0;
@@ -953,6 +1053,9 @@ inline int32_t readDec(text_t *device) {
 //#   kind: oneToOne
 //#   needs: dport_ptr readDec
 //#   fidelity: exact; 0 for a line without a number
+//#   stack: 66 50
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t getDec() {
   return readDec(dport_ptr);
 }
@@ -962,6 +1065,7 @@ inline int32_t getDec() {
 //#   kind: oneToMany
 //#   needs: text_t readStr scan_integer
 //#   fidelity: exact; 0 for a line without a number
+//#   stack: 58 44
 inline int32_t readBin(text_t *device) {
   char line[40];
   int32_t value = 0;
@@ -974,6 +1078,9 @@ inline int32_t readBin(text_t *device) {
 //#   kind: oneToOne
 //#   needs: dport_ptr readBin
 //#   fidelity: exact; 0 for a line without a number
+//#   stack: 64 50
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t getBin() {
   return readBin(dport_ptr);
 }
@@ -983,6 +1090,7 @@ inline int32_t getBin() {
 //#   kind: oneToMany
 //#   needs: text_t readStr scan_integer
 //#   fidelity: exact; 0 for a line without a number
+//#   stack: 33 17
 inline int32_t readHex(text_t *device) {
   char line[13];
   int32_t value = 0;
@@ -995,6 +1103,9 @@ inline int32_t readHex(text_t *device) {
 //#   kind: oneToOne
 //#   needs: dport_ptr readHex
 //#   fidelity: exact; 0 for a line without a number
+//#   stack: 39 23
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t getHex() {
   return readHex(dport_ptr);
 }
@@ -1004,6 +1115,7 @@ inline int32_t getHex() {
 //#   kind: oneToMany
 //#   needs: text_t readStr string2float
 //#   fidelity: exact; 0 for a line without a number
+//#   stack: 47 25
 inline float readFloat(text_t *device) {
   char line[21], *end;
   return string2float(readStr(device, line, 20), &end);
@@ -1014,6 +1126,9 @@ inline float readFloat(text_t *device) {
 //#   kind: oneToOne
 //#   needs: dport_ptr readFloat
 //#   fidelity: exact; 0 for a line without a number
+//#   stack: 51 31
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline float getFloat() {
   return readFloat(dport_ptr);
 }
@@ -1094,6 +1209,9 @@ inline int32_t scan_text(const char *text, const char *format, const ScanTarget 
 //#   needs: dport_ptr readStr ScanTarget scan_text
 //#   fidelity: exact: the number of variables filled; integers of any width are filled
 //#   limit: a line of more than 80 characters is taken in parts; there 256
+//#   stack: 141 122
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 template <class... Targets>
 inline int32_t scan(const char *fmt, Targets... targets) {
   char line[81];
@@ -1107,6 +1225,9 @@ inline int32_t scan(const char *fmt, Targets... targets) {
 //#   needs: dport_ptr readStr ScanTarget scan_text
 //#   fidelity: exact: the number of variables filled; integers of any width are filled; no %f, as there
 //#   limit: a line of more than 80 characters is taken in parts; there 256
+//#   stack: 140 120
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 template <class... Targets>
 inline int32_t scani(const char *fmt, Targets... targets) {
   char line[81];
@@ -1120,6 +1241,7 @@ inline int32_t scani(const char *fmt, Targets... targets) {
 //#   needs: text_t readStr ScanTarget scan_text
 //#   fidelity: exact: the number of variables filled; integers of any width are filled
 //#   limit: a line of more than 80 characters is taken in parts; there 256
+//#   stack: 143 122
 template <class... Targets>
 inline int32_t dscan(text_t *device, const char *fmt, Targets... targets) {
   char line[81];
@@ -1133,6 +1255,7 @@ inline int32_t dscan(text_t *device, const char *fmt, Targets... targets) {
 //#   needs: text_t readStr ScanTarget scan_text
 //#   fidelity: exact: the number of variables filled; integers of any width are filled; no %f, as there
 //#   limit: a line of more than 80 characters is taken in parts; there 256
+//#   stack: 140 120
 template <class... Targets>
 inline int32_t dscani(text_t *device, const char *fmt, Targets... targets) {
   char line[81];
@@ -1145,6 +1268,7 @@ inline int32_t dscani(text_t *device, const char *fmt, Targets... targets) {
 //#   kind: semantic
 //#   needs: ScanTarget scan_text
 //#   fidelity: exact: the number of variables filled; integers of any width are filled
+//#   stack: 59 37
 template <class... Targets>
 inline int32_t sscan(const char *buffer, const char *fmt, Targets... targets) {
   const ScanTarget variables[] = {ScanTarget(), targets...};
@@ -1156,6 +1280,7 @@ inline int32_t sscan(const char *buffer, const char *fmt, Targets... targets) {
 //#   kind: semantic
 //#   needs: ScanTarget scan_text
 //#   fidelity: exact: the number of variables filled; integers of any width are filled; no %f, as there
+//#   stack: 59 37
 template <class... Targets>
 inline int32_t sscani(const char *buffer, const char *fmt, Targets... targets) {
   const ScanTarget variables[] = {ScanTarget(), targets...};
@@ -1167,6 +1292,7 @@ inline int32_t sscani(const char *buffer, const char *fmt, Targets... targets) {
 //#   kind: semantic
 //#   needs: ScanTarget scan_text
 //#   fidelity: exact: the number of variables filled; integers of any width are filled; 0 when the text is not there
+//#   stack: 60 0
 template <class... Targets>
 inline int32_t sscanAfterStr(const char *buffer, const char *str, const char *fmt, Targets... targets) {
   const char *found = strstr(buffer, str);
@@ -1179,6 +1305,7 @@ inline int32_t sscanAfterStr(const char *buffer, const char *str, const char *fm
 //#   for: int getStopCOGID(int id)
 //#   kind: oneToOne
 //#   fidelity: exact: one less
+//#   stack: 0
 inline int32_t getStopCOGID(int32_t id) {
   return id - 1;
 }
@@ -1187,6 +1314,7 @@ inline int32_t getStopCOGID(int32_t id) {
 //#   for: int setStopCOGID(int id)
 //#   kind: oneToOne
 //#   fidelity: exact: one more
+//#   stack: 0
 inline int32_t setStopCOGID(int32_t id) {
   return id + 1;
 }
@@ -1224,6 +1352,7 @@ struct ListArguments {
 //#   include: <stdarg.h>
 //#   fidelity: exact: as sprint
 //#   limit: at most 12 values
+//#   stack: 315 293
 inline int32_t _dosprnt(const char *fmt, va_list args, char *obuf) {
   ListArguments given(fmt, args);
   return format_text<true>(TextOut(obuf), fmt, given.values, given.count);
@@ -1237,6 +1366,7 @@ inline int32_t _dosprnt(const char *fmt, va_list args, char *obuf) {
 //#   include: <stdarg.h>
 //#   fidelity: exact: as sprinti
 //#   limit: at most 12 values
+//#   stack: 315 293
 inline int32_t _intsprnt(const char *fmt, va_list args, char *obuf) {
   ListArguments given(fmt, args);
   return format_text<false>(TextOut(obuf), fmt, given.values, given.count);
@@ -1275,6 +1405,7 @@ inline const char *_scanf_getl(const char *str, Int *dst, int32_t base, uint32_t
 //#   kind: oneToOne
 //#   needs: string2float
 //#   fidelity: exact: as string2float
+//#   stack: 27 8
 inline const char *_scanf_getf(const char *str, float *dst) {
   char *end;
   *dst = string2float((char *)str, &end);

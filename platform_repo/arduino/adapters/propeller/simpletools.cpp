@@ -68,6 +68,7 @@ inline void drive_level(int32_t pin, bool value) {
 //#   needs: drive_level
 //#   pin: pin digital out
 //#   fidelity: exact
+//#   stack: 10 0
 inline void high(int32_t pin) {
   drive_level(pin, true);
 }
@@ -78,6 +79,7 @@ inline void high(int32_t pin) {
 //#   needs: drive_level
 //#   pin: pin digital out
 //#   fidelity: exact
+//#   stack: 10 0
 inline void low(int32_t pin) {
   drive_level(pin, false);
 }
@@ -88,6 +90,7 @@ inline void low(int32_t pin) {
 //#   needs: Io
 //#   pin: pin digital in
 //#   fidelity: exact
+//#   stack: 12 0
 inline uint32_t get_state(int32_t pin) {
   return Io(pin).high();
 }
@@ -98,6 +101,7 @@ inline uint32_t get_state(int32_t pin) {
 //#   needs: Io
 //#   pin: pin digital in
 //#   fidelity: exact; the output latch is kept
+//#   stack: 4 0
 inline uint32_t input(int32_t pin) {
   Io io(pin);
   io.drive(false);
@@ -110,6 +114,7 @@ inline uint32_t input(int32_t pin) {
 //#   needs: Io
 //#   pin: pin digital both
 //#   fidelity: the latch of the whole program; on the Propeller each cog has one of its own
+//#   stack: 12 0
 inline uint32_t get_output(int32_t pin) {
   return Io(pin).latch();
 }
@@ -120,6 +125,7 @@ inline uint32_t get_output(int32_t pin) {
 //#   needs: Io
 //#   pin: pin digital both
 //#   fidelity: exact for a program on one cog
+//#   stack: 12 0
 inline uint32_t get_direction(int32_t pin) {
   return Io(pin).driven();
 }
@@ -130,6 +136,7 @@ inline uint32_t get_direction(int32_t pin) {
 //#   needs: Io
 //#   pin: pin digital out
 //#   fidelity: exact
+//#   stack: 12 0
 inline void set_output(int32_t pin, int32_t state) {
   Io(pin).set(state != 0);
 }
@@ -140,6 +147,7 @@ inline void set_output(int32_t pin, int32_t state) {
 //#   needs: Io
 //#   pin: pin digital both
 //#   fidelity: exact
+//#   stack: 12 0
 inline void set_direction(int32_t pin, int32_t direction) {
   Io(pin).drive(direction != 0);
 }
@@ -150,6 +158,7 @@ inline void set_direction(int32_t pin, int32_t direction) {
 //#   needs: Io
 //#   pin: pin digital out
 //#   fidelity: exact: the latch is inverted and the pin becomes an output
+//#   stack: 18 12
 inline uint32_t toggle(int32_t pin) {
   Io io(pin);
   io.set(!io.latch());
@@ -163,6 +172,7 @@ inline uint32_t toggle(int32_t pin) {
 //#   needs: Io
 //#   pin: pin digital both
 //#   fidelity: exact
+//#   stack: 4 0
 inline uint32_t reverse(int32_t pin) {
   Io io(pin);
   io.drive(!io.driven());
@@ -186,6 +196,7 @@ struct PortRange {
 //#   symmetric: endPin startPin
 //#   needs: Io PortRange propeller.h/port
 //#   fidelity: levels; the pins are read one after the other, within some 5 us each
+//#   stack: 15 0
 inline uint32_t get_states(int32_t endPin, int32_t startPin) {
   PortRange range(endPin, startPin);
   uint32_t pattern = 0;
@@ -199,6 +210,7 @@ inline uint32_t get_states(int32_t endPin, int32_t startPin) {
 //#   symmetric: endPin startPin
 //#   needs: Io PortRange propeller.h/port
 //#   fidelity: output latches; the pins are read one after the other, within some 5 us each
+//#   stack: 6 0
 inline uint32_t get_outputs(int32_t endPin, int32_t startPin) {
   PortRange range(endPin, startPin);
   uint32_t pattern = 0;
@@ -212,6 +224,7 @@ inline uint32_t get_outputs(int32_t endPin, int32_t startPin) {
 //#   symmetric: endPin startPin
 //#   needs: Io PortRange propeller.h/port
 //#   fidelity: directions; the pins are read one after the other, within some 5 us each
+//#   stack: 15 0
 inline uint32_t get_directions(int32_t endPin, int32_t startPin) {
   PortRange range(endPin, startPin);
   uint32_t pattern = 0;
@@ -225,6 +238,7 @@ inline uint32_t get_directions(int32_t endPin, int32_t startPin) {
 //#   symmetric: endPin startPin
 //#   needs: Io PortRange propeller.h/port
 //#   fidelity: output latches; the pins change one after the other, within some 5 us each
+//#   stack: 20 0
 inline void set_outputs(int32_t endPin, int32_t startPin, uint32_t pattern) {
   PortRange range(endPin, startPin);
   for (int32_t number = range.first; number <= range.last; number++, pattern >>= 1) Io(port(number)).set(pattern & 1);
@@ -236,6 +250,7 @@ inline void set_outputs(int32_t endPin, int32_t startPin, uint32_t pattern) {
 //#   symmetric: endPin startPin
 //#   needs: Io PortRange propeller.h/port
 //#   fidelity: directions; the pins change one after the other, within some 5 us each
+//#   stack: 17 0
 inline void set_directions(int32_t endPin, int32_t startPin, uint32_t pattern) {
   PortRange range(endPin, startPin);
   for (int32_t number = range.first; number <= range.last; number++, pattern >>= 1) Io(port(number)).drive(pattern & 1);
@@ -260,10 +275,12 @@ static int32_t io_timeout_ticks = 20000000L;
 
 //# variable ms
 //#   fidelity: exact: ticks in a millisecond, no time
+//#   stack: 0
 const int32_t ms = 80000L;
 
 //# variable us
 //#   fidelity: exact: ticks in a microsecond, no time
+//#   stack: 0
 const int32_t us = 80L;
 
 //# adapter pause
@@ -271,6 +288,7 @@ const int32_t us = 80L;
 //#   kind: oneToOne
 //#   needs: pause_unit propeller.h/wait_until propeller.h/CNT
 //#   fidelity: within 0.1 %
+//#   stack: 12 2
 inline void pause(int32_t time) {
   if (pause_unit == 80000L) {
     delay((uint32_t)time);
@@ -284,6 +302,7 @@ inline void pause(int32_t time) {
 //#   kind: oneToOne
 //#   needs: pause_unit
 //#   fidelity: exact
+//#   stack: 0
 inline void set_pause_dt(int32_t clockticks) {
   pause_unit = clockticks;
 }
@@ -293,6 +312,7 @@ inline void set_pause_dt(int32_t clockticks) {
 //#   kind: oneToOne
 //#   needs: io_ticks
 //#   fidelity: exact
+//#   stack: 0
 inline void set_io_dt(int32_t clockticks) {
   io_ticks = clockticks;
 }
@@ -302,6 +322,7 @@ inline void set_io_dt(int32_t clockticks) {
 //#   kind: oneToOne
 //#   needs: io_timeout_ticks
 //#   fidelity: exact
+//#   stack: 0
 inline void set_io_timeout(int32_t clockticks) {
   io_timeout_ticks = clockticks;
 }
@@ -311,6 +332,7 @@ inline void set_io_timeout(int32_t clockticks) {
 //#   kind: oneToMany
 //#   needs: propeller.h/wait_until propeller.h/CNT
 //#   fidelity: within 8 us
+//#   stack: 4
 inline void pause_ticks(uint32_t pticks) {
   wait_until(pticks + CNT);
 }
@@ -325,6 +347,7 @@ static uint32_t mark_ticks = 0;
 //#   kind: semantic
 //#   needs: mark_ticks propeller.h/CNT
 //#   fidelity: within 4 us
+//#   stack: 2 0
 inline void mark() {
   mark_ticks = CNT;
 }
@@ -334,6 +357,7 @@ inline void mark() {
 //#   kind: semantic
 //#   needs: mark_ticks io_ticks propeller.h/CNT
 //#   fidelity: within 8 us; up to 53.7 s after mark, as there
+//#   stack: 14 0
 inline int32_t timeout(int32_t time) {
   return CNT - mark_ticks >= (uint32_t)time * (uint32_t)io_ticks;
 }
@@ -343,6 +367,7 @@ inline int32_t timeout(int32_t time) {
 //#   kind: semantic
 //#   needs: mark_ticks io_ticks propeller.h/waitcnt
 //#   fidelity: within 8 us, without drift: each wait begins where the one before it ended
+//#   stack: 10 4
 inline void wait(int32_t time) {
   waitcnt(mark_ticks += (uint32_t)time * (uint32_t)io_ticks);
 }
@@ -429,7 +454,6 @@ inline bool begin_watch(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &
 //# helper watch_pin
 //#   needs: PinWatch
 //#   vector: PCINT0_vect PCINT1_vect PCINT2_vect
-//#   stack: 44
 inline bool watch_pin(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &watch)) {  // false: no such interrupt
   return begin_watch(watch, pin, changed);
 }
@@ -441,7 +465,6 @@ ISR(PCINT2_vect) { pins_changed(); }
 //# helper watch_pin
 //#   needs: PinWatch
 //#   vector: PCINT0_vect
-//#   stack: 44
 //#   mcu: atmega32u4
 inline bool watch_pin(PinWatch &watch, int16_t pin, void (*changed)(PinWatch &watch)) {  // false: no such interrupt
   return begin_watch(watch, pin, changed);
@@ -522,6 +545,7 @@ inline int32_t answering(int32_t pin) {
 //#   fidelity: within 2 us; 0 when no pulse begins in time, the part seen when it does not end
 //#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, 22 us where interrupts meet, 32 us with feedback
 //#   limit: other cogs wait meanwhile
+//#   stack: 59 45
 inline int32_t pulse_in(int32_t pin, int32_t state) {
   Io io(pin);
   if (!io.wired()) return 0;
@@ -544,6 +568,7 @@ inline int32_t pulse_in(int32_t pin, int32_t state) {
 //#   limit: an edge within an interrupt is known to half of its time: 12 us beside servos, 22 us where interrupts meet, 32 us with feedback
 //#   limit: at 5 V a decay takes some 15 to 20 % longer than at 3.3 V: check the program's limits
 //#   limit: other cogs wait meanwhile
+//#   stack: 22 4
 inline int32_t rc_time(int32_t pin, int32_t state) {
   Io io(pin);
   if (!io.wired()) return 0;
@@ -563,6 +588,7 @@ inline int32_t rc_time(int32_t pin, int32_t state) {
 //#   needs: Io io_ticks TimedInput
 //#   pin: pin digital out
 //#   fidelity: within 0.5 us or 1 %; the pulse is the inverse of the output latch
+//#   stack: 20 2
 inline void pulse_out(int32_t pin, int32_t time) {
   Io io(pin);
   if (!io.wired()) return;
@@ -603,6 +629,7 @@ inline void pulse_out(int32_t pin, int32_t time) {
 //#   pin: pin digital in
 //#   fidelity: rising edges in so many milliseconds
 //#   limit: it polls: up to about 200 kHz, beside servos 20 kHz, as edges within an interrupt are not counted; other cogs wait meanwhile
+//#   stack: 38 16
 inline int32_t count(int32_t pin, int32_t duration) {
   Io io(pin);
   if (!io.wired()) {
@@ -670,6 +697,8 @@ inline bool in_range_of_tone(int32_t frequency) {
 //#   limit: one tone at a time; below 31 Hz and above 65,535 Hz it waits without a tone
 //#   limit: beside servos some half periods are up to 24 us longer: of 1 ms at 38 kHz one cycle of 38 may lack
 //#   range: frequency 31..65535 or 0: it waits without a tone
+//#   stack: 46 34
+//#   interrupt: TIMER2_COMPA_vect 19
 inline void freqout(int32_t pin, int32_t msTime, int32_t frequency) {
   Io io(pin);
   if (!io.wired() || !in_range_of_tone(frequency)) {
@@ -710,6 +739,8 @@ inline void end_wave(uint8_t channel) {
 //#   limit: one wave at a time: while one channel plays, the other stays silent
 //#   limit: below 31 Hz and above 65,535 Hz there is no wave
 //#   range: freq 31..65535 or 0: there is no wave
+//#   stack: 30 14
+//#   interrupt: TIMER2_COMPA_vect 19
 inline void square_wave(int32_t pin, int32_t channel, int32_t freq) {
   uint8_t at = channel != 0;
   if (pin != wave_pins[at] || !in_range_of_tone(freq)) end_wave(at);
@@ -725,6 +756,8 @@ inline void square_wave(int32_t pin, int32_t channel, int32_t freq) {
 //#   needs: end_wave
 //#   timer: Timer2
 //#   fidelity: exact; the pins become inputs
+//#   stack: 14
+//#   interrupt: TIMER2_COMPA_vect 19
 inline void square_wave_stop() {
   end_wave(0);
   end_wave(1);
@@ -769,7 +802,6 @@ inline void pwm_end_pulses() {
 //#   needs: pwm_channels pwm_cycle pwm_end_pulses
 //#   timer: Timer1
 //#   vector: TIMER1_COMPA_vect TIMER1_COMPB_vect
-//#   stack: 20
 //#   fidelity: half microseconds in cycles up to 32.7 ms, 4 us beyond
 ISR(TIMER1_COMPA_vect) {  // a cycle begins
   for (volatile PwmChannel &channel : pwm_channels) {
@@ -796,6 +828,9 @@ inline uint16_t pwm_counts(uint32_t microseconds) {
 //#   fidelity: within 4 us, from the next cycle on
 //#   limit: pulses shorter than 8 us come out up to 8 us long
 //#   range: tHigh 8.. or 0: the pulse comes out up to 8 us long
+//#   stack: 32 20
+//#   interrupt: TIMER1_COMPA_vect 19
+//#   interrupt: TIMER1_COMPB_vect 19
 inline void pwm_set(int32_t pin, int32_t channel, int32_t tHigh) {
   volatile PwmChannel &it = pwm_channels[channel != 0];
   Io before(it.pin), io(pin);
@@ -823,6 +858,9 @@ inline void pwm_set(int32_t pin, int32_t channel, int32_t tHigh) {
 //#   limit: cycles of more than 262 ms are made 262 ms long
 //#   limit: not together with servos, which need Timer1, too
 //#   range: cycleMicroseconds 20..262144: the cycle is made 262 ms or 20 us long
+//#   stack: 14 0
+//#   interrupt: TIMER1_COMPA_vect 19
+//#   interrupt: TIMER1_COMPB_vect 19
 inline int32_t pwm_start(uint32_t cycleMicroseconds) {
   uint32_t cycle = cycleMicroseconds > 262144UL ? 262144UL : cycleMicroseconds < 20 ? 20 : cycleMicroseconds;
   bool slow = cycle > 32767;
@@ -851,6 +889,7 @@ inline int32_t pwm_start(uint32_t cycleMicroseconds) {
 //#   needs: Io pwm_channels pwm_cycle
 //#   timer: Timer1
 //#   fidelity: exact: no more pulses, and the pins become inputs
+//#   stack: 4 0
 inline void pwm_stop() {
   TIMSK1 = 0;
   pwm_cycle = 0;
@@ -888,6 +927,7 @@ inline void end_dac(uint8_t channel) {
 //#   fidelity: the mean voltage within 0.4 % of the supply, which is 5 V here and 3.3 V there
 //#   limit: 490 or 980 Hz instead of megahertz: a filter needs a hundred to a thousand times the capacity
 //#   limit: 8 bits: further bits of the resolution are left out
+//#   stack: 24 12
 inline void dac_ctr(int32_t pin, int32_t channel, int32_t dacVal) {
   uint8_t at = channel != 0;
   if (pin != dac_pins[at]) end_dac(at);
@@ -904,6 +944,7 @@ inline void dac_ctr(int32_t pin, int32_t channel, int32_t dacVal) {
 //#   needs: dac_bits
 //#   fidelity: exact; 0 means 8 bits
 //#   range: bits 1..8: further bits are left out
+//#   stack: 0
 inline void dac_ctr_res(int32_t bits) {
   dac_bits = bits > 0 && bits <= 32 ? bits : 8;
 }
@@ -913,6 +954,7 @@ inline void dac_ctr_res(int32_t bits) {
 //#   kind: semantic
 //#   needs: end_dac
 //#   fidelity: exact; the pins become inputs
+//#   stack: 6
 inline void dac_ctr_stop() {
   end_dac(0);
   end_dac(1);
@@ -954,6 +996,7 @@ inline void clock_pulse(const Io &clock) {
 //#   pin: pinDat digital in
 //#   pin: pinClk digital out
 //#   fidelity: exact but for the clock, which is some 25 kHz
+//#   stack: 50 32
 inline int32_t shift_in(int32_t pinDat, int32_t pinClk, int32_t mode, int32_t bits) {
   bool before = mode == MSBPRE || mode == LSBPRE, highest = mode == MSBPRE || mode == MSBPOST;
   Io data(pinDat), clock(pinClk);
@@ -976,6 +1019,7 @@ inline int32_t shift_in(int32_t pinDat, int32_t pinClk, int32_t mode, int32_t bi
 //#   pin: pinDat digital out
 //#   pin: pinClk digital out
 //#   fidelity: exact but for the clock, which is some 30 kHz
+//#   stack: 58 32
 inline void shift_out(int32_t pinDat, int32_t pinClk, int32_t mode, int32_t bits, int32_t value) {
   Io data(pinDat), clock(pinClk);
   data.drive(true);
@@ -1004,6 +1048,7 @@ static i2c i2c_buses[2];
 //#   pin: sdaPin digital both
 //#   fidelity: exact at the pins SCL and SDA; a bus at any other pins is not wired
 //#   limit: the bus is the one of the hardware: connect devices to SCL and SDA
+//#   stack: 0
 inline i2c *i2c_newbus(int32_t sclPin, int32_t sdaPin, int32_t sclDrive) {
   return i2c_open(&i2c_buses[sclPin != SCL || sdaPin != SDA], sclPin, sdaPin, sclDrive);
 }
@@ -1027,6 +1072,7 @@ inline int32_t i2c_begin(i2c *bus, int32_t address, int32_t memory, int32_t coun
 //#   kind: oneToMany
 //#   needs: i2c_begin simplei2c.h/i2c simplei2c.h/i2c_writeByte simplei2c.h/i2c_stop
 //#   fidelity: exact: the number of bytes that were acknowledged, with the device's address; 100 kHz
+//#   stack: 44 22
 inline int32_t i2c_out(i2c *busID, int32_t i2cAddr, int32_t memAddr, int32_t memAddrCount, const void *data, int32_t dataCount) {
   int32_t acknowledged = i2c_begin(busID, i2cAddr, memAddr, memAddrCount), size = labs(dataCount);
   if (!acknowledged) return 0;
@@ -1041,6 +1087,7 @@ inline int32_t i2c_out(i2c *busID, int32_t i2cAddr, int32_t memAddr, int32_t mem
 //#   kind: oneToMany
 //#   needs: i2c_begin simplei2c.h/i2c simplei2c.h/i2c_start simplei2c.h/i2c_stop simplei2c.h/i2c_writeByte simplei2c.h/i2c_readByte
 //#   fidelity: exact, with its count of bytes, which leaves out the last one read; 100 kHz
+//#   stack: 46 24
 inline int32_t i2c_in(i2c *busID, int32_t i2cAddr, int32_t memAddr, int32_t memAddrCount, void *data, int32_t dataCount) {
   int32_t acknowledged = i2c_begin(busID, i2cAddr, memAddr, memAddrCount), size = labs(dataCount);
   if (!acknowledged) return 0;
@@ -1057,6 +1104,7 @@ inline int32_t i2c_in(i2c *busID, int32_t i2cAddr, int32_t memAddr, int32_t memA
 //#   kind: oneToMany
 //#   needs: simplei2c.h/i2c simplei2c.h/i2c_poll
 //#   fidelity: exact: 0 when the device acknowledges its address, 1 when it does not
+//#   stack: 2
 inline int32_t i2c_busy(i2c *busID, int32_t i2cAddr) {
   return i2c_poll(busID, i2cAddr << 1 & 0xFE);
 }
@@ -1076,6 +1124,7 @@ inline uint8_t *ee_cell(int32_t addr) {
 //#   include: <avr/eeprom.h>
 //#   fidelity: exact within the memory of the microcontroller
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes; what the source robot kept is not carried over
+//#   stack: 2
 inline void ee_putByte(uint8_t value, int32_t addr) {
   eeprom_update_byte(ee_cell(addr), value);
 }
@@ -1087,6 +1136,7 @@ inline void ee_putByte(uint8_t value, int32_t addr) {
 //#   include: <avr/eeprom.h>
 //#   fidelity: exact within the memory of the microcontroller; 0 to 255
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   stack: 0
 inline uint8_t ee_getByte(int32_t addr) {
   return eeprom_read_byte(ee_cell(addr));
 }
@@ -1097,6 +1147,7 @@ inline uint8_t ee_getByte(int32_t addr) {
 //#   needs: ee_putByte
 //#   fidelity: exact within the memory of the microcontroller
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   stack: 2
 inline void ee_putStr(const void *s, int32_t n, int32_t addr) {
   for (int32_t number = 0; number < n; number++) ee_putByte(((const uint8_t *)s)[number], addr + number);
 }
@@ -1107,6 +1158,7 @@ inline void ee_putStr(const void *s, int32_t n, int32_t addr) {
 //#   needs: ee_getByte
 //#   fidelity: exact within the memory of the microcontroller
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   stack: 2
 template <class Text>
 inline Text *ee_getStr(Text *s, int32_t n, int32_t addr) {
   for (int32_t number = 0; number < n; number++) ((uint8_t *)s)[number] = ee_getByte(addr + number);
@@ -1119,6 +1171,7 @@ inline Text *ee_getStr(Text *s, int32_t n, int32_t addr) {
 //#   needs: ee_putStr
 //#   fidelity: exact: four bytes, the lowest first
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   stack: 12 8
 inline void ee_putInt(int32_t value, int32_t addr) {
   ee_putStr(&value, sizeof value, addr);
 }
@@ -1129,6 +1182,7 @@ inline void ee_putInt(int32_t value, int32_t addr) {
 //#   needs: ee_getStr
 //#   fidelity: exact: four bytes, the lowest first
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   stack: 8
 inline int32_t ee_getInt(int32_t addr) {
   int32_t value;
   ee_getStr(&value, sizeof value, addr);
@@ -1141,6 +1195,7 @@ inline int32_t ee_getInt(int32_t addr) {
 //#   needs: ee_putStr
 //#   fidelity: exact
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   stack: 12 8
 inline void ee_putFloat32(float value, int32_t addr) {
   ee_putStr(&value, sizeof value, addr);
 }
@@ -1151,6 +1206,7 @@ inline void ee_putFloat32(float value, int32_t addr) {
 //#   needs: ee_getStr
 //#   fidelity: exact
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   stack: 8
 inline float ee_getFloat32(int32_t addr) {
   float value;
   ee_getStr(&value, sizeof value, addr);
@@ -1162,6 +1218,7 @@ inline float ee_getFloat32(int32_t addr) {
 //#   kind: oneToOne
 //#   fidelity: nothing to do: the memory is inside of the microcontroller
 //#   limit: an EEPROM at pins of its own is not used; call i2c_out and i2c_in for it
+//#   stack: 0
 inline void ee_config(int32_t sclPin, int32_t sdaPin, int32_t sclDrive) {
   (void)sclPin;
   (void)sdaPin;
@@ -1174,6 +1231,7 @@ inline void ee_config(int32_t sclPin, int32_t sdaPin, int32_t sclDrive) {
 //#   needs: ee_putByte
 //#   fidelity: the older name of ee_putByte
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   stack: 2
 inline void ee_put_byte(uint8_t value, int32_t addr) {
   ee_putByte(value, addr);
 }
@@ -1184,6 +1242,7 @@ inline void ee_put_byte(uint8_t value, int32_t addr) {
 //#   needs: ee_getByte
 //#   fidelity: the older name of ee_getByte
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   stack: 0
 inline uint8_t ee_get_byte(int32_t addr) {
   return ee_getByte(addr);
 }
@@ -1194,6 +1253,7 @@ inline uint8_t ee_get_byte(int32_t addr) {
 //#   needs: ee_putInt
 //#   fidelity: the older name of ee_putInt
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   stack: 12 8
 inline void ee_put_int(int32_t value, int32_t addr) {
   ee_putInt(value, addr);
 }
@@ -1204,6 +1264,7 @@ inline void ee_put_int(int32_t value, int32_t addr) {
 //#   needs: ee_getInt
 //#   fidelity: the older name of ee_getInt
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   stack: 8
 inline int32_t ee_get_int(int32_t addr) {
   return ee_getInt(addr);
 }
@@ -1214,6 +1275,7 @@ inline int32_t ee_get_int(int32_t addr) {
 //#   needs: ee_putStr
 //#   fidelity: the older name of ee_putStr
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   stack: 2
 inline void ee_put_str(const void *s, int32_t n, int32_t addr) {
   ee_putStr(s, n, addr);
 }
@@ -1224,6 +1286,7 @@ inline void ee_put_str(const void *s, int32_t n, int32_t addr) {
 //#   needs: ee_getStr
 //#   fidelity: the older name of ee_getStr
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   stack: 2
 template <class Text>
 inline Text *ee_get_str(Text *s, int32_t n, int32_t addr) {
   return ee_getStr(s, n, addr);
@@ -1235,6 +1298,7 @@ inline Text *ee_get_str(Text *s, int32_t n, int32_t addr) {
 //#   needs: ee_putFloat32
 //#   fidelity: the older name of ee_putFloat32
 //#   limit: 1 KB instead of 64: addresses repeat every 1,024 bytes
+//#   stack: 12 8
 inline void ee_put_float32(float value, int32_t addr) {
   ee_putFloat32(value, addr);
 }
@@ -1253,6 +1317,7 @@ inline void ee_put_float32(float value, int32_t addr) {
 //#   pin: csPin digital out
 //#   fidelity: 0 when the card is ready, else another number
 //#   limit: the card has to be at the pins of SPI (on an Uno 12, 13 and 11); at any others it is not wired
+//#   stack: 0
 inline int32_t sd_mount(int32_t doPin, int32_t clkPin, int32_t diPin, int32_t csPin) {
   if (doPin != MISO || clkPin != SCK || diPin != MOSI || !Io(csPin).wired()) return 1;
   return SD.begin((uint8_t)csPin) ? 0 : 1;
@@ -1269,6 +1334,7 @@ static_assert(PI == 3.141592653589793, "PI is that in simpletools.h");
 //#   kind: oneToOne
 //#   symmetric: value lowest
 //#   fidelity: exact: the middle one of the three, since the limits may come in either order
+//#   stack: 0
 inline int32_t constrainInt(int32_t value, int32_t lowest, int32_t highest) {
   if (lowest > highest) return constrainInt(value, highest, lowest);
   return value < lowest ? lowest : value > highest ? highest : value;
@@ -1279,6 +1345,7 @@ inline int32_t constrainInt(int32_t value, int32_t lowest, int32_t highest) {
 //#   kind: oneToOne
 //#   symmetric: value lowest
 //#   fidelity: exact: the middle one of the three, since the limits may come in either order
+//#   stack: 4
 inline float constrainFloat(float value, float lowest, float highest) {
   if (lowest > highest) return constrainFloat(value, highest, lowest);
   return value < lowest ? lowest : value > highest ? highest : value;
@@ -1288,6 +1355,7 @@ inline float constrainFloat(float value, float lowest, float highest) {
 //#   for: int mapInt(int value, int fromMin, int fromMax, int toMin, int toMax)
 //#   kind: semantic
 //#   fidelity: exact: to the nearest integer, halves away from zero, where map() cuts off
+//#   stack: 0
 inline int32_t mapInt(int32_t value, int32_t fromMin, int32_t fromMax, int32_t toMin, int32_t toMax) {
   int32_t product = (value - fromMin) * (toMax - toMin), range = fromMax - fromMin;
   int32_t steps = (labs(product) + labs(range) / 2) / labs(range);
@@ -1298,6 +1366,7 @@ inline int32_t mapInt(int32_t value, int32_t fromMin, int32_t fromMax, int32_t t
 //#   for: float mapFloat(float value, float fromMin, float fromMax, float toMin, float toMax)
 //#   kind: oneToOne
 //#   fidelity: exact
+//#   stack: 0
 inline float mapFloat(float value, float fromMin, float fromMax, float toMin, float toMax) {
   return (value - fromMin) * (toMax - toMin) / (fromMax - fromMin) + toMin;
 }
@@ -1306,6 +1375,7 @@ inline float mapFloat(float value, float fromMin, float fromMax, float toMin, fl
 //#   for: void endianSwap(void *resultAddr, void *varAddr, int byteCount)
 //#   kind: oneToMany
 //#   fidelity: exact
+//#   stack: 0
 inline void endianSwap(void *resultAddr, const void *varAddr, int32_t byteCount) {
   for (int32_t number = 0; number < byteCount; number++)
     ((uint8_t *)resultAddr)[number] = ((const uint8_t *)varAddr)[byteCount - 1 - number];
@@ -1323,6 +1393,7 @@ static bool random_seeded = false;
 //#   needs: random_seeded propeller.h/CNT
 //#   fidelity: both limits inclusive, in either order; rand() behind it has 15 bits, as there
 //#   limit: the first call seeds from the time and an open analog input: other numbers than there
+//#   stack: 32 20
 inline int32_t random_between(int32_t limitLow, int32_t limitHigh) {
   if (!random_seeded) srand((unsigned int)(analogRead(A0) * 257u + CNT));
   random_seeded = true;
@@ -1338,6 +1409,9 @@ inline int32_t random_between(int32_t limitLow, int32_t limitHigh) {
 //#   needs: simpletext.h/simpleterm_pointer simpletext.h/writeByte simpletext.h/CRSRXY simpletext.h/CRSRX simpletext.h/CRSRY
 //#   fidelity: exact: the command, and a column or a row behind CRSRX, CRSRY and CRSRXY
 //#   limit: the Serial Monitor of the Arduino IDE does not obey commands; a Parallax terminal does
+//#   stack: 22 14
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 template <class... Numbers>
 inline void term_cmd(int32_t termConst, Numbers... numbers) {
   const char values[] = {(char)numbers..., 0, 0};
@@ -1388,6 +1462,7 @@ static int32_t cog_numbers[COG_SLOTS];
 //#   needs: CogInfo cog_numbers propeller.h/cog_start
 //#   fidelity: runs the function whenever the others wait; 0 when no cog is free
 //#   limit: the size of the stack is not used: each cog has COG_STACK bytes
+//#   stack: 7 2
 inline CogInfo cog_run(void (*function)(void *par), int32_t stacksize) {
   (void)stacksize;
   int8_t number = cog_start(function, 0);
@@ -1403,6 +1478,7 @@ inline CogInfo cog_run(void (*function)(void *par), int32_t stacksize) {
 //#   needs: propeller.h/cog_stop
 //#   fidelity: exact; nothing happens where no cog was started
 //#   limit: pins that only this cog drove go on being driven; there they become inputs
+//#   stack: 65 61
 template <class Number>
 inline void cog_end(Number *coginfo) {
   int32_t number = coginfo ? *coginfo - 1 : -1;
@@ -1416,6 +1492,7 @@ inline void cog_end(Number *coginfo) {
 //#   mcu: atmega328p atmega32u4 atmega2560
 //#   kind: oneToOne
 //#   fidelity: exact
+//#   stack: 0
 template <class Number>
 inline int32_t cog_num(Number *coginfo) {
   return *coginfo - 1;

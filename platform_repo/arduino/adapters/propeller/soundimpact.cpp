@@ -22,6 +22,10 @@ static SoundWatch sound_watch;
 //#   pin: pin interrupt in
 //#   fidelity: rising edges are counted by an interrupt, those of pulses of some 10 us too; there a cog looks at the pin
 //#   limit: one sensor at a time, as there
+//#   stack: 10 0
+//#   interrupt: PCINT0_vect 21
+//#   interrupt: PCINT1_vect 38
+//#   interrupt: PCINT2_vect 38
 inline CogInfo soundImpact_run(int32_t pin) {
   Io io(pin);
   if (io.wired() && !sound_watch.process) {
@@ -37,6 +41,7 @@ inline CogInfo soundImpact_run(int32_t pin) {
 //#   kind: semantic
 //#   needs: SoundWatch simpletools.h/PinWatch
 //#   fidelity: exact: nothing more is counted
+//#   stack: 2 0
 template <class Number>
 inline void soundImpact_end(Number *processID) {
   if (!processID || !*processID) return;
@@ -49,6 +54,7 @@ inline void soundImpact_end(Number *processID) {
 //#   kind: semantic
 //#   needs: SoundWatch
 //#   fidelity: exact: how many sounds there were since the last call
+//#   stack: 0
 inline int32_t soundImpact_getCount() {
   uint8_t old = SREG;
   cli();

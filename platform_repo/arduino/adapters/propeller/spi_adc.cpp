@@ -11,6 +11,9 @@
 //#   pin: clk digital out
 //#   pin: csin digital out
 //#   fidelity: exact: channel 0 or, for any other number, 1, against ground; a negative reference is said at the terminal, and -99.99
+//#   stack: 298 252
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline float spi_adc(int32_t ch, int32_t mosi, int32_t miso, int32_t clk, int32_t csin, float vref, int32_t bits) {
   if (vref < 0) {
     print("Error! Float Vref = %f, should not be <= 0\n", vref);
@@ -35,6 +38,9 @@ inline float spi_adc(int32_t ch, int32_t mosi, int32_t miso, int32_t clk, int32_
 //#   pin: clk digital out
 //#   pin: csin digital out
 //#   fidelity: exact: 12 bits
+//#   stack: 290 252
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline float MCP3202_getVolts(int32_t ch, int32_t mosi, int32_t miso, int32_t clk, int32_t csin, float vref) {
   return spi_adc(ch, mosi, miso, clk, csin, vref, 12);
 }
@@ -48,6 +54,9 @@ inline float MCP3202_getVolts(int32_t ch, int32_t mosi, int32_t miso, int32_t cl
 //#   pin: clk digital out
 //#   pin: csin digital out
 //#   fidelity: exact: 10 bits
+//#   stack: 290 252
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline float MCP3002_getVolts(int32_t ch, int32_t mosi, int32_t miso, int32_t clk, int32_t csin, float vref) {
   return spi_adc(ch, mosi, miso, clk, csin, vref, 10);
 }

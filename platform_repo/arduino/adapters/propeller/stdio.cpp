@@ -78,7 +78,6 @@ struct FloatText {
 };
 
 //# helper printf_text
-//#   stack: 220
 //#   needs: simpletext.h/TextOut simpletext.h/TextArgument FloatText
 //#   include: <math.h>
 //#   fidelity: flags, width, precision, *, h, hh, l and the conversions d i u o x X c s p f F e E g G and %
@@ -179,6 +178,9 @@ inline int32_t printf_text(TextOut out, const char *format, const TextArgument *
 //#   needs: simpletext.h/dport_ptr simpletext.h/TextOut simpletext.h/TextArgument printf_text
 //#   fidelity: exact but for line ends, floats too
 //#   limit: 32 bits of an integer are printed, of %lld too; at most 9 digits behind the point, then zeros
+//#   stack: 183 165
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 template <class... Arguments>
 inline int32_t c_printf(const char *fmt, Arguments... given) {
   const TextArgument arguments[] = {TextArgument(), given...};
@@ -192,6 +194,7 @@ inline int32_t c_printf(const char *fmt, Arguments... given) {
 //#   needs: simpletext.h/TextOut simpletext.h/TextArgument printf_text
 //#   fidelity: exact, floats too
 //#   limit: 32 bits of an integer are printed, of %lld too; at most 9 digits behind the point, then zeros
+//#   stack: 183 164
 template <class... Arguments>
 inline int32_t c_sprintf(char *str, const char *format, Arguments... given) {
   const TextArgument arguments[] = {TextArgument(), given...};
@@ -205,6 +208,7 @@ inline int32_t c_sprintf(char *str, const char *format, Arguments... given) {
 //#   needs: simpletext.h/TextOut simpletext.h/TextArgument printf_text
 //#   fidelity: exact, floats too
 //#   limit: 32 bits of an integer are printed, of %lld too; at most 9 digits behind the point, then zeros
+//#   stack: 183 165
 template <class... Arguments>
 inline int32_t c_snprintf(char *str, uint32_t size, const char *format, Arguments... given) {
   const TextArgument arguments[] = {TextArgument(), given...};
@@ -217,6 +221,9 @@ inline int32_t c_snprintf(char *str, uint32_t size, const char *format, Argument
 //#   name: c_putchar
 //#   needs: simpletext.h/putChar
 //#   fidelity: exact but for line ends
+//#   stack: 12 8
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t c_putchar(int32_t c) {
   putChar((char)c);
   return c;
@@ -228,6 +235,9 @@ inline int32_t c_putchar(int32_t c) {
 //#   name: c_puts
 //#   needs: simpletext.h/putStr simpletext.h/putChar
 //#   fidelity: exact but for line ends; an empty text prints nothing, as there
+//#   stack: 24 12
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t c_puts(const char *s) {
   int32_t count = putStr(s);
   if (!count) return 0;
@@ -241,6 +251,9 @@ inline int32_t c_puts(const char *s) {
 //#   name: c_getchar
 //#   needs: simpletext.h/getChar
 //#   fidelity: it waits; a carriage return is read as a line feed. What is typed is not shown
+//#   stack: 6
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t c_getchar() {
   int32_t c = getChar();
   return c == '\r' ? '\n' : c;
@@ -252,6 +265,9 @@ inline int32_t c_getchar() {
 //#   name: c_gets
 //#   needs: getchar
 //#   fidelity: exact: up to the end of the line
+//#   stack: 8 6
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline char *c_gets(char *buf) {
   char *end = buf;
   for (int32_t c; (c = c_getchar()) != '\n';) *end++ = (char)c;
@@ -347,6 +363,7 @@ inline int32_t scanf_text(const char *text, const char *format, const ScanTarget
 //#   name: c_sscanf
 //#   needs: simpletext.h/ScanTarget scanf_text
 //#   fidelity: exact: integers of any width are filled, and floats
+//#   stack: 115 91
 template <class... Targets>
 inline int32_t c_sscanf(const char *str, const char *fmt, Targets... targets) {
   const ScanTarget variables[] = {ScanTarget(), targets...};
@@ -360,6 +377,9 @@ inline int32_t c_sscanf(const char *str, const char *fmt, Targets... targets) {
 //#   needs: simpletext.h/ScanTarget scanf_text simpletext.h/getStr
 //#   fidelity: integers of any width are filled, and floats. What is typed is not shown
 //#   limit: each call reads one line of at most 80 characters, and leaves nothing of it for the next call
+//#   stack: 196 174
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 template <class... Targets>
 inline int32_t c_scanf(const char *fmt, Targets... targets) {
   char line[81];
@@ -397,6 +417,7 @@ inline File *file_of(FILE *stream) {
 //#   library: SD
 //#   fidelity: exact: 0 when the file cannot be opened; the modes r, w, a and each with +
 //#   limit: two files at a time, with names of 8 and 3 characters; 12 KB of program memory and 700 bytes of RAM
+//#   stack: 27 19
 inline FILE *fopen(const char *name, const char *mode) {
   uint8_t how = O_READ;
   if (*mode != 'r' || strchr(mode, '+')) how |= O_WRITE;
@@ -426,6 +447,7 @@ inline FILE *fopen(const char *name, const char *mode) {
 //#   include: <SD.h> <stdio.h>
 //#   library: SD
 //#   fidelity: exact: 0, or -1 when it is not open
+//#   stack: 25
 inline int32_t c_fclose(FILE *fp) {
   File *file = file_of(fp);
   if (!file) return -1;
@@ -441,6 +463,7 @@ inline int32_t c_fclose(FILE *fp) {
 //#   include: <SD.h> <stdio.h>
 //#   library: SD
 //#   fidelity: exact: 0, or -1 when the file has no such place
+//#   stack: 21 7
 inline int32_t c_fseek(FILE *fp, int32_t offset, int32_t whence) {
   File *file = file_of(fp);
   if (!file) return -1;
@@ -457,6 +480,7 @@ inline int32_t c_fseek(FILE *fp, int32_t offset, int32_t whence) {
 //#   include: <SD.h> <stdio.h>
 //#   library: SD
 //#   fidelity: exact
+//#   stack: 0
 inline int32_t c_ftell(FILE *fp) {
   File *file = file_of(fp);
   return file ? (int32_t)file->position() : -1;
@@ -468,6 +492,7 @@ inline int32_t c_ftell(FILE *fp) {
 //#   name: c_rewind
 //#   needs: fseek
 //#   fidelity: exact
+//#   stack: 6 2
 inline void c_rewind(FILE *fp) {
   c_fseek(fp, 0, SEEK_SET);
 }
@@ -480,6 +505,7 @@ inline void c_rewind(FILE *fp) {
 //#   include: <SD.h> <stdio.h>
 //#   library: SD
 //#   fidelity: exact: what was written is on the card
+//#   stack: 27 25
 inline int32_t c_fflush(FILE *fp) {
   File *file = file_of(fp);
   if (file) file->flush();
@@ -493,6 +519,9 @@ inline int32_t c_fflush(FILE *fp) {
 //#   needs: file_of printf_text simpletext.h/text_t simpletext.h/dport_ptr simpletext.h/TextOut simpletext.h/TextArgument
 //#   fidelity: exact, floats too; to stdout and stderr it prints on the terminal
 //#   limit: 32 bits of an integer are printed, of %lld too; at most 9 digits behind the point, then zeros
+//#   stack: 194 178
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 template <class... Arguments>
 inline int32_t c_fprintf(FILE *fp, const char *fmt, Arguments... given) {
   const TextArgument arguments[] = {TextArgument(), given...};
@@ -527,6 +556,9 @@ inline bool is_file(const FILE *file) {
 //#   needs: console_file
 //#   include: <stdio.h>
 //#   fidelity: exact but for line ends; -1 without a file
+//#   stack: 19
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t c_fputs(const char *s, FILE *fp) {
   return is_file(fp) ? fputs(s, fp) : -1;
 }
@@ -538,6 +570,9 @@ inline int32_t c_fputs(const char *s, FILE *fp) {
 //#   needs: console_file
 //#   include: <stdio.h>
 //#   fidelity: exact but for line ends; -1 without a file
+//#   stack: 17
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t c_fputc(int32_t c, FILE *fp) {
   return is_file(fp) ? fputc((int)c, fp) : -1;
 }
@@ -549,6 +584,9 @@ inline int32_t c_fputc(int32_t c, FILE *fp) {
 //#   needs: fputc
 //#   include: <stdio.h>
 //#   fidelity: exact but for line ends; -1 without a file
+//#   stack: 17
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t c_putc(int32_t c, FILE *fp) {
   return c_fputc(c, fp);
 }
@@ -560,6 +598,9 @@ inline int32_t c_putc(int32_t c, FILE *fp) {
 //#   needs: console_file
 //#   include: <stdio.h>
 //#   fidelity: exact: it waits at the terminal for a line; 0 without a file. What is typed is not shown
+//#   stack: 25
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline char *c_fgets(char *s, int32_t size, FILE *fp) {
   return is_file(fp) ? fgets(s, (int)size, fp) : 0;
 }
@@ -571,6 +612,9 @@ inline char *c_fgets(char *s, int32_t size, FILE *fp) {
 //#   needs: console_file
 //#   include: <stdio.h>
 //#   fidelity: exact: it waits at the terminal; -1 at the end of a file, and without one. What is typed is not shown
+//#   stack: 15
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t c_fgetc(FILE *fp) {
   return is_file(fp) ? fgetc(fp) : -1;
 }
@@ -582,6 +626,9 @@ inline int32_t c_fgetc(FILE *fp) {
 //#   needs: fgetc
 //#   include: <stdio.h>
 //#   fidelity: exact: it waits at the terminal; -1 at the end of a file, and without one. What is typed is not shown
+//#   stack: 15
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t c_getc(FILE *fp) {
   return c_fgetc(fp);
 }
@@ -593,6 +640,9 @@ inline int32_t c_getc(FILE *fp) {
 //#   include: <errno.h>
 //#   fidelity: the message and the number of the error
 //#   limit: the number of the error stands for its words, and functions for files set none here
+//#   stack: 187 185
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline void perror(const char *msg) {
   if (msg && *msg) c_printf("%s: ", msg);
   c_printf("error %d\n", errno);
@@ -605,6 +655,7 @@ inline void perror(const char *msg) {
 //#   include: <SD.h>
 //#   library: SD
 //#   fidelity: exact: 0, or -1 when there is no such file
+//#   stack: 0
 inline int32_t c_remove(const char *filename) {
   return SD.remove((char *)filename) ? 0 : -1;
 }
@@ -620,6 +671,7 @@ inline int32_t c_remove(const char *filename) {
 //#   include: <stdarg.h>
 //#   fidelity: exact, floats too
 //#   limit: at most 12 values, of 32 bits; at most 9 digits behind the point, then zeros
+//#   stack: 230 214
 inline int32_t c_vsnprintf(char *str, uint32_t size, const char *format, va_list ap) {
   ListArguments given(format, ap);
   return printf_text(TextOut(str, size), format, given.values, given.count);
@@ -634,6 +686,7 @@ inline int32_t c_vsnprintf(char *str, uint32_t size, const char *format, va_list
 //#   include: <stdarg.h>
 //#   fidelity: exact, floats too
 //#   limit: at most 12 values, of 32 bits; at most 9 digits behind the point, then zeros
+//#   stack: 229 211
 inline int32_t c_vsprintf(char *str, const char *format, va_list ap) {
   return c_vsnprintf(str, 32767, format, ap);
 }
@@ -647,6 +700,9 @@ inline int32_t c_vsprintf(char *str, const char *format, va_list ap) {
 //#   include: <stdarg.h>
 //#   fidelity: exact but for line ends, floats too
 //#   limit: at most 12 values, of 32 bits; at most 9 digits behind the point, then zeros
+//#   stack: 228 210
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t c_vprintf(const char *fmt, va_list ap) {
   ListArguments given(fmt, ap);
   return printf_text(TextOut(dport_ptr), fmt, given.values, given.count);
@@ -661,6 +717,9 @@ inline int32_t c_vprintf(const char *fmt, va_list ap) {
 //#   include: <stdarg.h>
 //#   fidelity: exact, floats too; to stdout and stderr it prints on the terminal
 //#   limit: at most 12 values, of 32 bits; at most 9 digits behind the point, then zeros
+//#   stack: 240 224
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
 inline int32_t c_vfprintf(FILE *fp, const char *fmt, va_list ap) {
   ListArguments given(fmt, ap);
   text_t device = text_t();

@@ -8,6 +8,7 @@
 //#   name: c_exit
 //#   fidelity: the program rests for ever, while text on its way, servos and tones go on, as other cogs do there
 //#   limit: functions given to atexit are not called, and nobody gets the status
+//#   stack: 0
 [[noreturn]] inline void c_exit(int32_t status) {
   (void)status;
   for (;;) yield();

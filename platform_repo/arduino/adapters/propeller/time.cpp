@@ -32,6 +32,7 @@ static_assert(sizeof(time_t) == 4 && (time_t)-1 > 0, "time_t is that in time.h")
 //#   needs: propeller.h/CNT
 //#   include: <time.h>
 //#   fidelity: the virtual counter, in steps of 4 us; it comes round after 53.7 s, as there
+//#   stack: 2 0
 inline clock_t c_clock() {
   return CNT;
 }
@@ -57,6 +58,7 @@ inline uint64_t clock_us() {
 //#   needs: clock_base clock_us
 //#   include: <time.h>
 //#   fidelity: seconds since the clock was set, from what it was set to; since the program began, from 0, where nobody set it
+//#   stack: 34 14
 inline time_t c_time(time_t *tp) {
   time_t now = clock_base + (time_t)((clock_us() - clock_set_at) / 1000000);
   if (tp) *tp = now;
@@ -69,6 +71,7 @@ inline time_t c_time(time_t *tp) {
 //#   name: c_difftime
 //#   include: <time.h>
 //#   fidelity: exact
+//#   stack: 0
 inline double c_difftime(time_t time2, time_t time1) {
   return time1 <= time2 ? (double)(time2 - time1) : -(double)(time1 - time2);
 }
@@ -105,6 +108,7 @@ static struct tm the_time;
 //#   needs: has_leap_day days_before
 //#   include: <time.h>
 //#   fidelity: exact: seconds since 1970
+//#   stack: 40 21
 inline struct tm *c_gmtime_r(const time_t *t, struct tm *stm) {
   uint32_t days = *t / 86400, rest = *t % 86400;
   int16_t year = 1970;
@@ -130,6 +134,7 @@ inline struct tm *c_gmtime_r(const time_t *t, struct tm *stm) {
 //#   needs: the_time gmtime_r
 //#   include: <time.h>
 //#   fidelity: exact: seconds since 1970
+//#   stack: 37 19
 inline struct tm *c_gmtime(const time_t *t) {
   return c_gmtime_r(t, &the_time);
 }
@@ -142,6 +147,7 @@ inline struct tm *c_gmtime(const time_t *t) {
 //#   include: <time.h>
 //#   fidelity: exact without a time zone: that of Greenwich, and daylight saving is unknown, -1
 //#   limit: there is no environment: a time zone that the program puts into TZ changes nothing
+//#   stack: 40 21
 inline struct tm *c_localtime_r(const time_t *t, struct tm *stm) {
   c_gmtime_r(t, stm)->tm_isdst = -1;
   return stm;
@@ -155,6 +161,7 @@ inline struct tm *c_localtime_r(const time_t *t, struct tm *stm) {
 //#   include: <time.h>
 //#   fidelity: exact without a time zone: that of Greenwich, and daylight saving is unknown, -1
 //#   limit: there is no environment: a time zone that the program puts into TZ changes nothing
+//#   stack: 37 19
 inline struct tm *c_localtime(const time_t *t) {
   return c_localtime_r(t, &the_time);
 }
@@ -167,6 +174,7 @@ inline struct tm *c_localtime(const time_t *t) {
 //#   include: <time.h>
 //#   fidelity: exact without a time zone: seconds since 1970, -1 for years before; members out of their range are not put right, as there
 //#   limit: the members of a tm have another order here: a list of values for all of them is to be written by their names
+//#   stack: 0
 inline time_t c_mktime(struct tm *t) {
   if (t->tm_year < 70) return (time_t)-1;
   int32_t year = 1900 + t->tm_year, leaps = (year - 1969) / 4 - (year > 2000 ? (year - 2000) / 100 : 0);
@@ -287,6 +295,7 @@ inline int32_t time_text(char *to, uint32_t room, const char *format, const stru
 //#   fidelity: exact: the same letters as there, names in English; 0 where the text has no room
 //#   limit: there is no environment: a time zone that the program puts into TZ changes nothing
 //#   limit: the members of a tm have another order here: a list of values for all of them is to be written by their names
+//#   stack: 76
 inline uint32_t c_strftime(char *s, uint32_t max, const char *format, const struct tm *when) {
   int32_t length = time_text(s, max, format, when);
   return length < 0 ? 0 : length;
@@ -301,6 +310,7 @@ inline uint32_t c_strftime(char *s, uint32_t max, const char *format, const stru
 //#   fidelity: exact
 //#   ram: 26
 //#   limit: the members of a tm have another order here: a list of values for all of them is to be written by their names
+//#   stack: 76
 inline char *c_asctime(const struct tm *time) {
   static char text[26];
   c_strftime(text, sizeof text, "%a %b %d %H:%M:%S %Y\n", time);
@@ -314,6 +324,7 @@ inline char *c_asctime(const struct tm *time) {
 //#   needs: asctime localtime
 //#   include: <time.h>
 //#   fidelity: exact without a time zone: that of Greenwich
+//#   stack: 82
 inline char *c_ctime(const time_t *rawtime) {
   return c_asctime(c_localtime(rawtime));
 }

@@ -124,6 +124,7 @@ typedef ws2812_t ws2812;
 //#   symmetric: ns0h ns0l ns1h ns1l
 //#   fidelity: the rest between two frames and the order of the colours are obeyed
 //#   limit: the widths of bits are always 0.375 us for 0 and 0.812 us for 1, each 1.25 us
+//#   stack: 2 0
 inline int32_t ws_start(ws2812_t *driver, int32_t usreset, int32_t ns0h, int32_t ns0l, int32_t ns1h, int32_t ns1l, int32_t type) {
   (void)ns0h, (void)ns0l, (void)ns1h, (void)ns1l;
   driver->command = 0;
@@ -138,6 +139,7 @@ inline int32_t ws_start(ws2812_t *driver, int32_t usreset, int32_t ns0h, int32_t
 //#   kind: oneToOne
 //#   needs: TYPE_GRB ws2812_t ws_start
 //#   fidelity: as ws_start
+//#   stack: 2 0
 inline int32_t ws2812_start(ws2812_t *driver) {
   return ws_start(driver, 50, 350, 800, 700, 600, TYPE_GRB);
 }
@@ -147,6 +149,7 @@ inline int32_t ws2812_start(ws2812_t *driver) {
 //#   kind: oneToMany
 //#   needs: ws2812_t ws2812_start
 //#   fidelity: as ws_start
+//#   stack: 8 6
 inline ws2812_t *ws2812_open() {
   ws2812_t *driver = new ws2812_t();
   ws2812_start(driver);
@@ -158,6 +161,7 @@ inline ws2812_t *ws2812_open() {
 //#   kind: oneToOne
 //#   needs: TYPE_GRB ws2812_t ws_start
 //#   fidelity: as ws_start
+//#   stack: 2 0
 inline int32_t ws2812b_start(ws2812_t *driver) {
   return ws_start(driver, 300, 200, 600, 600, 200, TYPE_GRB);
 }
@@ -167,6 +171,7 @@ inline int32_t ws2812b_start(ws2812_t *driver) {
 //#   kind: oneToMany
 //#   needs: ws2812_t ws2812b_start
 //#   fidelity: as ws_start
+//#   stack: 8 6
 inline ws2812_t *ws2812b_open() {
   ws2812_t *driver = new ws2812_t();
   ws2812b_start(driver);
@@ -178,6 +183,7 @@ inline ws2812_t *ws2812b_open() {
 //#   kind: oneToOne
 //#   needs: ws2812_t
 //#   fidelity: nothing is sent any longer
+//#   stack: 0
 inline void ws2812_stop(ws2812_t *driver) {
   driver->cog = -1;
 }
@@ -187,6 +193,7 @@ inline void ws2812_stop(ws2812_t *driver) {
 //#   kind: oneToMany
 //#   needs: ws2812_t ws2812_stop
 //#   fidelity: exact
+//#   stack: 4
 inline void ws2812_close(ws2812_t *driver) {
   ws2812_stop(driver);
   delete driver;
@@ -202,6 +209,7 @@ inline void ws2812_close(ws2812_t *driver) {
 //#   limit: interrupts are off meanwhile, so that from 31 lights on the clock falls behind; only at 16 MHz
 //#   limit: beside servos whose pulses leave no such time in a frame of 20 ms, these tremble
 //#   range: count 0..30: the clock falls behind meanwhile
+//#   stack: 24 4
 inline void ws2812_set(ws2812_t *driver, int32_t pin, uint32_t *colors, int32_t count) {
   Io io(pin);
   if (!io.wired() || driver->cog < 0) return;
@@ -245,6 +253,7 @@ inline void ws2812_set(ws2812_t *driver, int32_t pin, uint32_t *colors, int32_t 
 //#   kind: oneToOne
 //#   needs: ws2812_wheel_dim
 //#   fidelity: exact
+//#   stack: 0
 inline uint32_t ws2812_wheel(int32_t pos) {
   return ws2812_wheel_dim(pos, 255);
 }
@@ -254,6 +263,7 @@ inline uint32_t ws2812_wheel(int32_t pos) {
 //#   kind: oneToOne
 //#   needs: COLORX
 //#   fidelity: exact, for places of 0 to 255
+//#   stack: 0
 inline uint32_t ws2812_wheel_dim(int32_t pos, int32_t brightness) {
   int32_t third = pos < 85 ? 0 : pos < 170 ? 1 : 2, up = (pos - 85 * third) * 3, down = 255 - up;
   if (third == 0) return COLORX(down, up, 0, brightness);

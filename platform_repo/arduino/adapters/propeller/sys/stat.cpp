@@ -7,6 +7,7 @@
 //#   include: <SD.h>
 //#   library: SD
 //#   fidelity: exact: 0, or -1 where it cannot be made or is there already; the mode has no effect, as there
+//#   stack: 0
 inline int32_t mkdir(const char *path, int32_t mode) {
   (void)mode;
   return !SD.exists(path) && SD.mkdir(path) ? 0 : -1;

@@ -18,6 +18,7 @@ typedef uint32_t suseconds_t;
 //#   kind: semantic
 //#   needs: timeval time.h/clock_base time.h/clock_us
 //#   fidelity: as time, with microseconds in steps of 4
+//#   stack: 34 14
 inline int32_t gettimeofday(timeval *tv, const void *) {
   uint64_t us = clock_us() - clock_set_at;
   tv->tv_sec = clock_base + (time_t)(us / 1000000);
@@ -30,6 +31,7 @@ inline int32_t gettimeofday(timeval *tv, const void *) {
 //#   kind: semantic
 //#   needs: timeval time.h/clock_base time.h/clock_us
 //#   fidelity: exact; the microseconds are not looked at, as there
+//#   stack: 2 0
 inline int32_t settimeofday(const timeval *tv, const void *) {
   clock_set_at = clock_us();
   clock_base = tv->tv_sec;

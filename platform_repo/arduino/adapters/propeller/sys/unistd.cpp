@@ -12,6 +12,7 @@ typedef uint32_t useconds_t;
 //#   for: unsigned int sleep(unsigned int seconds)
 //#   kind: oneToMany
 //#   fidelity: within 0.1 %; the answer is 0
+//#   stack: 12 2
 inline uint32_t sleep(uint32_t seconds) {
   for (; seconds; seconds--) delay(1000);
   return 0;
@@ -21,6 +22,7 @@ inline uint32_t sleep(uint32_t seconds) {
 //#   for: int usleep(useconds_t usec)
 //#   kind: semantic
 //#   fidelity: within 8 us; the answer is 0
+//#   stack: 2
 inline int32_t usleep(uint32_t usec) {
   for (uint32_t begun = micros(); micros() - begun < usec;) yield();
   return 0;
@@ -32,6 +34,7 @@ inline int32_t usleep(uint32_t usec) {
 //#   include: <SD.h>
 //#   library: SD
 //#   fidelity: exact: 0, or -1 where it is no folder or not empty
+//#   stack: 0
 inline int32_t rmdir(const char *path) {
   return SD.rmdir(path) ? 0 : -1;
 }
