@@ -15,6 +15,7 @@ import pytest
 from robosmi.transformations.chains.migrate import migrate, plan_migration
 from robosmi.transformations.chains.output import Generated
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.queries.stack_depth import CORE_INTERRUPT
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import PinTrace, simulate
 from robosmi.verify.toolchain import compile_sketch
@@ -187,11 +188,15 @@ def test_a_cog_has_the_heap_that_main_has(tmp_path: Path) -> None:
 
 
 def test_interrupts_of_a_drive_count_for_the_stack_of_each_cog(tmp_path: Path) -> None:
-    beside, alone = (moved(name, tmp_path / name).models.plan.concurrency for name in ("cog_beside_a_drive", "main_ends"))
+    made, alone = moved("cog_beside_a_drive", tmp_path / "beside"), moved("main_ends", tmp_path / "alone").models.plan.concurrency
+    beside = made.models.plan.concurrency
     assert beside is not None
     assert alone is not None
-    assert beside.stackBytes > alone.stackBytes + 100
-    assert any("interrupts" in each for each in beside.evidence)
+    said = next(found for each in beside.evidence if (found := re.search(r"interrupts .* take up to (\d+) bytes", each)))
+    assert beside.stackBytes > alone.stackBytes + int(said[1]) - 20  # blinking takes less than what main_ends does
+    compiled = compile_sketch(made.sketch).stack
+    assert compiled is not None
+    assert int(said[1]) + CORE_INTERRUPT >= compiled.interrupts > 3 * CORE_INTERRUPT
 
 
 def test_code_that_nothing_starts_has_no_stack(tmp_path: Path) -> None:

@@ -46,7 +46,8 @@ class _Program:
     """
 
     def __init__(self, plan: migration.MigrationPlan, code: CompiledCode) -> None:
-        self._pieces = {str(u.name): u.adapter for u in (*plan.adapterUses, *plan.symbolUses) if u.adapter is not None}
+        self._pieces = {str(use.name): use.adapter for use in plan.adapterUses if use.adapter is not None}
+        self._pieces |= {str(use.name): use.adapter for use in plan.symbolUses if use.adapter is not None}
         self._variadic = {str(use.name) for use in plan.adapterUses if use.variadic}
         self._live = {id(element) for element in code.elements} - code.answers.keys()
         self._places = Counter(str(e.calleeName) for e in code.elements if isinstance(e, ccode.Call) and id(e) in self._live)
