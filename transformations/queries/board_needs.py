@@ -113,7 +113,7 @@ def board_needs(plan: migration.MigrationPlan) -> BoardNeeds:
 def _roomier(plan: migration.MigrationPlan, needs: BoardNeeds) -> str:
     """The title of the board with the least memory among those of the platform that should have enough; empty where none has.
 
-    The stack counts twice: of 234 programs five needed more than twice what the models say once they were compiled, 90 bytes at most.
+    The stack counts twice: of 234 compiled programs five needed more than twice what the models say, 90 bytes at most.
     """
     flash = needs.build.flashBytes if needs.build is not None else 0
     ram = (needs.build.ramBytes if needs.build is not None else needs.memory.total) + 2 * needs.stack
