@@ -15,7 +15,7 @@ import signal
 import sys
 import time
 from collections.abc import Sequence
-from contextlib import suppress
+from contextlib import nullcontext, redirect_stdout, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -205,9 +205,10 @@ def _run(parsed: argparse.Namespace) -> int:
     from robosmi.report import takes_colour, terminal_text
 
     sarif_file.check_file(parsed.sarif)
-    with progress():
+    aside = redirect_stdout(sys.stderr) if parsed.json else nullcontext()  # what plug-ins and rules print is none of the document
+    with progress(), aside:
         report = importlib.import_module(f"robosmi.cli.{parsed.command}").run(parsed)
-    report.findings += broken_findings()
+        report.findings += broken_findings()
     code = int(report.exit_code(parsed.fail_on)) if report.ok else int(report.failure_code)
     if parsed.sarif is not None:
         sarif_file.write_file(report, parsed.sarif, code, sarif_file.subject(parsed) or Path.cwd())

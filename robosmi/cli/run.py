@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
-from contextlib import nullcontext, redirect_stdout
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -41,9 +39,8 @@ def run(arguments: argparse.Namespace) -> Report:
     from robosmi.chain import read_chain
 
     report = Report("run")
-    with redirect_stdout(sys.stderr) if arguments.json else nullcontext():  # what rules print is no part of the document
-        chain = read_chain(arguments.chain)
-        done = chain.run(dry_run=arguments.dry_run, keep=arguments.keep, force=arguments.force, fix=arguments.fix)
+    chain = read_chain(arguments.chain)
+    done = chain.run(dry_run=arguments.dry_run, keep=arguments.keep, force=arguments.force, fix=arguments.fix)
     report.result = {
         "steps": [step.to_json() for step in done.steps],
         "written": not arguments.dry_run,

@@ -56,6 +56,12 @@ def test_constraints_of_a_plug_in_add_to_the_built_in_ones(tmp_path: Path) -> No
     assert not any(finding["rule"] == "CH001" for finding in built_in["findings"])
 
 
+def test_what_a_plug_in_prints_is_no_part_of_the_document(tmp_path: Path) -> None:
+    path = installed(tmp_path, "checks")
+    plan, _ = stored_plan(tmp_path, path)
+    assert command("check", plan, path=path, CHECKS_PLUGIN="prints")["schema"] == "robosmi/1"
+
+
 def test_a_constraint_whose_id_is_taken_is_refused_with_its_plug_in(tmp_path: Path) -> None:
     path = installed(tmp_path, "checks")
     plan, _ = stored_plan(tmp_path, path)

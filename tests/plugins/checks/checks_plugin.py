@@ -20,6 +20,8 @@ WRONG: dict[str, Any] = {"gives nothing": None, "gives texts": (hardware.Circuit
 
 def register(registry: Registry) -> None:
     """The value of the entry point."""
+    if os.environ.get("CHECKS_PLUGIN") == "prints":
+        print("registered")
     if os.environ.get("CHECKS_PLUGIN") == "exits at once":
         sys.exit(0)
     registry.add("constraints", "migration", "checks_plugin:plan")
@@ -34,6 +36,8 @@ def register(registry: Registry) -> None:
 @plans.critique(id="CH001", advice="call it otherwise")
 def is_not_called_beacon(plan: migration.MigrationPlan) -> bool:
     """A plan that is called beacon."""
+    if os.environ.get("CHECKS_PLUGIN") == "prints":
+        print("checked")
     return bool(plan.name != "beacon")
 
 
