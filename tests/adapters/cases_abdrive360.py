@@ -59,6 +59,20 @@ void loop() {{}}
     assert max(took) < 1530  # a wheel whose angle trembles by its last digit stands: up to 0.3 s later without it
 
 
+@proves(*d("ramp"), beside=d("goto"))
+def drives_with_feedback_and_no_pin_hold_nothing_up(uno: Uno) -> None:
+    program = f"""{SAY}
+void setup() {{ Serial.begin(115200); uint32_t begun = millis(); drive_ramp(60, 60); say(millis() - begun);
+  drive_goto(8, 8); say(1); }}
+void loop() {{}}
+"""
+    for wired in ((), ("right_servo",), ("left_servo",)):
+        ports = {name: pin if name.partition(".")[2] in wired else "255" for name, pin in PORTS.items()}
+        told = [int(each) for each in replace(uno, ports=ports).run(program, d("ramp", "goto"), 4_000).text.split()]
+        assert len(told) == 2
+        assert 40 <= told[0] <= 1000
+
+
 @proves(*d("rampStep", "getTicksCalc", "servoPins", "setMaxSpeed", "setRampStep", "feedback"))
 def drives_without_feedback_go_as_calculated(uno: Uno) -> None:
     used = d("rampStep", "getTicksCalc", "servoPins", "setMaxSpeed", "setRampStep", "feedback", "goto", "gotoMode")

@@ -7,7 +7,8 @@ and is named.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from functools import reduce
 from typing import NamedTuple
 
 from robosmi.metamodels import ccode, migration, platform
@@ -28,6 +29,10 @@ TICKS = 80
 _LEVELS = 20
 """Calls within calls in one stack; each takes frames for all statements that it stands in."""
 _UNITS = {platform.Meaning.milliseconds: 1000.0, platform.Meaning.microseconds: 1.0}
+
+
+_WAYS_OUT = (ccode.Break, ccode.Continue, ccode.Return, ccode.Goto)
+_LABELS = (ccode.Case, ccode.Default)
 
 
 class Wait(NamedTuple):
@@ -109,9 +114,7 @@ class LoopTimes:
         if isinstance(element, ccode.If):
             return self.of(element.condition).then(self.of(element.thenBranch).either(self.of(element.elseBranch)))
         if isinstance(element, ccode.Switch):
-            return self.of(element.selector).then(
-                NOTHING.either(Time(0.0, self._inside(element.body).high, self._inside(element.body).unbounded))
-            )
+            return self.of(element.selector).then(self._switch(element))
         if isinstance(element, ccode.Loop):
             return self._loop(element)
         if isinstance(element, ccode.ConditionalExpression):
@@ -124,15 +127,40 @@ class LoopTimes:
 
     def _sequence(self, statements: Iterable[Element]) -> Time:
         """Statements one after the other, as far as nothing leaves them; what may leave makes the rest optional."""
-        time, sure = NOTHING, True
+        reached = []
         for statement in statements:
-            own = self.of(statement)
-            time = time.then(own if sure else NOTHING.either(own))
-            if isinstance(statement, (ccode.Break, ccode.Continue, ccode.Return, ccode.Goto)):
+            reached.append(statement)
+            if _leaves(statement):
                 break
-            leaves = any(isinstance(e, (ccode.Continue, ccode.Return, ccode.Goto, ccode.Break)) for e in all_contents(statement))
-            sure = sure and not (leaves and isinstance(statement, ccode.If))
+        time = NOTHING
+        for statement in reversed(reached):
+            time = self._before(statement, time)
         return time
+
+    def _before(self, statement: Element, rest: Time) -> Time:
+        """A statement, and what comes behind it where it is not left."""
+        if isinstance(statement, (*_LABELS, ccode.Label)) and statement.statement is not None:
+            return self._before(statement.statement, rest)
+        if not isinstance(statement, ccode.If) or _stays(statement):
+            return self.of(statement).then(rest)
+        branches = [
+            self.of(branch).then(NOTHING if _leaves(branch) else rest if _stays(branch) else NOTHING.either(rest))
+            for branch in (statement.thenBranch, statement.elseBranch)
+        ]
+        return self.of(statement.condition).then(branches[0].either(branches[1]))
+
+    def _switch(self, switch: ccode.Switch) -> Time:
+        """The body of a switch from one of its labels to where that is left, or nothing of it where no label has the value."""
+        body = switch.body
+        statements = list(body.statements) if isinstance(body, ccode.Block) else [body] if body is not None else []
+        labels = [at for at, each in enumerate(statements) if isinstance(each, _LABELS)]
+        if len(labels) < sum(_is_first_label(each) for each in _within_switch(switch.body)):  # into the midst of a loop
+            whole = self._inside(switch.body)
+            return Time(0.0, whole.high, whole.unbounded)
+        times = [self._sequence(statements[at:]) for at in labels]
+        if not any(isinstance(each, ccode.Default) for each in _within_switch(switch.body)):
+            times.append(NOTHING)
+        return reduce(Time.either, times) if times else NOTHING
 
     def _inside(self, element: Element | None) -> Time:
         """What stands directly within an element, one after the other."""
@@ -231,6 +259,38 @@ class LoopTimes:
             return calculate(str(expression.operator), left, right) if left is not None and right is not None else None
         values = self._values.of(expression)
         return values[0].number if len(values) == 1 else None
+
+
+def _leaves(statement: Element | None) -> bool:
+    """Whether what stands behind a statement is never come to from it."""
+    if isinstance(statement, ccode.Block):
+        return any(_leaves(each) for each in statement.statements)
+    if isinstance(statement, (*_LABELS, ccode.Label)):
+        return _leaves(statement.statement)
+    if isinstance(statement, ccode.If):
+        return statement.elseBranch is not None and _leaves(statement.thenBranch) and _leaves(statement.elseBranch)
+    return isinstance(statement, _WAYS_OUT)
+
+
+def _stays(statement: Element | None) -> bool:
+    """Whether nothing in a statement may leave it."""
+    return statement is None or not any(isinstance(each, _WAYS_OUT) for each in (statement, *all_contents(statement)))
+
+
+def _within_switch(body: Element | None) -> Iterator[Element]:
+    """The labels of a switch, not those of others within it."""
+    pending = [body] if body is not None else []
+    while pending:
+        element = pending.pop()
+        if isinstance(element, _LABELS):
+            yield element
+        inner = (each for each in element.eContents if isinstance(each, ccode.Statement))
+        pending.extend(each for each in inner if not isinstance(each, ccode.Switch))
+
+
+def _is_first_label(label: Element) -> bool:
+    """Whether a label does not stand right behind another one, as the second of `case 1: case 2:` does."""
+    return not isinstance(label.eContainer(), _LABELS)
 
 
 def _waits(function: platform.ApiFunction) -> bool:

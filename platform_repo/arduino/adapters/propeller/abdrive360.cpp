@@ -73,6 +73,7 @@ inline void drive360_limits(int32_t top, int32_t step) {
 //#   needs: Drive360 drive360_limits servo360.h/S360_SETTING_IA_MAX servo360.h/S360_SETTING_KDA servo360.h/S360_SETTING_KIA servo360.h/S360_SETTING_KPA servo360.h/servo360_connect servo360.h/servo360_couple servo360.h/servo360_setControlSys servo360.h/servo360_setUnitsFullCircle
 inline void drive_init() {
   if (drive360.on) return;
+  if (drive360.left == 255 && drive360.right == 255) drive360.right = 254;  // two servos without a pin are two all the same
   bool waited = false;
   while (servo360_connect(drive360.left, drive360.left_signal) < 0) waited = true, yield();
   while (servo360_connect(drive360.right, drive360.right_signal) < 0) waited = true, yield();

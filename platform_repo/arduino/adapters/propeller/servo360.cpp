@@ -320,7 +320,7 @@ inline int32_t servo360_connect(int32_t pinControl, int32_t pinFeedback) {
     if (width > 1200 || width < 25) return -8;
   }
   if (servo360_place(pinControl) >= 0) return -4;
-  if (servo360_place(pinFeedback) >= 0) return -5;
+  if (signal.wired() && servo360_place(pinFeedback) >= 0) return -5;
   int8_t place = 0;
   while (place < 4 && servos360[place]) place++;
   if (place == 4) return -7;
