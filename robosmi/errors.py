@@ -8,7 +8,8 @@ knows a platform, a board or a drawing tool.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 
 from robosmi.diagnostics import Location
 
@@ -117,3 +118,20 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
 
     close = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
     return f" (did you mean '{close[0]}'?)" if close else ""
+
+
+@contextmanager
+def placed(place: Location | None, advice: str = "") -> Iterator[None]:
+    """Give a place to errors about usage that name none: where a file says what is wrong.
+
+    Args:
+        place: the place; None changes nothing.
+        advice: what can be done there, which goes before the error's own advice.
+    """
+    try:
+        yield
+    except UsageError as error:
+        if place is not None and error.location is None:
+            error.location = place
+            error.fix = "; ".join(each for each in (advice, error.fix) if each) or None
+        raise

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cache
 from itertools import pairwise
@@ -61,6 +61,7 @@ class Project:
         servos: component, or role of a port -> what was measured of its servo.
         severity: rule -> level.
         accept: accepted findings.
+        text: what the file holds.
     """
 
     path: Path | None = None
@@ -73,11 +74,15 @@ class Project:
     servos: dict[str, ServoTrim] = field(default_factory=dict)
     severity: dict[str, str] = field(default_factory=dict)
     accept: tuple[Accepted, ...] = ()
+    text: str = field(default="", repr=False)
+
+    def places(self, table: str, keys: Iterable[str]) -> dict[str, Location]:
+        """Where a table of the file has each of some keys; the file alone where the line of one is not found."""
+        return {key: Location(str(self.path), _line_of(table, key, self.text)) for key in keys} if self.path is not None else {}
 
 
 _TABLES = ("migrate", "libraries", "bind", "roles", "servos", "severity", "accept")
 _SERVO = ("neutral", "speeds")
-_SERVOS = re.compile(r"\s*\[\s*servos\s*\]")
 POINTS = 64
 """So many points may be given of a servo; each takes four bytes of the program."""
 PULSES = (500, 2500)
@@ -151,6 +156,7 @@ def _project(path: Path, text: str, data: dict[str, Any]) -> Project:
         servos=_servos(path, data, text),
         severity=severity,
         accept=tuple(_accepted(path, entry) for entry in _list_of_tables(path, data, "accept")),
+        text=text,
     )
 
 
@@ -179,7 +185,7 @@ def _servos(path: Path, data: dict[str, Any], text: str) -> dict[str, ServoTrim]
         inner = entry if isinstance(entry, dict) and entry and not set(entry) & set(_SERVO) else None
         named = inner is not None and all(isinstance(value, dict) for value in inner.values())
         found |= {f"{name}.{key}": value for key, value in inner.items()} if named and inner is not None else {name: entry}
-    return {name: _servo(path, name, entry, _line_of(name, text)) for name, entry in found.items()}
+    return {name: _servo(path, name, entry, _line_of("servos", name, text)) for name, entry in found.items()}
 
 
 def _servo(path: Path, name: str, entry: Any, line: int | None) -> ServoTrim:
@@ -216,15 +222,16 @@ def _servo(path: Path, name: str, entry: Any, line: int | None) -> ServoTrim:
     return ServoTrim(at_rest, tuple(sorted(points.items())), place)
 
 
-def _line_of(name: str, text: str) -> int | None:
-    """The line in which a servo's table or entry in [servos] begins, or None where it is not written as one."""
+def _line_of(table: str, name: str, text: str) -> int | None:
+    """The line in which an entry of a table, or a table in it, begins; None where it is not written as one."""
     called = rf"[\"']?{re.escape(name)}[\"']?"
-    table, entry = re.compile(rf"\s*\[\s*servos\s*\.\s*{called}\s*\]"), re.compile(rf"\s*{called}\s*=")
+    outer = re.compile(rf"\s*\[\s*{table}\s*\]")
+    inner, entry = re.compile(rf"\s*\[\s*{table}\s*\.\s*{called}\s*\]"), re.compile(rf"\s*{called}\s*=")
     inside = False
     for number, line in enumerate(text.splitlines(), 1):
-        if table.match(line) or (inside and entry.match(line)):
+        if inner.match(line) or (inside and entry.match(line)):
             return number
-        inside = bool(_SERVOS.match(line)) or (inside and not line.lstrip().startswith("["))
+        inside = bool(outer.match(line)) or (inside and not line.lstrip().startswith("["))
     return None
 
 

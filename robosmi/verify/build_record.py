@@ -6,17 +6,20 @@ It is read by whoever asks whether that program still is the sketch's. It is wri
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TypeVar
 
 from robosmi import inputs
-from robosmi.data_text import json_of
+from robosmi.data_text import Json, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 
 FOLDER = "build"
 """Where programs are kept, beside a sketch's folder."""
 SCHEMA = "robosmi-build/1"
+V = TypeVar("V", str, int)
 
 
 @dataclass(frozen=True)
@@ -59,18 +62,56 @@ def record_at(path: Path) -> BuildRecord | None:
     """
     fix = "compile the sketch again"
     try:
-        data = json_of(inputs.read_bytes(path, inputs.RECORD).decode())
-        if data["schema"] != SCHEMA:
-            raise ValueError(f"its schema is '{data['schema']}'")
-        return BuildRecord(
-            str(data["board"]), bool(data["fits"]), tuple(str(name) for name in data["stand_ins"]),
-            {str(name): str(digest) for name, digest in data["sources"].items()}, str(data["program"]),
-            {str(name): int(size) for name, size in data.get("sizes", {}).items()},
-            {str(name): str(digest) for name, digest in data.get("outside", {}).items()},
-        )  # fmt: skip
+        return _record(json_of(inputs.read_bytes(path, inputs.RECORD).decode()))
     except FileNotFoundError:
         return None
     except OSError as error:
         raise SourceError(f"the record cannot be read: {error.strerror}", location=Location(str(path)), fix=fix) from error
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise SourceError(f"the record of the program is damaged: {error}", location=Location(str(path)), fix=fix) from error
+    except ValueError as error:
+        why = "it is no text in UTF-8" if isinstance(error, UnicodeDecodeError) else error
+        raise SourceError(f"the record of the program is damaged: {why}", location=Location(str(path)), fix=fix) from error
+
+
+def _record(data: Json) -> BuildRecord:
+    """The record that a value in JSON is.
+
+    Raises:
+        ValueError: it is none.
+    """
+    if not isinstance(data, Mapping):
+        raise ValueError("it is no object")
+    schema = data.get("schema")
+    if schema != SCHEMA:
+        raise ValueError(f"its schema is {json.dumps(schema)}, not {SCHEMA}" if "schema" in data else "it has no 'schema'")
+    stand_ins, fits = data.get("stand_ins"), data.get("fits")
+    if not isinstance(fits, bool):
+        raise _wrong(data, "fits", "true or false")
+    if isinstance(stand_ins, str) or not isinstance(stand_ins, Sequence):
+        raise _wrong(data, "stand_ins", "a list of texts")
+    names = tuple(name for name in stand_ins if isinstance(name, str))
+    if len(names) < len(stand_ins):
+        raise _wrong(data, "stand_ins", "a list of texts")
+    sizes = _table(data, "sizes", int, "whole numbers", optional=True)
+    sources, outside = _table(data, "sources", str, "texts"), _table(data, "outside", str, "texts", optional=True)
+    return BuildRecord(_text(data, "board"), fits, names, sources, _text(data, "program"), sizes, outside)
+
+
+def _text(data: Mapping[str, Json], name: str) -> str:
+    value = data.get(name)
+    if not isinstance(value, str):
+        raise _wrong(data, name, "a text")
+    return value
+
+
+def _table(data: Mapping[str, Json], name: str, kind: type[V], called: str, *, optional: bool = False) -> dict[str, V]:
+    value = {} if optional and name not in data else data.get(name)
+    if not isinstance(value, Mapping):
+        raise _wrong(data, name, f"an object of {called}")
+    found = {key: each for key, each in value.items() if isinstance(each, kind) and not isinstance(each, bool)}
+    if len(found) < len(value):
+        raise _wrong(data, name, f"an object of {called}")
+    return found
+
+
+def _wrong(data: Mapping[str, Json], name: str, wanted: str) -> ValueError:
+    return ValueError(f"its '{name}' is not {wanted}" if name in data else f"it has no '{name}'")

@@ -12,7 +12,7 @@
   // ---- what a person chooses
 
   function what(about) {
-    return "undo" in about ? "undo" : "tick" in about ? "the tick" : `${about.id} = ${about.value}`;
+    return "undo" in about ? "undo" : "tick" in about ? "the tick" : about.value ? `${about.id} = ${about.value}` : `${about.id} open again`;
   }
 
   async function send(path, about) {

@@ -67,7 +67,47 @@ def test_a_project_file_that_names_what_is_not_there_is_refused(
     outcome = run("migrate", line_follower, "-o", tmp_path / "out")
     assert outcome.code == code
     assert cause in outcome.err
+    assert "robosmi.toml" in outcome.err or "nowhere.fzz" in text
     assert not (tmp_path / "out").exists()
+
+
+def test_choices_for_one_of_several_programs_in_a_folder_are_told_with_their_line(tmp_path: Path) -> None:
+    text = '#include "simpletools.h"\nint {0} = 3;\nint main() {{ while (1) {{ high({0}); pause(5); }} }}\n'
+    for name in ("lamp", "horn"):
+        (tmp_path / f"{name}.c").write_text(text.format(name))
+    assert run("migrate", tmp_path / "lamp.c", "-o", tmp_path / "one").code in (0, 1)
+    assert run("choose", tmp_path / "one", "lamp=D4").code in (0, 1)
+    project = tmp_path / "robosmi.toml"
+    outcome = run("migrate", tmp_path / "horn.c", "-o", tmp_path / "two")
+    assert outcome.code == 2
+    line = project.read_text().splitlines().index('lamp = "D4"') + 1
+    assert f"{project}:{line}: 'lamp' is no port of the program" in outcome.err
+    assert "take it out there, or give each program a folder of its own" in outcome.err
+    assert "its ports are: horn" in outcome.err
+    outcome = run("migrate", tmp_path / "lamp.c", "-o", tmp_path / "two", "--bind", "lamb=D4")
+    assert outcome.code == 2
+    assert "robosmi.toml" not in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("entry", "cause"),
+    [
+        ('[bind]\nleftQTI = "D99"\n', "'D99' is neither a pin"),
+        ('[bind]\nleftQTI = "D9"\nP6 = "D8"\n', "is bound to two pins"),
+        ('[libraries]\n"Basic Servo1" = "Sevro"\n', "no library is called 'Sevro'"),
+        ('[libraries]\n"Basic Servo9" = "Servo"\n', "no component is called 'Basic Servo9'"),
+    ],
+)
+def test_a_choice_of_the_project_file_that_cannot_be_is_told_with_its_line(
+    entry: str, cause: str, line_follower: Path, tmp_path: Path
+) -> None:
+    text = f'[migrate]\nhardware = "line_following_robot.fzz"\n{entry}'
+    project = line_follower.parent / "robosmi.toml"
+    project.write_text(text)
+    outcome = run("migrate", line_follower, "-o", tmp_path / "out")
+    assert outcome.code == 2
+    assert cause in outcome.err
+    assert f"{project}:{text.count(chr(10))}: " in outcome.err
 
 
 def add(source: Path, text: str) -> None:

@@ -65,7 +65,7 @@ def test_a_scenario_names_pins_and_its_horizon_counts(blink: Path, tmp_path: Pat
     scenario.write_text("horizon_ms = 1000\n[signals]\nD99 = [[0, 0]]\n")
     outcome = run("simulate", blink, "--scenario", scenario)
     assert outcome.code == 2
-    assert "the scenario has a signal of 'D99', which is no component, port or pin" in outcome.err
+    assert f"{scenario}: the scenario has a signal of 'D99', which is no component, port or pin" in outcome.err
 
 
 def test_a_migrated_program_has_its_components_at_its_pins(migrated: Path, tmp_path: Path) -> None:

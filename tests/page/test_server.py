@@ -152,6 +152,18 @@ def test_a_choice_changes_the_folder_and_the_project_file_and_nothing_else(serve
     assert {name: after[name] for name in beside} == beside
 
 
+def test_what_is_said_of_a_choice_that_is_open_again(server: PageServer, out: Path) -> None:
+    said = []
+    for value in ("D4", ""):
+        about = {"id": "port:eye", "value": value, "why": "", "plan": server.content.now()}
+        said.append(json.loads(asked(server, f"/{server.token}/choose", json.dumps(about).encode())[2])["message"])
+    project = out.parent / "robosmi.toml"
+    assert said == [
+        f"Saved: port:eye = D4; in the plan and in {project}.",
+        f"Saved: port:eye is open again; in the plan and in {project}.",
+    ]
+
+
 @pytest.mark.skipif(os.name == "nt", reason="links need rights there")
 def test_a_link_in_the_folder_leads_to_no_text_from_elsewhere(out: Path, tmp_path: Path) -> None:
     (tmp_path / "secret").write_text("the secret")

@@ -164,7 +164,8 @@ def choices(
     limits = defaults()
     said = {**settings.libraries, **libraries} if target.libraries else {}
     kept = (stored or NOTHING).libraries if target.libraries else {}
-    made = LibrariesSaid(said, limits["choices"]["limit"], limits["rank"]["candidates"], kept)
+    places = settings.places("libraries", [name for name in settings.libraries if name not in libraries])
+    made = LibrariesSaid(said, limits["choices"]["limit"], limits["rank"]["candidates"], kept, places)
     if made.libraries and drawing is None:
         raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
     return made

@@ -140,7 +140,7 @@ class PlanPage:
             self._make(done.models, known=done.counted)
             alone = next((note.message for note in done.models.notes if note.rule == STAYS), "in the plan")
             where = f"in the plan and in {done.project_said}" if done.project is not None else alone
-            return f"Saved: {identity} = {value}; {where}.", done.command, done.diff
+            return f"Saved: {identity} {f'= {value}' if value else 'is open again'}; {where}.", done.command, done.diff
         with at_work(self.output):
             if self.now() != shown:
                 raise StoppedError("the plan was changed since it was shown; nothing was done", fix="look at it as it is now")

@@ -12,7 +12,7 @@ from robosmi.transformations.chains.program import StoredProgram
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.m2m.conventional_ports import with_conventions
 from robosmi.transformations.m2m.platform_dependence import Dependence
-from robosmi.transformations.m2m.port_binding import bind_ports
+from robosmi.transformations.m2m.port_binding import SaidPins, bind_ports
 from robosmi.transformations.m2m.stored_choices import NOTHING, StoredChoices
 from robosmi.transformations.queries.port_flows import port_flows
 from robosmi.transformations.queries.ports import ProgramPorts, program_ports
@@ -44,7 +44,7 @@ def bindings(
     assert source is not None
     connections = list(drawing.hardware.connections) if drawing is not None else []
     asked = with_conventions(ports, judgement[0].adapters, program.views)
-    said = (settings.bind, {**bind})
+    said = (SaidPins(settings.bind, settings.places("bind", settings.bind)), SaidPins({**bind}))
     limit, kept = defaults()["choices"]["limit"], (stored or NOTHING).ports
     split = split_functions(judgement[0].adapters)
     return bind_ports(asked, api, source, connections, board, said, limit, kept, split)

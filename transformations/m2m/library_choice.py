@@ -12,6 +12,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
+from robosmi.diagnostics import Location
+from robosmi.errors import placed
 from robosmi.metamodels import hardware, migration, platform
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.history import chosen_from_history
@@ -125,6 +127,7 @@ def choose_libraries(
     limit: int,
     sure: float = 1.0,
     stored: Mapping[tuple[str, str], Said] | None = None,
+    places: Mapping[str, Location] | None = None,
 ) -> list[migration.LibraryChoice]:
     """A decision for each component.
 
@@ -138,11 +141,17 @@ def choose_libraries(
         limit: how many candidates a decision keeps.
         sure: the confidence from which on the ranking's own answer is taken.
         stored: (elementId, title) -> what a person chose in a stored plan, behind `chosen`; what no longer fits is passed over.
+        places: component, as `chosen` has it -> where that is said, for messages.
 
     Raises:
         UsageError: a component or library does not exist, or a title is ambiguous.
     """
-    by_person = {component_named(circuit, name).elementId: library for name, library in chosen.items()}
+    by_person = {}
+    for name, library in chosen.items():
+        with placed((places or {}).get(name)):
+            by_person[component_named(circuit, name).elementId] = library
+            if library and library.lower() != NO_LIBRARY:
+                library_in(models.index, library)
     ranked: dict[tuple[object, ...], Recommendation] = {}  # like parts are ranked once
 
     def rank(query: ComponentQuery, weigh_history: bool) -> Recommendation:

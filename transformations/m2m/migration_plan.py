@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from robosmi.diagnostics import Finding
+from robosmi.diagnostics import Finding, Location
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model.files import digest
 from robosmi.query import Q
@@ -43,12 +43,14 @@ class LibrariesSaid:
         limit: a rule's choice is taken when its confidence is at least this.
         candidates: how many libraries a decision keeps.
         stored: (elementId, title) -> what a person chose in a stored plan, behind `libraries`.
+        places: component -> where its library is said, for messages; without what is in no file.
     """
 
     libraries: Mapping[str, str] = field(default_factory=dict)
     limit: float = 0.8
     candidates: int = 10
     stored: Mapping[tuple[str, str], Said] = field(default_factory=dict)
+    places: Mapping[str, Location] = field(default_factory=dict)
 
 
 class Hardware(NamedTuple):
@@ -100,8 +102,9 @@ def decide_libraries(
         return [], libraries
     reached = [c for c in Q(drawn.connections).collect(lambda c: c.component).distinct() if c is not None]
     made = choose_libraries(
-        drawn.circuit, reached, choices.libraries, ranker, libraries, history, choices.candidates, choices.limit, choices.stored
-    )
+        drawn.circuit, reached, choices.libraries, ranker, libraries, history, choices.candidates, choices.limit, choices.stored,
+        choices.places,
+    )  # fmt: skip
     return made, libraries
 
 

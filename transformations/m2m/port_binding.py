@@ -8,8 +8,10 @@ of two like components is left and which is right.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
-from robosmi.errors import UsageError, did_you_mean
+from robosmi.diagnostics import Location
+from robosmi.errors import UsageError, did_you_mean, placed
 from robosmi.metamodels import migration, platform
 from robosmi.model.strict import enum_literal
 from robosmi.transformations.knowledge.api_facts import PinParameter
@@ -24,6 +26,26 @@ from robosmi.transformations.queries.split_wires import wires_of
 from robosmi.transformations.queries.value_flows import PinArgument
 
 _SIGNALS = {"in": "read", "out": "write"}
+_ANOTHER_PROGRAM = "take it out there, or give each program a folder of its own with its project file"
+
+
+class SaidPins(NamedTuple):
+    """Which pins one source of choices gives to ports.
+
+    Attributes:
+        pins: NAME -> PIN (a label, a connection's name, or `none`).
+        places: NAME -> where that is said, for messages; empty where it is in no file.
+    """
+
+    pins: Mapping[str, str]
+    places: Mapping[str, Location] = {}
+
+
+class _Pin(NamedTuple):
+    """What a port is to be bound to, and where that is said."""
+
+    name: str
+    place: Location | None = None
 
 
 def bind_ports(
@@ -32,7 +54,7 @@ def bind_ports(
     source: platform.Platform,
     connections: Sequence[migration.Connection],
     board: platform.Board,
-    said: Sequence[Mapping[str, str]],
+    said: Sequence[SaidPins],
     limit: float,
     stored: Mapping[str, Said] | None = None,
     split: frozenset[str] = frozenset(),
@@ -45,7 +67,7 @@ def bind_ports(
         source: the platform model that the plan refers to.
         connections: the connections of the target board.
         board: the target board.
-        said: NAME -> PIN (a label, a connection's name, or `none`), as persons said; later ones count before earlier ones.
+        said: as persons said; later ones count before earlier ones.
         limit: a rule's choice is taken when its confidence is at least this.
         split: functions that can serve a component with a wire for each direction.
         stored: port -> what a person chose in a stored plan, before `said`; what no longer fits is passed over.
@@ -60,7 +82,8 @@ def bind_ports(
     bindings = [_binding(port, source) for port in ports]
     for port, binding in zip(ports, bindings, strict=True):
         if port.name in pins:
-            _take(binding, pins[port.name], connections, board)
+            with placed(pins[port.name].place):
+                _take(binding, pins[port.name].name, connections, board)
             explain(binding, (stored or {}).get(port.name))
     for port, binding in zip(ports, bindings, strict=True):
         if binding.open:
@@ -99,12 +122,12 @@ def _kept(
     api: ApiIndex,
     connections: Sequence[migration.Connection],
     board: platform.Board,
-) -> dict[str, str]:
+) -> dict[str, _Pin]:
     """Port -> pin of a stored plan, without what the program or its hardware does not have any more."""
-    found: dict[str, str] = {}
+    found: dict[str, _Pin] = {}
     for name, kept in stored.items():
         try:
-            layer = _layer({name: kept.value}, ports, program, api)
+            layer = _layer(SaidPins({name: kept.value}), ports, program, api)
             if kept.value != NOT_WIRED:
                 _chosen(kept.value, connections, board)
         except UsageError:
@@ -143,10 +166,10 @@ def _seat(port: Port, binding: migration.PortBinding, found: ProgramPorts, api: 
     return Seat(binding, _words(port, api), names, siblings, role, _usual(port, facts.get("usual", {})), _is_split(port, split))
 
 
-def _layer(layer: Mapping[str, str], ports: list[Port], program: ProgramPorts, api: ApiIndex) -> dict[str, str]:
+def _layer(layer: SaidPins, ports: list[Port], program: ProgramPorts, api: ApiIndex) -> dict[str, _Pin]:
     """Port -> pin of one source of choices; a number that the program may reach at run time becomes a port of it."""
     found: dict[str, tuple[str, str]] = {}
-    for name, pin in layer.items():
+    for name, pin in layer.pins.items():
         port = next((p for p in ports if name == p.name or name in p.names), None)
         number = int(name[1:]) if name[:1] == "P" and name[1:].isdecimal() else None
         if port is None and (port := next((p for p in program.unasked if name == p.name or name in p.names), None)) is not None:
@@ -157,17 +180,19 @@ def _layer(layer: Mapping[str, str], ports: list[Port], program: ProgramPorts, a
             ports.append(port)
         if port is None:
             known = sorted({alias for p in ports for alias in (p.name, *p.names)})
-            raise UsageError(
-                f"'{name}' is no port of the program{did_you_mean(name, known)}",
-                fix=f"its ports are: {', '.join(p.name for p in ports) or 'none'}",
-            )
+            with placed(layer.places.get(name), _ANOTHER_PROGRAM):
+                raise UsageError(
+                    f"'{name}' is no port of the program{did_you_mean(name, known)}",
+                    fix=f"its ports are: {', '.join(p.name for p in ports) or 'none'}",
+                )
         earlier = found.setdefault(port.name, (name, pin))
         if earlier[1] != pin:
             raise UsageError(
                 f"the port '{port.name}' is bound to two pins: {earlier[0]} = {earlier[1]} and {name} = {pin}",
+                location=layer.places.get(name),
                 fix="leave out one of them",
             )
-    return {port: pin for port, (_, pin) in found.items()}
+    return {port: _Pin(pin, layer.places.get(name)) for port, (name, pin) in found.items()}
 
 
 def _binding(port: Port, source: platform.Platform) -> migration.PortBinding:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from robosmi.errors import UsageError, did_you_mean
+from robosmi.project import FILE_NAME
 from robosmi.transformations.knowledge.part import ROLES
 
 
@@ -21,12 +22,14 @@ def given_roles(roles: Mapping[str, str], titles: Mapping[str, str]) -> dict[str
     result: dict[str, str] = {}
     for name, role in roles.items():
         if role not in ROLES:
-            raise UsageError(f"'{role}' is no role{did_you_mean(role, ROLES)}", fix=f"use one of: {', '.join(ROLES)}")
+            cause = f"'{role}', which [roles] of {FILE_NAME} gives to '{name}', is no role{did_you_mean(role, ROLES)}"
+            raise UsageError(cause, fix=f"use one of: {', '.join(ROLES)}")
         found = [identity for identity, title in titles.items() if name in (f"#{identity}", title)]
         if len(found) != 1:
             known = sorted({title for title in titles.values() if title})
             cause = f"{len(found)} components are called '{name}'" if found else f"no component is called '{name}'"
             fix = f"use one of: {', '.join(f'#{i}' for i in found) if found else ', '.join(known)}"
-            raise UsageError(cause + ("" if found else did_you_mean(name, known)), fix=fix)
+            named = f", to which [roles] of {FILE_NAME} gives '{role}'"
+            raise UsageError(cause + ("" if found else did_you_mean(name, known)) + named, fix=fix)
         result[found[0]] = role
     return result

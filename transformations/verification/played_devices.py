@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from robosmi.diagnostics import Location
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.plugins import content
 from robosmi.transformations.verification.port_devices import BoundPort, at_rest, device_facts
@@ -108,11 +109,13 @@ def signals_of(ports: Sequence[BoundPort], scenario: Scenario | None) -> dict[in
     """
     found: dict[int, Mapping[str, Points]] = {}
     named: dict[int, str] = {}
+    place = Location(str(scenario.path)) if scenario is not None and scenario.path is not None else None
     for name, settings in (scenario.signals if scenario is not None else {}).items():
         if name == CONSOLE:
             if set(settings) != {POINTS}:
-                raise UsageError("what is typed on the console is one list of points", fix='write console = [[100, "text"]]')
-            check_signal(name, POINTS, settings[POINTS], device_facts()[TYPING])
+                message = "what is typed on the console is one list of points"
+                raise UsageError(message, location=place, fix='write console = [[100, "text"]]')
+            check_signal(name, POINTS, settings[POINTS], device_facts()[TYPING], place)
             continue
         fitting = [n for n, port in enumerate(ports) if name in _names(port)]
         inputs = [n for n in fitting if ports[n].device]
@@ -121,22 +124,25 @@ def signals_of(ports: Sequence[BoundPort], scenario: Scenario | None) -> dict[in
             why = (
                 "which the program does not read" if fitting else f"which is no component, port or pin{did_you_mean(name, known)}"
             )
-            raise UsageError(f"the scenario has a signal of '{name}', {why}", fix=f"use one of: {', '.join([*known, CONSOLE])}")
+            message, fix = f"the scenario has a signal of '{name}', {why}", f"use one of: {', '.join([*known, CONSOLE])}"
+            raise UsageError(message, location=place, fix=fix)
         if len({ports[n].group or n for n in inputs}) > 1:
             raise UsageError(
                 f"the scenario has a signal of '{name}', which has {len(inputs)} ports",
+                location=place,
                 fix=f"use one of: {', '.join(ports[n].name for n in inputs)}",
             )
         for setting, points in settings.items():
-            check_signal(name, setting, points, device_facts().get(ports[inputs[0]].device, {}))
+            check_signal(name, setting, points, device_facts().get(ports[inputs[0]].device, {}), place)
         group = ports[inputs[0]].group
-        place = next(n for n, port in enumerate(ports) if port.group == group) if group else inputs[0]
-        if place in found:
+        first = next(n for n, port in enumerate(ports) if port.group == group) if group else inputs[0]
+        if first in found:
             raise UsageError(
-                f"the scenario has a signal of '{named[place]}' and one of '{name}', which are the same device",
+                f"the scenario has a signal of '{named[first]}' and one of '{name}', which are the same device",
+                location=place,
                 fix="write one of them, with all points",
             )
-        found[place], named[place] = settings, name
+        found[first], named[first] = settings, name
     return found
 
 

@@ -9,11 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from robosmi.diagnostics import Location
 from robosmi.errors import UsageError
 from robosmi.verify.scenario import Points
 
 
-def check_signal(name: str, setting: str, points: Points, facts: Mapping[str, Any]) -> None:
+def check_signal(name: str, setting: str, points: Points, facts: Mapping[str, Any], place: Location | None = None) -> None:
     """Check the values of a signal against what its device takes.
 
     Args:
@@ -21,6 +22,7 @@ def check_signal(name: str, setting: str, points: Points, facts: Mapping[str, An
         setting: of the device.
         points: the signal.
         facts: of the device: `takes` has kinds of values by setting, `limits` the least and the most of numbers.
+        place: of the scenario, for messages.
 
     Raises:
         UsageError: a value is of another kind, or beyond the limits.
@@ -32,10 +34,12 @@ def check_signal(name: str, setting: str, points: Points, facts: Mapping[str, An
     for at_ms, value in points:
         fitting = [kind for kind in kinds if _KINDS[kind][1](value)]
         if not fitting or (limits is not None and value is not None and not _is_within(value, *limits)):
-            said = f"the signal of '{name}' has {value!r} at {at_ms:g} ms"
+            shown = '"none"' if value is None else repr(value)
+            said = f"the signal of '{name}' has {shown} at {at_ms:g} ms"
             raise UsageError(
                 f"{said}, which its device cannot show" if fitting else f"{said}, which is no {_KINDS[kinds[0]][0]}",
                 fix=f"write {' or '.join(_KINDS[kind][0] for kind in kinds)}{_told(limits)}",
+                location=place,
             )
 
 

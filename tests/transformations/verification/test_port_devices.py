@@ -7,10 +7,11 @@ from pathlib import Path
 import pytest
 
 import robosmi
+from robosmi.diagnostics import Location
 from robosmi.errors import UsageError
 from robosmi.transformations.verification.played_devices import played, signals_of
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, device_facts
-from robosmi.verify.scenario import Scenario
+from robosmi.verify.scenario import Points, Scenario
 from robosmi.verify.simulation import DeviceUse
 
 EXAMPLES = Path(__file__).resolve().parents[3] / "docs" / "examples"
@@ -80,3 +81,20 @@ def test_two_signals_of_one_device_are_refused() -> None:
 def test_a_signal_of_nothing_is_wrong_usage(name: str, message: str) -> None:
     with pytest.raises(UsageError, match=message):
         signals_of(PORTS, Scenario("s", 1.0, {name: {"points": ((0.0, 1),)}}))
+
+
+@pytest.mark.parametrize(
+    "signals",
+    [
+        {"nope": {"points": ((0.0, 1),)}},
+        {"LED": {"points": ((0.0, 1),)}},
+        {"Sensor": {"points": ((0.0, 7),)}},
+        {"Sensor": {"points": ((0.0, 1),)}, "eye": {"points": ((0.0, 1),)}},
+        {"console": {"text": ((0.0, "go"),)}},
+        {"console": {"points": ((0.0, 5),)}},
+    ],
+)
+def test_what_is_wrong_with_a_signal_is_told_with_the_file_of_the_scenario(signals: dict[str, dict[str, Points]]) -> None:
+    with pytest.raises(UsageError) as caught:
+        signals_of(PORTS, Scenario("s", 1.0, signals, path=Path("dark.toml")))
+    assert caught.value.location == Location("dark.toml")

@@ -40,6 +40,11 @@ def test_what_a_device_cannot_show_is_told_with_its_place(device: str, setting: 
     assert why in f"{caught.value.message} {caught.value.fix}"
 
 
+def test_that_nothing_is_there_is_called_as_the_file_writes_it() -> None:
+    with pytest.raises(UsageError, match='has "none" at 20 ms'):
+        check_signal("X", "points", ((20.0, None),), device_facts()["voltages"])
+
+
 def test_whatever_scenarios_are_generated_of_can_be_shown() -> None:
     for facts in device_facts().values():
         for setting, values in facts.get("values", {}).items():
