@@ -22,7 +22,7 @@ def given_roles(roles: Mapping[str, str], titles: Mapping[str, str]) -> dict[str
     result: dict[str, str] = {}
     for name, role in roles.items():
         if role not in ROLES:
-            cause = f"'{role}', which [roles] of {FILE_NAME} gives to '{name}', is no role{did_you_mean(role, ROLES)}"
+            cause = f"'{role}' is no role{did_you_mean(role, ROLES)}; [roles] of {FILE_NAME} gives it to '{name}'"
             raise UsageError(cause, fix=f"use one of: {', '.join(ROLES)}")
         found = [identity for identity, title in titles.items() if name in (f"#{identity}", title)]
         if len(found) != 1:
