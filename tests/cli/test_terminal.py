@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import io
+import os
 import shlex
 import subprocess
+from pathlib import Path
 
 import pytest
 
@@ -13,6 +15,7 @@ from robosmi.cli.main import COMMANDS, build_parser
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.report import Report, takes_colour, terminal_text
 from tests.running import run
+from tests.tools import require_tools
 
 MANY = [Finding("RS311", Severity.warning, f"number {n}", Location("a.c", n)) for n in range(1, 9)]
 
@@ -109,6 +112,56 @@ def test_other_shells_get_every_command_and_option(shell: str) -> None:
     assert all(command in script for command in COMMANDS)
     options = ("hardware", "bind", "dry-run", "strict")
     assert all((f"--{option}:" if shell == "zsh" else f"-l {option} ") in script for option in options)
+
+
+IN_ZSH = """
+autoload -U compinit && compinit -u -d "$ZDOTDIR/dump"
+source "$1"
+[[ ${_comps[robosmi]} == _robosmi ]] || exit 7
+_describe() { print -rl -- "${(@P)argv[-1]}" }
+_files() { }
+shift
+words=("$@"); CURRENT=$#words
+_robosmi
+"""
+"""Loads the script as zsh does, and prints what it gives to zsh for the last word, which zsh itself then matches."""
+
+
+@pytest.fixture(scope="module", params=["zsh", "fish"])
+def shell_and_script(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path]:
+    """A shell that is installed, and the file with the script for it."""
+    require_tools(request.param)
+    script = tmp_path_factory.mktemp("completion") / f"robosmi.{request.param}"
+    script.write_text(run("completion", request.param).out)
+    return request.param, script
+
+
+def completed_in(shell: str, script: Path, *words: str) -> list[str]:
+    """What zsh or fish is offered for the last of the words of a command line; of zsh also what does not match it."""
+    home = {**os.environ, "HOME": str(script.parent), "XDG_CONFIG_HOME": str(script.parent), "ZDOTDIR": str(script.parent)}
+    if shell == "zsh":
+        command, mark = ["zsh", "-f", "-c", IN_ZSH, "zsh", str(script), *words], ":"
+    else:
+        asked = 'source $argv[1]; complete -C "$argv[2]"'
+        command, mark = ["fish", "--no-config", "-c", asked, str(script), " ".join(words)], "\t"
+    done = subprocess.run(command, capture_output=True, text=True, check=True, env=home)
+    assert not done.stderr
+    offered = [line.partition(mark)[0] for line in done.stdout.splitlines()]
+    return [each for each in offered if each.startswith(words[-1])]
+
+
+def test_zsh_and_fish_take_their_script(shell_and_script: tuple[str, Path]) -> None:
+    shell, script = shell_and_script
+    checked = subprocess.run([shell, "-n", str(script)], capture_output=True, text=True, check=False)
+    assert (checked.returncode, checked.stderr) == (0, "")
+
+
+def test_zsh_and_fish_complete_commands_and_options(shell_and_script: tuple[str, Path]) -> None:
+    assert completed_in(*shell_and_script, "robosmi", "mi") == ["migrate"]
+    assert completed_in(*shell_and_script, "robosmi", "migrate", "--har") == ["--hardware"]
+    assert completed_in(*shell_and_script, "robosmi", "completion", "z") == ["zsh"]
+    assert set(completed_in(*shell_and_script, "robosmi", "")) >= set(COMMANDS)
+    assert "--hardware" not in completed_in(*shell_and_script, "robosmi", "compile", "--")
 
 
 def test_texts_in_the_script_for_fish_are_quoted() -> None:

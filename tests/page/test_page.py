@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+import os
+import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -21,7 +23,7 @@ from robosmi.transformations.chains.models import load_models
 from robosmi.transformations.queries.choices import choices_json
 from tests.page.browsers import Served, task_seconds
 from tests.page.conftest import AXE
-from tests.running import run
+from tests.running import run, tree
 from tests.tools import require_tools
 
 BLINK = '#include "simpletools.h"\nint eye = 3;\nint main() { while (1) { high(eye); pause(5); } }\n'
@@ -164,6 +166,41 @@ def test_a_plan_that_is_gone_or_damaged_is_said_with_its_place(migrated: Migrate
     assert page.state() == "refused", "what was refused stays in sight"
     plan.write_bytes(text)
     page.choose("port:leftQTI", "D4")
+
+
+@pytest.fixture
+def small_disk(tmp_path: Path) -> Iterator[Path]:
+    """A disk of three megabytes, in memory."""
+    place = tmp_path / "disk"
+    place.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=3m", "tmpfs", str(place)]
+    if not shutil.which("mount") or subprocess.run(mount, capture_output=True, check=False).returncode:
+        pytest.skip("no small disk can be mounted here: that needs Linux, and its administrator")
+    yield place
+    subprocess.run(["umount", str(place)], check=True)
+
+
+def test_a_full_disk_is_said_and_nothing_is_half_written(small_disk: Path, serve: Serve) -> None:
+    robot = small_disk / "robot"
+    robot.mkdir()
+    (robot / "blink.c").write_text(BLINK)
+    robosmi.migrate([robot / "blink.c"], robot / "out")
+    page = serve(robot / "out")
+    page.open()
+    page.choose("port:eye", "D5")
+    for kilobytes in (0, 4, 16):  # of which the first steps of a run find room, and the later ones do not
+        free = os.statvfs(small_disk)
+        (small_disk / "photos").write_bytes(b"x" * (free.f_bavail * free.f_frsize - 1024 * kilobytes))
+        before = tree(robot)
+        page.press("port:eye", "D7")
+        page.wait(lambda: page.state() == "refused")
+        assert "No space left on device" in page.told()
+        assert str(robot / "out") in page.told()
+        assert "the space on the disk" in page.told()
+        assert tree(robot) == before
+        (small_disk / "photos").unlink()
+        page.choose("port:eye", "D7")
+        page.choose("port:eye", "D5")
 
 
 def test_a_killed_server_is_said_and_what_was_not_saved_too(migrated: Migrated, browser: Any) -> None:
