@@ -214,6 +214,14 @@ def test_a_board_with_another_chip_is_not_taken_for_it() -> None:
             'timer = "Timer7"',
             r"'pins\[3\].timer' is 'Timer7', which is no timer of the microcontroller",
         ),
+        (
+            "boards",
+            'port = "PD4"',
+            'port = "PZ9"',
+            "the port of 'D4' is 'PZ9', which is no pin of the microcontroller 'atmega328p'",
+        ),
+        ("boards", 'port = "PD4"', 'port = "PE0"', "the port of 'D4' is 'PE0'"),
+        ("mcus", 'ports = "', 'ports = "(', "'ports' is no regular expression"),
         ("boards", "aliases = []", "alias = []", r"'pins\[2\].alias' is no key of it \(did you mean 'aliases'\?\)"),
         ("boards", "volts = 5.0", "volts = 5.0\nvolt = 5.0", "'volt' is no key of it"),
         ("boards", 'led = "D13"', 'led = "D31"', "'led' is 'D31', which is no pin of this board"),
@@ -265,6 +273,8 @@ def test_a_file_can_add_how_another_tool_draws_a_board(tmp_path: Path, monkeypat
     assert found is not None
     assert (found.name, found.title, dict(found.pins)) == ("uno", "Arduino Uno", {"9": "D9"})
     assert drawn_board("arduino_Uno_Rev3(fix)", "fritzing") is not None
+    assert all(drawn_board(name, "gadget") == found for name in ("uno rev3", "UNO REV3", " UnoRev3 "))
+    assert drawn_board("Uno Rev4", "gadget") is None
     assert drawn_board("uno", "pin table") is not None
     path.write_text(path.read_text().replace("D9 =", "D99 ="))
     with pytest.raises(PlatformDataError, match=r"'drawn_as\[0\].connectors.D99' is no pin of this board"):

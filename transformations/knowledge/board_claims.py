@@ -11,11 +11,8 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from robosmi.data_text import line_of_value
-from robosmi.diagnostics import Location
-from robosmi.errors import PlatformDataError
 from robosmi.metamodels import platform
-from robosmi.transformations.knowledge.board_models import board_file, mapping_file, table_of, text_of
+from robosmi.transformations.knowledge.board_models import board_file, mapping_file, table_of
 from robosmi.verify.boards import Claim
 from robosmi.verify.tables import DataTable, find_files
 
@@ -27,7 +24,7 @@ _INPUT = re.compile(r"A(\d+)")
 def board_claims(
     platform_name: str, board: platform.Board, mapping: platform.BoardMapping, project: Path | None = None
 ) -> Callable[[], tuple[Claim, ...]]:
-    """What makes the claims of a board, which are asked for when a program is compiled for that one; its ports are looked at now.
+    """What makes the claims of a board, which are asked for when a program is compiled for that one.
 
     There are none for a platform whose toolchain does not check boards.
 
@@ -38,25 +35,13 @@ def board_claims(
         project: the project folder; the current folder if None.
 
     Raises:
-        PlatformDataError: the toolchain's data is damaged, or a pin has a port that cannot be.
+        PlatformDataError: the toolchain's data is damaged.
     """
     path = next(find_files(f"{platform_name}/toolchain.toml", project), None)
     if path is None or "board_check" not in table_of(path).values or not mapping.variant:
         return tuple
     file = board_file(str(board.name), project)
-    _check_ports(mapping, file)
     return partial(_claims, table_of(path), mapping, file, mapping_file(platform_name, str(board.name), project))
-
-
-def _check_ports(mapping: platform.BoardMapping, file: Path | None) -> None:
-    """Refuse ports that no microcontroller of such cores has."""
-    for pin in (name.pin for name in mapping.pinNames):
-        if pin is not None and pin.port and not _PORT.fullmatch(str(pin.port)) and not _CONVERTER.fullmatch(str(pin.port)):
-            raise PlatformDataError(
-                f"the port of '{pin.label}' is '{pin.port}', which is no pin of a microcontroller that the core knows",
-                location=Location(str(file), line_of_value(text_of(file), str(pin.port))) if file is not None else None,
-                fix="write P, the letter of its port and its bit from 0 to 7 (PB1), or ADC and its number (ADC6)",
-            )
 
 
 def _claims(toolchain: DataTable, mapping: platform.BoardMapping, pins: Path | None, names: Path | None) -> tuple[Claim, ...]:

@@ -19,6 +19,7 @@ from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.metamodels import platform
 from robosmi.project import read_data
 from robosmi.resources import folders
+from robosmi.transformations.knowledge.board_ports import check_ports
 from robosmi.verify.tables import DataTable
 
 KIND = "platform_repo"
@@ -74,6 +75,8 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
     chip = load_microcontroller(table.text("mcu"), project, table)
     timers = [str(timer.name) for timer in chip.timers]
     pins = [_pin(entry, timers) for entry in table.tables("pins")]
+    if (chip_file := _chip_file(str(chip.name), project)) is not None:
+        check_ports(pins, text_of(path), table, table_of(chip_file))
     labels = [pin.label for pin in pins]
     ports = [pin.port for pin in pins if pin.port]
     for values in (labels, ports):
@@ -155,8 +158,7 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
     Raises:
         PlatformDataError: nothing is known of it, or its entry is damaged.
     """
-    path = next((file for folder in folders(KIND, project) if (file := folder / "mcus" / f"{name}.toml").is_file()), None)
-    if path is None:
+    if (path := _chip_file(name, project)) is None:
         known = sorted({file.stem for folder in folders(KIND, project) for file in (folder / "mcus").glob("*.toml")})
         problem = f"is '{name}', a microcontroller of which nothing is known{did_you_mean(name, known)}"
         raise named_in.error("mcu", problem) if named_in is not None else PlatformDataError(f"'mcu' {problem}")
@@ -194,6 +196,10 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
         ],
         uses=uses,
     )
+
+
+def _chip_file(name: str, project: Path | None) -> Path | None:
+    return next((file for folder in folders(KIND, project) if (file := folder / "mcus" / f"{name}.toml").is_file()), None)
 
 
 def _signature(table: DataTable) -> str:

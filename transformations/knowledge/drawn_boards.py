@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -32,13 +33,15 @@ def drawn_board(part_id: str, tool: str, project: Path | None = None) -> DrawnBo
     """The board that a part of a drawing tool's catalogue stands for, or None.
 
     Args:
-        part_id: identity of the part (for Fritzing the module id).
+        part_id: identity of the part (for Fritzing the module id); letter case and blanks do not count.
         tool: the drawing tool, lower case.
         project: the project folder; the current folder if None.
 
     Raises:
         PlatformDataError: an entry is damaged.
     """
+    if not (wanted := _plain(part_id)):
+        return None
     for path in drawing_files(project):
         if tool == PIN_TABLE:
             if path.stem == part_id and not only_draws(path):
@@ -46,15 +49,21 @@ def drawn_board(part_id: str, tool: str, project: Path | None = None) -> DrawnBo
                 labels = [pin.text("label") for pin in table.tables("pins")]
                 return DrawnBoard(path.stem, table.text("title", path.stem), {label: label for label in labels})
             continue
-        if f'"{part_id}"' not in text_of(path):  # parsing is a hundred times as long
+        if wanted not in _plain(text_of(path)):  # parsing is a hundred times as long
             continue
         table = table_of(path)
         check_drawn(table)
         for drawn in table.tables("drawn_as", needed=False):
-            if drawn.text("tool") == tool and part_id in drawn.texts("modules"):
+            if drawn.text("tool") == tool and wanted in map(_plain, drawn.texts("modules")):
                 board = _with_pins(path, table, project)
                 return DrawnBoard(path.stem, board.text("title", path.stem), _connectors(drawn, board))
     return None
+
+
+@cache
+def _plain(text: str) -> str:
+    """A name as it is compared: people who describe a board copy it by hand."""
+    return "".join(text.split()).lower()
 
 
 def _with_pins(path: Path, table: DataTable, project: Path | None) -> DataTable:

@@ -72,6 +72,13 @@ class JoinedPins(NamedTuple):
     pins: int
 
 
+class SignalBeside(NamedTuple):
+    """Connector names that are those of signals on a part that has all names of one of these groups, too."""
+
+    names: frozenset[str]
+    beside: tuple[frozenset[str], ...]
+
+
 class GeneratedShape(NamedTuple):
     """Parts that a drawing tool makes up: title and family, what their ids begin with or contain, and the tool if it is one."""
 
@@ -98,6 +105,7 @@ class PartNames:
     solder_jumpers: tuple[str, ...] = ()
     symbols: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     joined: tuple[JoinedPins, ...] = ()
+    signals: tuple[SignalBeside, ...] = ()
     generated: tuple[GeneratedShape, ...] = ()
 
 
@@ -124,6 +132,22 @@ def connector_kind(name: str, known: PartNames) -> str:
         if word in known.names[kind]:
             return kind
     return "unknown" if word in known.names["idle"] or _NUMBERED.fullmatch(word) else "signal"
+
+
+def signals_beside(of_part: Iterable[str], known: PartNames) -> frozenset[str]:
+    """The names, in lower case, that on a part with connectors of these names are signals, whatever they are elsewhere.
+
+    The `G` of a transistor is its gate, that of a display a segment; `+` and `-` of an amplifier are what it compares.
+    """
+    words = {name.strip().lower() for name in of_part}
+    return frozenset().union(
+        *(entry.names & words for entry in known.signals if any(group <= words for group in entry.beside))
+    )  # fmt: skip
+
+
+def controls_supply(name: str, known: PartNames) -> bool:
+    """Whether a connector of a supply, by its name, steers it or tells of it (`EN`, `~{CHRG}`), and is none of its terminals."""
+    return name.strip().lower().strip("~{}!/") in known.names["control"]
 
 
 def passive_named(text: str, known: PartNames) -> str:
@@ -222,6 +246,10 @@ def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
         joined=tuple(
             JoinedPins(entry.texts("called"), entry.lists_of_texts("joined"), entry.optional_number("pins") or 0)
             for entry in drawn.tables("joined", needed=False)
+        ),
+        signals=tuple(
+            SignalBeside(frozenset(entry.texts("names")), tuple(frozenset(group) for group in entry.lists_of_texts("beside")))
+            for entry in drawn.tables("signals", needed=False)
         ),
         generated=tuple(
             GeneratedShape(

@@ -15,7 +15,8 @@ from robosmi.typed import distinct
 
 
 class Terminal(NamedTuple):
-    """A connector as the rules see it: its component's identity, title, role and stated voltage, its own id, name and kind."""
+    """A connector as the rules see it: its component's identity, title, role (none where it only steers a supply) and stated
+    voltage, its own id, name and kind."""
 
     component: str
     title: str

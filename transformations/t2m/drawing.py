@@ -19,7 +19,13 @@ from robosmi.model.strict import enum_literal
 from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, drawn_board, normalised_label
 from robosmi.transformations.knowledge.drawn_chips import port_of
 from robosmi.transformations.knowledge.part import GIVEN, KINDS, ROLES, Part, PartConnector
-from robosmi.transformations.knowledge.part_names import conducts_by_bus_only, connector_kind, names
+from robosmi.transformations.knowledge.part_names import (
+    conducts_by_bus_only,
+    connector_kind,
+    controls_supply,
+    names,
+    signals_beside,
+)
 from robosmi.transformations.knowledge.part_roles import classify, classify_by_id, classify_drawn
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
 from robosmi.transformations.knowledge.rails import Terminal, rail
@@ -139,9 +145,8 @@ class CircuitBuilder:
             if not pin and fact.id in placed.used and known.board is not None and part.role == "Board":
                 self._report_pinless(placed, known.board, fact, known.by_name)
             model = models[fact.id] = hardware.Connector(connectorId=fact.id, name=fact.name, kind=_KINDS[kind], pin=pin)
-            terminal = Terminal(
-                placed.identity, placed.title, part.role, _volts(properties), fact.id, fact.name, kind
-            )  # fmt: skip
+            role = "" if part.role == "Power" and controls_supply(fact.name, self.names) else part.role
+            terminal = Terminal(placed.identity, placed.title, role, _volts(properties), fact.id, fact.name, kind)
             self._ends[End(placed.identity, fact.id)] = (model, terminal)
         buses = [(bus, [models[m] for m in members if m in models]) for bus, members in part.buses.items()]
         self._report_part(placed, known, part)
@@ -293,6 +298,8 @@ class CircuitBuilder:
         facts = [self._renamed(fact, placed.names.get(fact.id, "")) for fact in facts] if placed.names else facts
         if len(facts) == 2 and part.role not in ("Power", "Board"):  # + and - of a lamp are no supply
             facts = [replace(f, kind="signal") if f.name.lower() in self.names.names["polarity"] else f for f in facts]
+        if signals := signals_beside((fact.name for fact in facts), self.names):
+            facts = [replace(f, kind="signal") if f.name.strip().lower() in signals else f for f in facts]
         return facts
 
     def _renamed(self, fact: PartConnector, name: str) -> PartConnector:

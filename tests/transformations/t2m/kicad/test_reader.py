@@ -342,3 +342,46 @@ def test_pins_without_a_number_in_a_netlist_are_told_apart_by_what_they_do(tmp_p
     path = tmp_path / "a.net"
     path.write_text(f"(export (version E) (components {components}) (libparts {library}) (nets {nets}))")
     assert pins(path) == {"D2": "U1", "D3": "U1"}
+
+
+@pytest.mark.parametrize(
+    ("pins_of_part", "shared"),
+    [
+        (["G", "D", "S"], "G"),
+        (["A", "B", "C", "D", "E", "F", "G", "DP"], "G"),
+        (["A", "R", "G", "B"], "G"),
+        (["~", "-", "+", "V-", "V+"], "+"),
+        (["~", "-", "+", "V-", "V+"], "-"),
+    ],
+)
+def test_gates_segments_colours_and_inputs_of_two_parts_are_no_rail(pins_of_part: list[str], shared: str, tmp_path: Path) -> None:
+    """`G` and `+` name a ground and a supply alone, and signals beside the other names of such parts."""
+    y = 90 - 10 * pins_of_part.index(shared)  # so that the shared pins are at D9's place
+    entries = [
+        uno(),
+        placed("my:part", "U1", 200, y),
+        placed("my:part", "U2", 250, y),
+        wire(100, 90, 200, 90),
+        wire(200, 90, 250, 90),
+    ]
+    path = schematic(tmp_path / "a.kicad_sch", *entries, library=[*LIBRARY, symbol("my:part", pins_of_part)])
+    circuit, _ = read_circuit(path)
+    assert [(net.rail, [c.name for c in net.connectors if c.pin == ""]) for net in circuit.nets] == [(False, [shared, shared])]
+
+
+def test_two_sensors_with_plus_and_minus_are_fed_by_these(tmp_path: Path) -> None:
+    entries = [uno(), placed("my:part", "U1", 200, 80), placed("my:part", "U2", 250, 80), wire(200, 90, 250, 90)]
+    path = schematic(tmp_path / "a.kicad_sch", *entries, library=[*LIBRARY, symbol("my:part", ["OUT", "+", "-"])])
+    assert [net.rail for net in read_circuit(path)[0].nets] == [True]
+
+
+@pytest.mark.parametrize("pin", ["~{CHRG}", "CE", "EN", "STAT"])
+def test_what_steers_a_supply_or_tells_of_it_makes_no_rail(pin: str, tmp_path: Path) -> None:
+    charger = symbol("Battery_Management:TP4056", ["GND", "VCC", "BAT", pin])
+    entries = [
+        uno(), placed("Battery_Management:TP4056", "U1", 200, 60), led("D1", 250, 90), wire(100, 90, 200, 90),
+        wire(200, 90, 250, 90),
+    ]  # fmt: skip
+    path = schematic(tmp_path / "a.kicad_sch", *entries, library=[*LIBRARY, charger])
+    assert next(c.role for c in read_circuit(path)[0].components if c.title == "U1") is hw.Role.Power
+    assert pins(path) == {"D9": "D1"}

@@ -1,0 +1,36 @@
+"""Whether the ports that a board's file gives its pins are pins of its microcontroller, as that one's file says (`ports`)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from robosmi.data_text import line_of_value
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError
+from robosmi.metamodels import platform
+from robosmi.verify.tables import DataTable
+
+
+def check_ports(pins: Iterable[platform.Pin], text: str, board: DataTable, chip: DataTable) -> None:
+    """Refuse a port that the microcontroller has not; where its file says nothing of ports, none is looked at.
+
+    Args:
+        pins: those of the board.
+        text: the text of the board's file, for the line.
+        board: the table of that file.
+        chip: the table of the microcontroller's file, whose `ports` is a regular expression for the name of a port.
+
+    Raises:
+        PlatformDataError: a pin has such a port, or the expression is none.
+    """
+    if "ports" not in chip.values:
+        return
+    known = chip.pattern("ports")
+    for pin in pins:
+        if pin.port and known.fullmatch(str(pin.port)) is None:
+            raise PlatformDataError(
+                f"the port of '{pin.label}' is '{pin.port}', which is no pin of the microcontroller '{chip.path.stem}'",
+                location=Location(str(board.path), line_of_value(text, str(pin.port))),
+                fix=f"write a port that it has ({re.sub(r'[|]', ', ', known.pattern)}), or name the microcontroller of the board",
+            )
