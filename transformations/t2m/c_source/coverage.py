@@ -6,6 +6,7 @@ not compiled. Whatever of these has no call and no macro use in the model is lis
 
 from __future__ import annotations
 
+import os
 import re
 from dataclasses import dataclass
 
@@ -109,11 +110,17 @@ def _is_error_directive(context: UnitContext, offset: int) -> bool:
     return re.match(rb"\s*(?:#|%:)\s*error\b", data[start : offset + 40]) is not None
 
 
+def _is_there(context: UnitContext, header: str) -> bool:
+    """Whether a header lies beside the file or in a folder for headers, though the parser has not read it."""
+    folders = (os.path.dirname(os.path.abspath(context.source.path)), *context.include_dirs)
+    return any(os.path.isfile(os.path.join(folder, header)) for folder in folders)
+
+
 def notes(context: UnitContext, includes: list[ccode.Include], conditionals: list[ccode.PreprocessorConditional]) -> None:
     """Findings about the unit as a whole: headers nobody knows, text that was not compiled, depth, encoding."""
     for include in includes:
         known = include.resolvedPath or context.api.header_kind(str(include.header))
-        if not known:
+        if not known and not _is_there(context, str(include.header)):  # in a circle of includes (RS114) none is read
             message = f"the header {include.header} was not found: names that it declares are inferred from their uses"
             context.find(
                 "RS103", Severity.warning, message, int(include.startOffset), int(include.endOffset), "give its folder with -I"

@@ -88,7 +88,7 @@ def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = (
         known: headers that were looked through before, with all that they include.
     """
     root = os.path.abspath(path)
-    files = {root: _File(root, len(data), _Content(data, tuple(INCLUDED.findall(data)), _guarded(data)))}
+    files = {root: _File(root, len(data), _Content(data, tuple(INCLUDED.findall(data)), guarded(data)))}
     keys: dict[str, str] = {}  # of places, which `..` spells in many ways
     pending = [root]
     while pending:
@@ -203,16 +203,16 @@ def _content(path: str, changed: int, size: int, regular: bool) -> _Content:
         return _Content(b"", (), True)
     try:
         data = inputs.read_bytes(path, inputs.SOURCE)
-        included, guarded = tuple(INCLUDED.findall(data)), _guarded(data)
+        included, once = tuple(INCLUDED.findall(data)), guarded(data)
         if shallow(data):
-            return _Content(None, included, guarded)
+            return _Content(None, included, once)
         edits = cuts(path, data, tokens(data))
     except (OSError, SourceError):
         return _Content(b"", (), True)
-    return _Content(Scratch(data, edits).data if edits else None, included, guarded)
+    return _Content(Scratch(data, edits).data if edits else None, included, once)
 
 
-def _guarded(data: bytes) -> bool:
+def guarded(data: bytes) -> bool:
     """Whether a header says that it is to be read once, by its first directive or by `#pragma once`."""
     match = _GUARD.search(data)
     if match is None or _FIRST.search(data, 0, match.start()):

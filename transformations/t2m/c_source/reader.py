@@ -18,6 +18,7 @@ from robosmi.model.lean import collector_at_rest
 from robosmi.project import defaults
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import checks, coverage, declarations, macros, preprocessor
+from robosmi.transformations.t2m.c_source.circles import circles
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.grammar import BUILDERS
 from robosmi.transformations.t2m.c_source.linking import Linker
@@ -50,7 +51,7 @@ def read_program(
         defines: macros from outside, `NAME` or `NAME=VALUE`.
 
     Returns:
-        The code model with its externals, and the findings (rules RS101 to RS107) in the order of the units.
+        The code model with its externals, and the findings (rules RS101 to RS107, RS114) in the order of the units.
 
     Raises:
         SourceError: a file cannot be read or is no C, or there are more than `MOST_FILES`.
@@ -73,6 +74,7 @@ def read_program(
     with collector_at_rest():
         try:
             units, left_out = _units(files, api, contexts)
+            circles(units, contexts)
             externals = Linker(contexts, [list(unit.declarations) for unit in units]).run()
         finally:
             _close(contexts)

@@ -1,0 +1,81 @@
+"""Files of a program that include one another in a circle, with nothing that keeps them from being read again and again.
+
+The reader breaks such circles (`headers`); a compiler gives up. Includes under a condition may end, and are not judged.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+
+from robosmi.diagnostics import Severity
+from robosmi.metamodels import ccode
+from robosmi.transformations.t2m.c_source.context import UnitContext
+from robosmi.transformations.t2m.c_source.headers import guarded
+
+CIRCLE = "RS114"
+_OPENS = ("if", "ifdef", "ifndef")
+
+
+def circles(units: Sequence[ccode.SourceUnit], contexts: Sequence[UnitContext]) -> None:
+    """Note a finding (RS114) for each file that comes back to itself by its includes, at the first of these includes.
+
+    Args:
+        units: the files of a program.
+        contexts: what each was built with, in the same order; they take the findings.
+    """
+    again = {
+        os.path.realpath(str(unit.path)): (unit, context)
+        for unit, context in zip(units, contexts, strict=True)
+        if unit.includes and not guarded(context.source.parsed)
+    }
+    ways = {
+        place: {_meant(include, place, context.include_dirs): include for include in reversed(_always(unit))}
+        for place, (unit, context) in again.items()
+    }
+    behind = {place: _reached(place, ways) for place in ways}
+    for place, (_, context) in again.items():
+        if place in behind[place]:
+            together = [other for other in behind[place] if place in behind.get(other, ())]
+            first = min((include for end, include in ways[place].items() if end in together), key=_start)
+            _tell(context, first, sorted(os.path.basename(each) for each in together))
+
+
+def _reached(place: str, ways: Mapping[str, Mapping[str, ccode.Include]]) -> set[str]:
+    """The files that one includes, directly or not."""
+    found: set[str] = set()
+    pending = [place]
+    while pending:
+        new = ways.get(pending.pop(), {}).keys() - found
+        found |= new
+        pending.extend(new)
+    return found
+
+
+def _start(element: ccode.Include | ccode.PreprocessorConditional) -> int:
+    return int(element.startOffset)
+
+
+def _always(unit: ccode.SourceUnit) -> list[ccode.Include]:
+    """The includes of a file that stand under no condition."""
+    turns = [(_start(each), (each.directive in _OPENS) - (each.directive == "endif")) for each in unit.conditionals]
+    return [each for each in unit.includes if not sum(turn for place, turn in turns if place < _start(each))]
+
+
+def _meant(include: ccode.Include, place: str, folders: Sequence[str]) -> str:
+    """The file that an include of a file means; where the reader has cut it, as a compiler finds it. Empty for none."""
+    beside = [] if include.system else [os.path.dirname(place)]
+    places = (os.path.join(folder, str(include.header)) for folder in (*beside, *folders))
+    known = include.resolvedPath or next((each for each in places if os.path.isfile(each)), None)
+    return os.path.realpath(str(known)) if known else ""
+
+
+def _tell(context: UnitContext, include: ccode.Include, together: Sequence[str]) -> None:
+    what = (
+        "the file includes itself"
+        if len(together) == 1
+        else f"the include of {include.header} comes back to this file ({', '.join(together)})"
+    )
+    message = f"{what}, and nothing keeps it from being read again without end: no compiler takes that"
+    fix = "put `#pragma once` at the top of the headers, or take the include out"
+    context.find(CIRCLE, Severity.error, message, _start(include), int(include.endOffset), fix)
