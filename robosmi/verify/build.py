@@ -29,6 +29,7 @@ from robosmi.verify.compile_report import (
     CompileReport,
     StackBound,
 )
+from robosmi.verify.elf_file import without_relocations
 from robosmi.verify.libraries import (
     STAND_IN,
     CompiledLibrary,
@@ -293,8 +294,9 @@ class Build:
         done = self.installed.run(self.toolchain.tool(data).key, fill(data.texts("arguments"), values))
         if done.returncode != 0:
             return _with(replace(report, ok=False), [messages.unread("converting", done.stderr)])
-        kept = [Path(shutil.copy2(values[name], keep)) for name in ("elf", "hex")]
-        return replace(report, elf=kept[0], hex=kept[1])
+        elf = keep / Path(values["elf"]).name
+        elf.write_bytes(without_relocations(Path(values["elf"]).read_bytes()))
+        return replace(report, elf=elf, hex=Path(shutil.copy2(values["hex"], keep)))
 
 
 class _Broken(Exception):
