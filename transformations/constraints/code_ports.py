@@ -68,7 +68,7 @@ def _unknown(u: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Located]]:
     """The calls, macros and registers of a unit that are given ports which the text does not say."""
     m = the_move()
     view = m.view(u)
-    flows = [flow for flow in m.plan.portFlows if flow.anything and (flow.changes or flow.bindings)]
+    flows = [flow for flow in m.plan.portFlows if flow.anything and not kept_raw(flow)]
     calls = [call for flow in flows for call in flow.calls if ancestor_of_kind(call, ccode.SourceUnit) is u]
     yield from ((f"'{call.calleeName}'", call) for call in calls if not says_its_ports(call, view))
     used = MadeCalls(m.views).used if any(not flow.calls for flow in flows) else frozenset()
@@ -85,8 +85,8 @@ def PortsOfMacrosAreLookedUp(u: ccode.SourceUnit) -> bool | Fail:
     calls = [c for flow in the_move().plan.portFlows if kept_raw(flow) for c in flow.calls]
     here = [c for c in calls if ancestor_of_kind(c, ccode.SourceUnit) is u]
     names = ", ".join(distinct(f"'{call.calleeName}'" for call in here))
-    wrong = f"macros give {names} a port in a text that is more than a port, so that it stays a number of the source"
-    return not here or Fail(f"{wrong}: another pin may be driven ({in_lines(here)})", places=tuple(here))
+    wrong = f"macros give {names} a port in a text that is more than a port, so that nothing can look it up"
+    return not here or Fail(f"{wrong}: they are given no pin ({in_lines(here)})", places=tuple(here))
 
 
 @units.constraint(

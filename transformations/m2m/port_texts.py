@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from robosmi.metamodels import ccode, migration
+from robosmi.transformations.m2m.shut_pins import shut_pins
 from robosmi.transformations.queries.port_pins import text_in_place
 from robosmi.transformations.queries.ports import FlowPorts, ProgramPorts
 from robosmi.transformations.queries.value_flows import PinArgument, PortPlace
@@ -43,6 +44,7 @@ def port_changes(
     for binding in bindings:
         binding.changes.clear()
     found, number = [], 1
+    shut = shut_pins([argument for each in ports.flows for argument in each.flow.arguments], sources)
     moved = {id(place.element) for each in ports.flows if each.moved for place in each.flow.places}
     for each in ports.flows:
         if each.moved:
@@ -55,6 +57,7 @@ def port_changes(
             changes = []
             looked: set[tuple[str, int, int]] = set()
             for argument, known in zip(each.flow.arguments, each.values, strict=True):
+                changes += shut.pop(id(argument.call), []) if argument.unplaced else []
                 at = (str(argument.unit.path), argument.start, argument.end)
                 if _asks(argument, known) and at not in looked:
                     looked.add(at)  # several functions may be given the same argument of a macro

@@ -11,6 +11,9 @@ NOT_WIRED = "none"
 UNBOUND = "255"
 """A number that is no pin of any target: what adapters are given for a port that is on none."""
 
+NO_PIN = "no-pin-in-macro"
+"""Id of the rule that gives no pin to calls of macros whose ports no text can look up."""
+
 
 def port_text(binding: migration.PortBinding) -> str | None:
     """What a port is called on the target: its connection's name, its pin's literal, or None where it is on no pin."""
@@ -62,7 +65,7 @@ def _pin(binding: migration.PortBinding) -> platform.Pin | None:
 
 def looks_up_ports(plan: migration.MigrationPlan) -> bool:
     """Whether the changed text of the program asks for the pin of a port (`port(x)`)."""
-    return any(flow.changes for flow in plan.portFlows)
+    return any(change.rule != NO_PIN for flow in plan.portFlows for change in flow.changes)
 
 
 def table_is_declared(plan: migration.MigrationPlan) -> bool:

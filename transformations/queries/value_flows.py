@@ -62,7 +62,12 @@ class PinArgument(NamedTuple):
     @property
     def translated(self) -> bool:
         """Whether an adapter takes a pin of the target here: the ends of a range stay numbers of the source."""
-        return self.parameter.range_with is None and self.parameter.span == 1 and not self.unplaced
+        return self.taken and not self.unplaced
+
+    @property
+    def taken(self) -> bool:
+        """Whether an adapter takes a pin of the target as this parameter, wherever the argument stands."""
+        return self.parameter.range_with is None and self.parameter.span == 1
 
 
 @dataclass

@@ -12,7 +12,7 @@ from robosmi.metamodels import ccode, migration
 from robosmi.query import Q
 from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.plan_adapters import closure, limits
-from robosmi.transformations.queries.port_pins import NOT_WIRED
+from robosmi.transformations.queries.port_pins import NO_PIN, NOT_WIRED
 
 WORKS, WITH_CARE, WAITS, NOT_WIRED_CALL, TO_WRITE, NO_SUPPORT = (
     "works", "works_with_care", "waits_for_port", "not_wired", "to_write", "not_supported",
@@ -50,8 +50,8 @@ def ports_of_runs_bound(plan: migration.MigrationPlan) -> bool:
 
 
 def kept_raw(flow: migration.PortFlow) -> bool:
-    """Whether the calls of a flow are given numbers of the source, since no text of their own can look them up."""
-    return bool(flow.anything and not flow.bindings and not flow.changes)
+    """Whether no text of their own can look up the ports that the calls of a flow are given, so that they are given no pin."""
+    return bool(flow.anything and not flow.bindings and all(change.rule == NO_PIN for change in flow.changes))
 
 
 class CallStates:

@@ -1,0 +1,87 @@
+"""Directives that give no pin to calls of macros whose ports nothing can look up: they would drive other pins of the target.
+
+Neither the text of the macro nor that of its use is the port's alone, so the function is given no pin around the use: a macro of
+the function's name, which the preprocessor meets when it has expanded the use. That such calls wait is told by RS335.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+from robosmi.metamodels import ccode, migration
+from robosmi.transformations.queries.port_pins import NO_PIN, UNBOUND
+from robosmi.transformations.queries.value_flows import PinArgument
+from robosmi.typed import distinct
+
+
+class _Use(NamedTuple):
+    """A place at which macros make such calls: the outermost use of a macro there."""
+
+    unit: ccode.SourceUnit
+    start: int
+    end: int
+
+
+def shut_pins(arguments: Iterable[PinArgument], sources: Mapping[str, bytes]) -> dict[int, list[migration.TextChange]]:
+    """The changes around each use of a macro that makes such calls.
+
+    Args:
+        arguments: the pins of the program's calls; only those that no text says are looked at.
+        sources: path of a unit -> its bytes.
+
+    Returns:
+        id of the first call at each place -> the changes there.
+    """
+    found: dict[tuple[str, int], tuple[_Use, list[PinArgument]]] = {}
+    for one in arguments:
+        if one.unplaced and one.call is not None and one.taken:
+            use = _outermost(one.unit, one.call)
+            found.setdefault((str(use.unit.path), use.start), (use, []))[1].append(one)
+    return {id(given[0].call): list(_around(use, given, sources[str(use.unit.path)])) for use, given in found.values()}
+
+
+def _outermost(unit: ccode.SourceUnit, call: ccode.Call) -> _Use:
+    at = int(call.startOffset)
+    uses = [(int(use.startOffset), -int(use.endOffset)) for use in unit.macroUses if use.startOffset <= at < use.endOffset]
+    start, minus_end = min(uses, default=(at, -int(call.endOffset)))
+    return _Use(unit, start, -minus_end)
+
+
+def _around(use: _Use, given: list[PinArgument], data: bytes) -> Iterator[migration.TextChange]:
+    """Directives on lines of their own: in place of the blanks before the use where nothing else is there, and behind it."""
+    functions = distinct(each.function for each in given)
+    before = "".join(f"{_directive(name, [each for each in given if each.function == name])}\n" for name in functions)
+    after = "".join(f"\n#undef {name}" for name in functions)
+    line = data.rfind(b"\n", 0, use.start) + 1
+    blanks = data[line : use.start]
+    own_line = bool(blanks) and not blanks.strip() and not data[:line].rstrip(b"\r\n").endswith(b"\\")
+    start, text = (line, before + blanks.decode()) if own_line else (use.start, f"\n{before}")
+    yield _change(use.unit, start, use.start, text, functions)
+    end = use.end + len(data[use.end :]) - len(data[use.end :].lstrip(b" \t"))
+    end = end + 1 if data[end : end + 1] == b";" else use.end
+    rest = data[end:].split(b"\n", 1)[0].strip()
+    yield _change(use.unit, end, end, after + "\n" * bool(rest and not rest.startswith(b"//")), functions)
+
+
+def _directive(function: str, given: list[PinArgument]) -> str:
+    """A macro that calls the function with no pin, and with no elements of arrays of pins."""
+    calls = [each.call for each in given if each.call is not None]
+    names = [f"a{i}" for i in range(min(len(call.arguments) for call in calls))]
+    texts = list(names)
+    for each in given:
+        pin = each.parameter
+        if pin.number is None:
+            texts[pin.position] = UNBOUND
+        elif pin.number < len(texts):
+            texts[pin.number] = "0"
+    more = any(len(call.arguments) > len(names) for call in calls)
+    parameters, passed = ", ".join([*names, *["..."] * more]), ", ".join([*texts, *["##__VA_ARGS__"] * more])
+    return f"#define {function}({parameters}) {function}({passed})  // no pin: nothing can look up the port that the macro gives"
+
+
+def _change(unit: ccode.SourceUnit, start: int, end: int, text: str, functions: list[str]) -> migration.TextChange:
+    return migration.TextChange(
+        unit=unit, startOffset=start, endOffset=end, replacement=text, rule=NO_PIN, step=migration.Step.hardware,
+        reason=f"a macro gives {', '.join(functions)} a number of the source that nothing can look up",
+    )  # fmt: skip
