@@ -118,6 +118,12 @@ PROGRAMS: dict[str, tuple[Callable[[int], str], int]] = {
         lambda n: "#define M0 1\n" + "".join(f"#define M{i} (M{i - 1})\n" for i in range(1, n)) + f"int x = M{n - 1};\n" + _MAIN,
         3000,
     ),
+    "ports given to macros": (
+        lambda n: (
+            "#define ON(p) high(p); pause(10); low(p)\nint main(void) {" + "".join(f"ON({i % 20});\n" for i in range(n)) + "}\n"
+        ),
+        4000,
+    ),
     "uses of macros": (lambda n: "#define ON high(1);\nint main(void) {" + "ON\n" * n + "}\n", 4000),
     "conditions": (lambda n: "#ifdef NOTHING\nint x;\n#endif\n" * n + _MAIN, 8000),
     "conditions within conditions": (lambda n: "#ifndef NOTHING\n" * n + "int x;\n" + "#endif\n" * n + _MAIN, 8000),

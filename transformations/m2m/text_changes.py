@@ -7,6 +7,7 @@ that are in the plan and derives none. When a person binds a port otherwise in a
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
@@ -123,17 +124,18 @@ def _text_of(change: migration.TextChange, texts: Sequence[SourceText]) -> Sourc
 
 def mark_rewritten(plan: migration.MigrationPlan) -> None:
     """What a port binding changes the text of is rewritten, and retained again when the binding is gone."""
-    ports = [
-        (c.unit, c.startOffset, c.endOffset)
-        for c in effective(all_changes(plan))
-        if isinstance(decision_of(c), (migration.PortBinding, migration.PortFlow))
-    ]
+    ports: dict[int, list[tuple[int, int]]] = {}
+    for c in effective(all_changes(plan)):  # in text order, and none within another
+        if isinstance(decision_of(c), (migration.PortBinding, migration.PortFlow)):
+            ports.setdefault(id(c.unit), []).append((int(c.startOffset), int(c.endOffset)))
     for disposition in plan.dispositions:
         element = disposition.element
         if element is None or not CARRIED_OVER.issuperset(disposition.rules):
             continue
         unit = ancestor_of_kind(element, ccode.SourceUnit)
-        changed = any(u is unit and element.startOffset <= start and end <= element.endOffset for u, start, end in ports)
+        here = ports.get(id(unit), [])
+        first = bisect_left(here, (int(element.startOffset), 0))
+        changed = first < len(here) and here[first][1] <= element.endOffset
         action = migration.Action.rewrite if changed else migration.Action.retain
         if disposition.action is not action:
             disposition.action, disposition.choice = action, action.name

@@ -1,13 +1,15 @@
 """Where the arguments of calls and of uses of macros stand in a text, by its tokens.
 
 The parser knows an argument without the parentheses around it, and nothing of what a macro's body passes on.
+`Holders` tells in which macro or use a place is.
 """
 
 from __future__ import annotations
 
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 
+from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, tokens
 
 _OPEN, _CLOSE = "([{", ")]}"
@@ -64,3 +66,22 @@ def _closes_last(argument: Sequence[Token]) -> bool:
         if depth == 0:
             return i == len(argument) - 1
     return False
+
+
+class Holders:
+    """Definitions and uses of macros by their places in a unit's text.
+
+    Args:
+        elements: the definitions and uses.
+    """
+
+    def __init__(self, elements: Sequence[ccode.Located]) -> None:
+        self._all: list[tuple[int, int, ccode.Located]] = []
+        for each in sorted(elements, key=lambda one: (int(one.startOffset), -int(one.endOffset))):
+            if not self._all or each.startOffset >= self._all[-1][1]:  # what is inside another one is left out
+                self._all.append((int(each.startOffset), int(each.endOffset), each))
+
+    def at(self, offset: int) -> ccode.Located | None:
+        """The outermost one in whose text an offset is."""
+        index = bisect_right(self._all, offset, key=lambda one: one[0]) - 1
+        return self._all[index][2] if index >= 0 and offset < self._all[index][1] else None

@@ -12,7 +12,7 @@ from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.api_facts import PinParameter
-from robosmi.transformations.queries.argument_places import TokenText
+from robosmi.transformations.queries.argument_places import Holders, TokenText
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.cores import handed_over
 from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
@@ -41,6 +41,7 @@ class FlowReader:
         self.flows = Flows()
         self.texts = {view.unit.path: TokenText(sources[view.unit.path]) for view in views}
         self.sources = sources
+        self.holders = {view.unit.path: Holders([*view.unit.macros, *view.unit.macroUses]) for view in views}
         self.macros = {str(m.name): m for view in views for m in view.unit.macros}
         self.functions = {
             str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition
@@ -197,7 +198,7 @@ class FlowReader:
         within: str = "",
     ) -> None:  # fmt: skip
         """A number in the text comes into a flow."""
-        self.flows.of(key).places.append(PortPlace(unit, start, end, value, element, name, within))
+        self.flows.put(key, PortPlace(unit, start, end, value, element, name, within))
 
     def _enumerator(self, literal: ccode.EnumerationLiteral) -> Hashable:
         key = self.key(literal)

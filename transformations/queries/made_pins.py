@@ -142,7 +142,7 @@ class _MadePins:
         others: list[Hashable] = []
         if known and argument[0][0] == "number":
             at = way[-1]
-            if any(p.unit.path == at.unit and p.start == at.start for p in flows.of(key).places):
+            if flows.has(key, at.unit, at.start):
                 return
             macros = [m for m in self.units[at.unit].macros if at.body and m.startOffset <= at.start < m.endOffset]
             others = [("macro", str(m.name)) for m in macros if not m.functionLike]

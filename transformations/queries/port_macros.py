@@ -91,7 +91,7 @@ def follow_argument(
     tokens = bare(argument)
     if len(tokens) == 1 and tokens[0][0] == "number" and (number := _INTEGER.match(tokens[0][3])):
         place = ("place", unit.path, tokens[0][1])
-        if not any(p.start == tokens[0][1] and p.unit is unit for p in reader.flows.of(taker).places):
+        if not reader.flows.has(taker, str(unit.path), tokens[0][1]):
             reader.put(
                 place, unit, tokens[0][1], tokens[0][2], pin_number(c_integer(number[1])), _element(reader, unit, tokens[0]), ""
             )
@@ -114,11 +114,7 @@ def follow_argument(
 
 def _element(reader: FlowReader, unit: ccode.SourceUnit, token: Token) -> ccode.Located:
     """The element that a number in the text belongs to: a literal, a macro, a use of one."""
-    for kind in (unit.macros, unit.macroUses):
-        for element in kind:
-            if element.startOffset <= token[1] < element.endOffset:
-                return element
-    return unit.macroUses[0]
+    return reader.holders[unit.path].at(token[1]) or unit.macroUses[0]
 
 
 def body_names(macro: ccode.Macro) -> list[str]:

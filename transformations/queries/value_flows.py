@@ -97,11 +97,22 @@ class Flows:
     def __init__(self) -> None:
         self._above: dict[Hashable, Hashable] = {}
         self._flows: dict[Hashable, Flow] = {}
+        self._put: dict[tuple[str, int], list[Hashable]] = {}
+        """Unit and start of each number in the text -> the things that it came into."""
 
     def of(self, key: Hashable) -> Flow:
         """The flow that a thing belongs to."""
         root = self._root(key)
         return self._flows.setdefault(root, Flow())
+
+    def put(self, key: Hashable, place: PortPlace) -> None:
+        """A number in the text comes into the flow of a thing."""
+        self.of(key).places.append(place)
+        self._put.setdefault((str(place.unit.path), place.start), []).append(key)
+
+    def has(self, key: Hashable, unit: str, start: int) -> bool:
+        """Whether the number that begins at a place of the text is in the flow of a thing."""
+        return any(self._root(known) == self._root(key) for known in self._put.get((unit, start), ()))
 
     def join(self, one: Hashable, other: Hashable) -> None:
         """Two things exchange values."""
