@@ -29,9 +29,10 @@ def held_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
     for level in (0, 1):
         held = _held(trace, pin, level)
         lately: list[tuple[float, float]] = []
+        at_first = sum(begin - held[0][0] < _OFTEN_US for begin, _ in held)
         for begin, length in held:
             lately = [*[each for each in lately if begin - each[0] < _OFTEN_US][1 - _AGREE :], (begin, length)]
-            often = len(lately) == _AGREE or (len(held) > _AGREE and begin - held[0][0] < _OFTEN_US)
+            often = len(lately) == _AGREE or (at_first >= _AGREE and begin - held[0][0] < _OFTEN_US)
             if often and len(lately) < _AGREE:
                 continue
             told = median(each[1] for each in lately)

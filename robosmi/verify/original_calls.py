@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.verify.original_build import OriginalProgram
-from robosmi.verify.original_run import run_original
+from robosmi.verify.original_run import OriginalRun, run_original
 from robosmi.verify.simulation import DeviceUse
 from robosmi.verify.tools import run
 
@@ -69,6 +69,15 @@ def library_calls(
         elif prints:
             found[-1] = replace(found[-1], prints=True)
     return found
+
+
+def with_place(program: OriginalProgram, run: OriginalRun) -> OriginalRun:
+    """A run with the line of the program in its cause, where that made it come to no good end and its process told the place."""
+    if run.status not in ("crashed", "recursion") or not run.calls:
+        return run
+    site = run.calls[-1][1]
+    file, line = _places(program, {site})[site]
+    return replace(run, cause=f"{run.cause} ({Path(file).name}:{line})") if line else run
 
 
 def _functions(program: OriginalProgram) -> list[tuple[int, str]]:

@@ -81,7 +81,8 @@ class OriginalRun:
         cause: the function that has no model, or what made it crash; empty otherwise.
         counts: the program's static data, with its coverage counters; empty where the run did not come to an end of its own.
         calls: where that was asked, calls of library functions that the program was in: microseconds, the address in the
-            program to which the call goes back, an address in what was called, and whether it prints.
+            program to which the call goes back, an address in what was called, and whether it prints. The last one of a run that
+            crashed is where it did.
         mixed_text_us: when cores print so soon after one another that which of them is first is a matter of luck.
     """
 

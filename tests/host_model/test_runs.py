@@ -12,6 +12,7 @@ import pytest
 from robosmi.errors import MissingToolError, UsageError, VerificationError
 from robosmi.verify import original_run
 from robosmi.verify.original_build import build_original
+from robosmi.verify.original_calls import with_place
 from robosmi.verify.original_coverage import coverage, reached
 from robosmi.verify.original_run import Variation, run_original
 from robosmi.verify.simulation import DeviceUse
@@ -19,6 +20,8 @@ from tests.host_model.bench import built, model, run, said
 from tests.tools import require_tools
 
 BLINK = "#include <simpletools.h>\nint main() { while (1) { high(26); pause(100); low(26); pause(100); } }"
+
+NOTHING = "uses a number below 4096 as an address, as a pointer to nothing does (on the board, the clock frequency is at 0)"
 
 
 @pytest.fixture(autouse=True)
@@ -76,7 +79,8 @@ def test_a_program_ends_when_main_and_its_cogs_have_ended() -> None:
         ("fork();", "unmodelled", "fork"),
         ('fopen("x", "w");', "unmodelled", "fopen"),
         ("CTRA = 20 << 26;", "unmodelled", "CTRA in a logic mode"),
-        ("*(volatile int *)0 = 1;", "crashed", "reaches for memory that is not there"),
+        ("*(volatile int *)0 = 1;", "crashed", NOTHING),
+        ("*(volatile int *)0x10000 = 1;", "crashed", "reaches for memory that is not there"),
         ("volatile int zero = 0; print(\"%d\", 7 / zero);", "crashed", "divides by zero"),
         ("abort();", "crashed", "calls abort"),
     ],
@@ -85,6 +89,13 @@ def test_what_ends_a_run_is_told(text: str, status: str, cause: str) -> None:
     found = run(f"#include <simpletools.h>\nint main() {{ high(5); {text} low(5); pause(10); }}")
     assert (found.status, found.cause, found.trace.state) == (status, cause, "crashed")
     assert [level for _, level in found.trace.levels("P5")] == [1]
+
+
+@pytest.mark.parametrize("text", ['print("%s", 0);', "*(volatile int *)0 = 1;", "cog_end((int *)0);"])
+def test_the_line_of_a_crash_is_told(text: str) -> None:
+    with built(f"#include <simpletools.h>\nint main() {{\n  pause(1);\n  {text}\n  pause(1);\n}}") as program:
+        found = with_place(program, run_original(program, 10_000))
+    assert found.cause.endswith(" (program.c:4)")
 
 
 def test_a_call_of_the_operating_system_is_told() -> None:

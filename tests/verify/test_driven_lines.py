@@ -34,6 +34,12 @@ def test_a_sensor_that_is_asked_now_and_then_tells_each() -> None:
     assert [us for _, _, us in held([(500_000, 0, 18_200), (2_700_000, 0, 9_100)])] == [18_200, 9_100]
 
 
+def test_a_first_one_is_seen_although_others_follow_much_later() -> None:
+    later = [(1_442_000.0 + at * 30_000, 1, 1050.0) for at in range(9)]
+    assert held([(0.0, 1, 1010.0), *later]) == [(0.0, 1, 1010.0)]
+    assert [us for _, _, us in held([(0.0, 1, 500.0), *later])] == [500.0, 1050.0]
+
+
 def test_what_lasts_less_than_a_tenth_of_a_millisecond_is_not_looked_at() -> None:
     assert held((at * 2000.0, 1, 15) for at in range(100)) == []
 

@@ -40,6 +40,7 @@ void cogs_look(void);                  /* something may have to happen earlier t
 void cogs_wake(struct cog *cog, host_time when);
 host_time vary(host_time ticks, double factor);
 void tell_call(void *const *frame, int prints);  /* the call of the program that is under way, from the frame of the function that asks */
+void tell_place(const char *place, void *const *frame);
 
 /* pins.c */
 void pins_commit(void);                /* let what the running cog has written take effect */

@@ -96,13 +96,12 @@ host_time host_now(void) { return cogs[running].now; }
 
 extern char __start_program_text[] __attribute__((weak)), __stop_program_text[] __attribute__((weak));
 
-/* Tell which call of the program the running cog is in: where in the program, where in what was called, and whether it prints. */
-void tell_call(void *const *frame, int prints) {
-  const char *from = 0;
-  if (cogs[running].now < settings.calls_from) return;
+static int in_program(const char *place) { return place >= __start_program_text && place < __stop_program_text; }
+
+static void tell_from(const char *from, void *const *frame, int prints) {
   for (int depth = 0; depth < 40 && guard_on_stack(running, frame); depth++) {
     const char *back = frame[1];
-    if (back >= __start_program_text && back < __stop_program_text) {
+    if (in_program(back)) {
       if (from) link_record(cogs[running].now, RECORD_CALL, (unsigned)back, (unsigned)from, prints);
       return;
     }
@@ -110,6 +109,17 @@ void tell_call(void *const *frame, int prints) {
     if ((void *const *)*frame <= frame) return;
     frame = *frame;
   }
+}
+
+/* Tell which call of the program the running cog is in: where in the program, where in what was called, and whether it prints. */
+void tell_call(void *const *frame, int prints) {
+  if (cogs[running].now >= settings.calls_from) tell_from(0, frame, prints);
+}
+
+/* Tell where the running cog is, as a call: in the program itself, or in what it called. */
+void tell_place(const char *place, void *const *frame) {
+  if (in_program(place)) link_record(cogs[running].now, RECORD_CALL, (unsigned)place + 1, (unsigned)place, 0);
+  else tell_from(place, frame, 0);
 }
 
 void host_call(void) {

@@ -7,10 +7,11 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <ucontext.h>
 #include <unistd.h>
 #include "chip.h"
 
-enum { STACK = 1 << 18, PAGE = 4096, ROOM = 1 << 22, MEMORY = 1 << 28 };
+enum { STACK = 1 << 18, PAGE = 4096, ROOM = 1 << 22, MEMORY = 1 << 28, NOWHERE = 1 << 12 };
 static char stacks[COGS + 1][PAGE + STACK] __attribute__((aligned(PAGE)));  /* each begins with a page that nobody may touch */
 static char fault_stack[1 << 16];
 
@@ -21,12 +22,15 @@ int guard_on_stack(int number, const void *where) {
 }
 
 static void fault(int signal, siginfo_t *info, void *context) {
+  const greg_t *registers = ((ucontext_t *)context)->uc_mcontext.gregs;
   char *where = info->si_addr;
-  (void)context;
+  tell_place((const char *)registers[REG_EIP], (void *const *)registers[REG_EBP]);
   for (int i = 0; i < COGS; i++)
     if (signal == SIGSEGV && where >= stacks[i] && where < stacks[i] + PAGE) host_end("recursion", "calls that do not end use up the stack");
   if (signal == SIGFPE) host_end("crashed", "divides by zero");
   if (signal == SIGILL) host_end("crashed", "runs into what is no instruction");
+  if (signal == SIGSEGV && where >= (char *)0 && where < (char *)NOWHERE)
+    host_end("crashed", "uses a number below 4096 as an address, as a pointer to nothing does (on the board, the clock frequency is at 0)");
   host_end("crashed", "reaches for memory that is not there");
 }
 
