@@ -92,6 +92,29 @@ class EventTolerance:
     duration_ms: float = 0.0
 
 
+@dataclass(frozen=True)
+class ClosedLoop:
+    """That a program waits for what it drives by what that tells, which ends when the last small step of it is seen.
+
+    Whether that step is needed hangs on the last microsecond, in the source as on the target. Runs of the source tell how far
+    several such ends have come apart, but not each of them what one end may take.
+
+    Attributes:
+        since_ms: when the first such motion begins.
+        ms: by how much one of them may end earlier or later.
+    """
+
+    since_ms: float
+    ms: float
+
+    def loosened(self, source: Sequence[ActivityEvent], allowed: Sequence[EventTolerance]) -> list[EventTolerance]:
+        """The tolerances with what a single end may take, from the first motion on."""
+        return [
+            EventTolerance(each.time_ms + self.ms, each.duration_ms + self.ms) if event.at_us / 1000 >= self.since_ms else each
+            for event, each in zip(source, allowed, strict=True)
+        ]
+
+
 def tolerances(source: Sequence[ActivityEvent], varied: Sequence[Sequence[ActivityEvent]]) -> list[EventTolerance] | None:
     """How far each event may be off, from runs of the source itself; None if these have other values: the channel is racy.
 
@@ -123,6 +146,7 @@ def compare(
     target: Sequence[ActivityEvent],
     varied: Sequence[Sequence[ActivityEvent]],
     horizon_ms: float,
+    loop: ClosedLoop | None = None,
 ) -> ChannelComparison:
     """Compare one channel.
 
@@ -133,8 +157,11 @@ def compare(
         varied: what the source does in varied runs.
         horizon_ms: how long both ran; what happens so near to it that it may be beyond on the other side is not compared, nor
             what the source does after it.
+        loop: how the program waits for what it drives, if it does.
     """
     allowed = tolerances(source, varied)
+    if allowed is not None and loop is not None:
+        allowed = loop.loosened(source, allowed)
     if allowed is None or _ends_differ(source, varied, horizon_ms, allowed):
         return _racy(channel, source, target, varied, horizon_ms)
     off = allowed or [EventTolerance()]

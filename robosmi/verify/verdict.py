@@ -102,7 +102,9 @@ class Verdict:
         missed_branches: branches that no scenario reaches, `file:line`.
         binding: the ports with their pins and devices on both sides.
         functions: channel -> the platform's functions that use it.
-        not_compared: ports that are not compared: lines of buses, and what is not wired on the target.
+        not_compared: ports that are not compared: lines of buses, what is not wired on the target, and what is one pin of the
+            source and several of the target.
+        why_not_compared: name of one of them -> why, where that is not seen in the binding.
         calls: those of the source around the first difference.
         little_room: what the compile report says of a stack for which there is little room; empty where there is enough.
         stand_ins: libraries that are not installed here, so that stand-ins of the repository were simulated.
@@ -123,6 +125,7 @@ class Verdict:
     binding: list[dict[str, Json]] = field(default_factory=list)
     functions: dict[str, tuple[str, ...]] = field(default_factory=dict)
     not_compared: list[str] = field(default_factory=list)
+    why_not_compared: dict[str, str] = field(default_factory=dict)
     calls: CallsAround = field(default_factory=CallsAround)
     little_room: str = ""
     stand_ins: list[str] = field(default_factory=list)
@@ -191,6 +194,7 @@ class Verdict:
             "racy_scenarios": self.racy,
             "channels": self.channels(),
             "not_compared": self.not_compared,
+            "not_compared_because": dict(self.why_not_compared),
             "first_difference": None if first is None else self._difference_json(*first),
             "engine": self.engine,
             "compiler": self.compiler,
@@ -274,7 +278,8 @@ class Verdict:
             lines.append(f"  {self.racy} generated scenarios were dropped: the source differs from itself there")
         lines += ["", "channels:"]
         lines += [f"  {c['status']:14} {c['name']}{_counted(c['events'])}{_ended(c['until_ms'])}" for c in self.channels()]
-        lines += [f"  not compared   {name}" for name in self.not_compared]
+        because = {name: f" ({why})" for name, why in self.why_not_compared.items()}
+        lines += [f"  not compared   {name}{because.get(name, '')}" for name in self.not_compared]
         lines += ["", "binding (please look whether it is right):"]
         for each in self.binding:
             device = f", played by {each['device']}" if each["device"] else ""

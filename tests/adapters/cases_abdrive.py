@@ -102,6 +102,22 @@ void loop() {{}}
     assert told[10:] == pytest.approx([49, 88], abs=1)
 
 
+@proves(*d("goto", "setMaxSpeed"))
+def drives_take_as_long_for_a_way_as_there(uno: Uno) -> None:
+    program = f"""{SAY}
+void go(int left, int right) {{ uint32_t begun = millis(); drive_goto(left, right); say(millis() - begun); }}
+void setup() {{ Serial.begin(115200); go(100, 100); go(26, -25); go(9, 9); go(100, 20); drive_setMaxSpeed(30); go(-64, 64); }}
+void loop() {{}}
+"""
+    trace = replace(uno, ports=PORTS).run(program, d("goto", "setMaxSpeed"), 13_000, WHEELS)
+    straight, turn, short, bow, back = map(int, trace.text.split())
+    assert 2000 <= straight <= 2600
+    assert 1300 <= turn <= 1700  # the right wheel stops two ticks too early: its step of 3.84 counts as 3
+    assert 2200 <= short <= 2800  # when to stop is still that of the way before: nine ticks at 4 ticks/s
+    assert 2000 <= bow <= 2600
+    assert 1400 <= back <= 2000  # the limit of drive_speed does not count
+
+
 @proves(*d("getTicks", "speed", "ramp"))
 def ticks_count_from_the_first_call_that_drives(uno: Uno) -> None:
     program = f"""{SAY}

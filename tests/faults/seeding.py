@@ -186,9 +186,7 @@ def _too_narrow(code: str) -> Edits:
     for found in re.finditer(r"\b(u?)int(?:32|16)_t( \w+ *= *(\d+)L?;)", code):
         if int(found[3]) > 127:
             yield (Edit(found.start(), found.end(), f"int8_t{found[2]}"),)
-    for found in re.finditer(
-        r"\b(u?)int32_t( (?:target|frequency|humidity|temperature|speed256|step256|change\b)[^;(){}]*[;,)])", code
-    ):
+    for found in re.finditer(r"\b(u?)int32_t( (?:target|frequency|humidity|temperature|change\b)[^;(){}]*[;,)])", code):
         yield (Edit(found.start(), found.end(), f"{found[1]}int16_t{found[2]}" if "256" in found[2] else f"int8_t{found[2]}"),)
     for found in re.finditer(r"(?<![\w.])(256|80)U?L(?!\w)", code):
         yield (Edit(found.start(), found.end(), f"{found[1]}"),)

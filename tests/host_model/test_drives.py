@@ -119,6 +119,20 @@ def test_drive_goto_goes_so_many_ticks() -> None:  # goto.c
     assert told[9:] == pytest.approx([49, 88], abs=1)
 
 
+def test_drive_goto_divides_by_whole_steps_and_keeps_when_to_stop() -> (
+    None
+):  # abdrive.c: abd_ticksGuard, abd_ditherA, abd_ditherV
+    """A wheel with the shorter way makes its last ticks at 4 ticks/s, and each of a short way after a long one."""
+    told = driven("TIME(drive_goto(100, 100)); TIME(drive_goto(26, -25)); TIME(drive_goto(9, 9)); TIME(drive_goto(100, 20)); "
+                  "drive_setMaxSpeed(30); TIME(drive_goto(-64, 64));", 13_000, WHEELS).trace  # fmt: skip
+    straight, turn, short, bow, back = map(int, told.text.split())
+    assert 2000 <= straight <= 2600
+    assert 1300 <= turn <= 1700
+    assert 2200 <= short <= 2800
+    assert 2000 <= bow <= 2600
+    assert 1400 <= back <= 2000
+
+
 def test_drive_goto_without_encoders_never_ends() -> None:
     assert driven("drive_goto(10, 10); high(3);", 5000).trace.levels("P3") == []
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from robosmi.verify.activity import LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
-from robosmi.verify.comparison import compare
+from robosmi.verify.comparison import ClosedLoop, compare
 
 Told = list[tuple[float, str, tuple[float | str, ...]]]
 
@@ -158,3 +158,13 @@ def test_what_the_source_does_after_the_end_is_neither_compared_nor_counted() ->
     assert (early.status, early.events) == ("same", 1)
     assert compare("x", events(BLINK), events(BLINK[:1]), [events(BLINK)], 200).status == "not-exercised"
     assert compare("x", events(TEXT), events(TEXT[:1]), [events(TEXT)], 500).events == 1
+
+
+@pytest.mark.parametrize(
+    ("since_ms", "late_ms", "status"), [(300, 360, "same"), (300, 480, "different"), (900, 360, "different")]
+)
+def test_what_waits_for_a_wheel_may_end_as_much_later_as_its_last_step_takes(
+    since_ms: float, late_ms: float, status: str
+) -> None:
+    late = changed(changed(BLINK, 1, 500 + late_ms), 2, 1500 + late_ms)
+    assert compare("x", events(BLINK), events(late), [events(BLINK)], 4000, ClosedLoop(since_ms, 370)).status == status

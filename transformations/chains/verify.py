@@ -140,7 +140,12 @@ def verify(
         verdict.stand_ins = [library.name for library in report.libraries if library.source == STAND_IN]
         verdict.little_room = next((f"{f.message} [{f.rule}]" for f in report.diagnostics if f.rule == LITTLE_RAM), "")
         verdict.functions = {port.title: port.functions for port in ports}
-        verdict.not_compared = [port.title for port in ports if port.line or not port.target]
+        verdict.not_compared = [port.title for port in ports if port.line or not port.compared]
+        verdict.why_not_compared = {
+            port.title: f"one pin of the original, {port.source}, is both this and {port.shares_with}"
+            for port in ports
+            if port.shares_with
+        }
         if not report.ok:
             return Verified(verdict, report)
         if report.elf is None:
@@ -155,7 +160,9 @@ def verify(
         try:
             program = _original(models, plan_file.parent, folder / "source")
         except VerificationError as error:
-            verdict.reasons.append(f"the original cannot be run here: {error.message}")
+            at = error.location
+            where = f" ({Path(at.path).name}:{at.line})" if at is not None and at.line else ""
+            verdict.reasons.append(f"the original cannot be run here: {error.message}{where}")
             return Verified(verdict, report)
         verdict.original = f"{program.model.title}, {program.compiler}"
         cases, made = _cases(

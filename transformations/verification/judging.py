@@ -61,7 +61,7 @@ def judged(
         horizon_ms = min(horizon_ms, nominal.trace.simulated_us / 1000)
     target = channel_events(trace, ports, target=True)
     found = tuple(
-        compared(name, seen, [_until(events, horizon_ms) for events in target[name]], horizon_ms)
+        compared(name, seen, [_until(events, horizon_ms) for events in target[name]], horizon_ms, runs.loop)
         for name, seen in runs.channels.items()
     )
     found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith(DRIVEN))

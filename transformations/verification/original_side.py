@@ -14,9 +14,10 @@ from typing import Any
 from robosmi.transformations.verification.played_devices import devices_at, played
 from robosmi.transformations.verification.port_devices import BoundPort, device_facts
 from robosmi.verify.activity import IDLE, LINE, SIGHTS, WAVE, ActivityEvent, activity, console_lines, merged, text_lines
-from robosmi.verify.comparison import NOT_EXERCISED, RACY, SAME, ChannelComparison, compare
+from robosmi.verify.comparison import NOT_EXERCISED, RACY, SAME, ChannelComparison, ClosedLoop, compare
 from robosmi.verify.driven_lines import held_levels
 from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.original_calls import with_place
 from robosmi.verify.original_coverage import coverage
 from robosmi.verify.original_run import OriginalRun, Variation, run_original
 from robosmi.verify.pulses import pulses_of
@@ -65,6 +66,7 @@ class SourceRuns:
         varied: the others.
         channels: name of each channel -> for each of `SIGHTS` its events in the nominal run, then in each varied run.
         given_up: the status of the run at which a limit was reached; there are no runs after it. Empty if there was none.
+        loop: how the program waits for what it drives, if it does.
 
     What varied runs do at the pins is in `channels` alone: their traces are empty.
     """
@@ -73,6 +75,7 @@ class SourceRuns:
     varied: tuple[OriginalRun, ...]
     channels: dict[str, list[list[list[ActivityEvent]]]]
     given_up: str = ""
+    loop: ClosedLoop | None = None
 
     @property
     def racy_channels(self) -> list[str]:
@@ -81,7 +84,7 @@ class SourceRuns:
         return [
             name
             for name, seen in self.channels.items()
-            if compared(name, seen, [own for own, *_ in seen], horizon).status == RACY
+            if compared(name, seen, [own for own, *_ in seen], horizon, self.loop).status == RACY
         ]
 
 
@@ -95,13 +98,13 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
     """
     found = {port.title: _at_port(trace, port, target) for port in ports if port.watched}
     for port in ports:
-        if port.target and device_facts().get(port.device, {}).get("driven"):
+        if port.compared and device_facts().get(port.device, {}).get("driven"):
             found[f"{port.title}{DRIVEN}"] = [held_levels(trace, port.target if target else port.source)]
     measures = any(port.device in _MEASURED for port in ports)
     for number, device in enumerate(devices_at(ports, target)):
         facts = device_facts().get(device.kind, {})
         told = [ports[n] for n in device.ports if facts.get("tells_at") in (ports[n].pin.split() or [""])]
-        title = next((port.title for port in told if port.target), "")
+        title = next((port.title for port in told if port.compared), "")
         if title:
             title = f"{title} {facts.get('tells_as', '')}".rstrip()
             found[title] = [_told(trace, number, facts, measures)]
@@ -140,6 +143,7 @@ def compared(
     source: Sequence[Sequence[Sequence[ActivityEvent]]],
     target: Sequence[Sequence[ActivityEvent]],
     horizon_ms: float,
+    loop: ClosedLoop | None = None,
 ) -> ChannelComparison:
     """Compare a channel as the first sight has it in which no pause of the source is unclear.
 
@@ -150,12 +154,13 @@ def compared(
         source: for each sight the events of the nominal run, then of each varied one.
         target: for each the target's events.
         horizon_ms: how long both ran.
+        loop: how the program waits for what it drives, if it does.
     """
     found = []
     pairs = list(zip(source, target, strict=True))
     clear = [pair for pair in pairs if not any(event.unclear for events in pair[0] for event in events)]
     for (own, *varied), theirs in clear[:1] or pairs:
-        result = compare(channel, own, theirs, varied, horizon_ms)
+        result = compare(channel, own, theirs, varied, horizon_ms, loop)
         if result.status in (SAME, NOT_EXERCISED):
             return result
         found.append(result)
@@ -165,7 +170,8 @@ def compared(
 
 def run_source(program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, limit_s: float = 60.0) -> OriginalRun:
     """The nominal run of a scenario."""
-    return run_original(program, scenario.horizon_ms * 1000, played(ports, scenario, target=False), limit_s=limit_s)
+    run = run_original(program, scenario.horizon_ms * 1000, played(ports, scenario, target=False), limit_s=limit_s)
+    return with_place(program, run)
 
 
 def places_reached(program: OriginalProgram, run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
@@ -197,18 +203,27 @@ def run_varied(
     devices = played(ports, scenario, target=False)
     until = monotonic() + limit_s
     seen = [channel_events(nominal.trace, ports, target=False)]
-    runs = SourceRuns(nominal, (), _by_channel(seen), nominal.status if nominal.status in LIMITS else "")
+    loop = _loop(nominal.trace, ports)
+    runs = SourceRuns(nominal, (), _by_channel(seen), nominal.status if nominal.status in LIMITS else "", loop)
     for variation in _FACTORS if not runs.given_up else ():
-        moved = moved_devices(devices, random.Random(variation.seed)) if variation.noise else devices
+        chance = random.Random(variation.seed)
+        moved = moved_devices(devices, chance) if variation.noise else put_down_anywhere(devices, chance)
         run = run_original(program, scenario.horizon_ms * 1000, moved, variation, max(0.0, until - monotonic()))
         if run.status in LIMITS:
             return replace(runs, given_up=run.status)
         seen.append(channel_events(run.trace, ports, target=False))
         emptied = replace(run, trace=replace(run.trace, changes=(), waves=(), console=(), device_events=()))
-        runs = SourceRuns(nominal, (*runs.varied, emptied), _by_channel(seen))
+        runs = SourceRuns(nominal, (*runs.varied, emptied), _by_channel(seen), loop=loop)
         if until_racy and runs.racy_channels:
             break
     return runs
+
+
+def _loop(trace: PinTrace, ports: Sequence[BoundPort]) -> ClosedLoop | None:
+    """How a program waits for the wheels that it drives, from the first mark of their way on."""
+    closed = {number: ports[device.ports[0]].loop_ms for number, device in enumerate(devices_at(ports, target=False))}
+    seen = [event for event in trace.device_events if closed.get(event.device)]
+    return ClosedLoop(min(e.at_us for e in seen) / 1000, max(closed[e.device] for e in seen)) if seen else None
 
 
 def _by_channel(seen: Sequence[Mapping[str, list[list[ActivityEvent]]]]) -> dict[str, list[list[list[ActivityEvent]]]]:
@@ -231,10 +246,26 @@ def moved_devices(devices: Sequence[DeviceUse], chance: random.Random) -> list[D
                 settings[name] = sorted(value, key=lambda point: float(point[0]))
         for name, usual in facts.get(use.kind, {}).get("jitter", {}).items():
             settings[name] = usual * (1 + chance.uniform(-percent, percent) / 100)
-        for name, (least, most) in facts.get(use.kind, {}).get("anywhere", {}).items():
-            settings[name] = chance.uniform(least, most)
         made.append(replace(use, settings=settings))
-    return made
+    return put_down_anywhere(made, chance)
+
+
+def put_down_anywhere(devices: Sequence[DeviceUse], chance: random.Random) -> list[DeviceUse]:
+    """Devices of which nobody knows where exactly they stand at first, somewhere else there.
+
+    How long a closed loop needs to come to a place hangs on it: each varied run is one more sample of that.
+    """
+    facts = device_facts()
+    return [
+        replace(
+            use,
+            settings={
+                **use.settings,
+                **{name: chance.uniform(*ends) for name, ends in facts.get(use.kind, {}).get("anywhere", {}).items()},
+            },
+        )
+        for use in devices
+    ]
 
 
 def _is_signal(value: Any) -> bool:

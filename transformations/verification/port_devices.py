@@ -56,6 +56,9 @@ class BoundPort:
         kinds: what the component is, by what it is called (`parts/port_roles.toml`).
         split: labels of the target's pins by which the component is asked and answers, where these are two; else none.
         given_up: whether a person or a rule said that it is on no pin of the target.
+        shares_with: title of another port that is the same pin of the source and another of the target; empty for none. What the
+            program does at either cannot be told apart there.
+        loop_ms: where the program waits for the device by what that tells, how much earlier or later such a wait may end.
     """
 
     name: str
@@ -74,11 +77,18 @@ class BoundPort:
     kinds: frozenset[str] = frozenset()
     split: tuple[str, ...] = ()
     given_up: bool = False
+    shares_with: str = ""
+    loop_ms: float = 0.0
 
     @property
     def watched(self) -> bool:
         """Whether what the program does there is compared."""
-        return bool(self.target) and (self.shown or not self.device) and not self.line
+        return self.compared and (self.shown or not self.device) and not self.line
+
+    @property
+    def compared(self) -> bool:
+        """Whether anything that happens there can be compared: it is wired, and a pin of its own on both boards."""
+        return bool(self.target) and not self.shares_with
 
     @property
     def title(self) -> str:
@@ -112,6 +122,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
     averaged = set(table.texts("averaged", ()))
     rules, lines = table.tables("device", needed=False), set(table.table("lines").texts("functions", ()))
     found: dict[str, BoundPort] = {}
+    others: list[BoundPort] = []
     for binding in plan.portBindings:
         channel = _CHANNEL.fullmatch(str(binding.name))
         number = int(binding.sourcePin)
@@ -132,9 +143,14 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             kinds=frozenset(kinds_of(connection)) if connection is not None else frozenset(),
             split=_split(plan, binding), given_up=not binding.open,
         )  # fmt: skip
-        found.setdefault(source, port)
+        first = found.setdefault(source, port)
+        if first is not port and first.target and port.target and first.target != port.target:
+            if binding.conventionalPort is not None:  # a device of several pins is at the ports that the convention says
+                first, port = port, first
+            found[source] = replace(first, shares_with=port.title)
+            others.append(replace(port, shares_with=first.title, device="", pin=""))
     _connect(found, wired_devices(seen, table.tables("wired", needed=False), _roles(plan)))
-    return list(found.values())
+    return [*found.values(), *others]
 
 
 def _split(plan: migration.MigrationPlan, binding: migration.PortBinding) -> tuple[str, ...]:
@@ -178,7 +194,7 @@ def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice]) -> Non
             called = [name for name, place in at.items() if place == source]
             ports[source] = replace(
                 ports[source], device=device.kind, pin=" ".join(called), line=False, group=group, settings=device.settings,
-                shown=not set(called).isdisjoint(shown),
+                shown=not set(called).isdisjoint(shown), loop_ms=device.loop_ms if closed else 0.0,
             )  # fmt: skip
 
 

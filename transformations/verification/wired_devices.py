@@ -28,12 +28,14 @@ class WiredDevice:
         settings: its settings that the call says.
         closed_by: functions that control the device by what it tells, so that what the program does at its pins hangs on the last
             microsecond; what the device does is compared instead.
+        loop_ms: by how much such a function may end earlier or later, in milliseconds.
     """
 
     kind: str
     pins: Mapping[str, int]
     settings: Mapping[str, Any] = field(default_factory=dict)
     closed_by: tuple[str, ...] = ()
+    loop_ms: float = 0.0
 
 
 def wired_devices(views: Sequence[CodeView], rules: Sequence[DataTable], roles: Mapping[str, int]) -> list[WiredDevice]:
@@ -57,7 +59,7 @@ def wired_devices(views: Sequence[CodeView], rules: Sequence[DataTable], roles: 
                 address = device.settings.get("address")
                 places = {("bus", address)} if address is not None and address in (addresses or (address,)) else set()
             if places and not places & (taken | apart):
-                found.append(replace(device, closed_by=rule.texts("closed_by", ())))
+                found.append(replace(device, closed_by=rule.texts("closed_by", ()), loop_ms=rule.optional_number("loop_ms") or 0))
                 taken |= places
     return found
 

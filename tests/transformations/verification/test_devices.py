@@ -7,6 +7,7 @@ import pytest
 from robosmi.transformations.verification.devices.feedback_servo import FeedbackServo
 from robosmi.transformations.verification.devices.servo_pulses import PulseDriven
 from robosmi.transformations.verification.devices.way_marks import WayMarks
+from robosmi.transformations.verification.devices.wheel import Wheel
 from robosmi.verify.bench import Bench
 from robosmi.verify.simulation import DeviceUse, simulate
 from tests.transformations.verification.conftest import Run
@@ -75,19 +76,6 @@ def test_a_wheel_turns_as_its_pulses_say(job_of: Run, engine: str) -> None:
     assert ticks == pytest.approx((width - 1500) * 0.64 * 1.05, abs=2)  # for 1 s, and the 50 ms until it stands
 
 
-def test_a_feedback_servo_tells_its_angle(job_of: Run, engine: str) -> None:
-    devices = [DeviceUse("feedback_servo", {"servo": "D9", "feedback": "D2"}, {"degrees": 90.0})]
-    trace = simulate(job_of("feedback", 800, devices), engine)
-    before, after = (971 - int(each) for each in trace.text.split())
-    pulses = trace.pulses("D9")
-    turning = (pulses[-1][0] - pulses[0][0]) / 1e6 + 0.05  # seconds until it stands
-    beyond = sum(width for _, width in pulses) / len(pulses) - 1520
-    degrees = trace.device_events[-1].value
-    assert before / 942 * 360 == pytest.approx(90, abs=2)
-    assert after / 942 * 360 == pytest.approx(degrees, abs=2)
-    assert degrees == pytest.approx(90 + beyond * 4.88 * turning, abs=2)
-
-
 class Quiet(Bench):
     """A bench on which no time passes and nothing is at the pins."""
 
@@ -104,6 +92,44 @@ class Quiet(Bench):
 
     def send(self, data: bytes) -> None:
         """Nobody listens."""
+
+
+class Watched(Quiet):
+    """A bench that keeps the levels of one pin."""
+
+    def __init__(self) -> None:
+        super().__init__(["D9", "A0"], 16_000_000)
+        self.levels: list[int | None] = []
+
+    def set_level(self, pin: str, level: int | None) -> None:
+        """Keep it."""
+        self.levels.append(level)
+
+
+def test_a_wheel_that_turns_round_behind_a_tick_meets_it_again() -> None:
+    bench = Watched()
+    wheel = Wheel(bench, 0, {"servo": "D9", "encoder": "A0"}, {"starts_at": 0.9})
+    wheel.start()
+    for width, steps in ((1600.0, 3), (1400.0, 3), (1400.0, 12), (1600.0, 15)):  # 64 ticks/s for so many ms
+        wheel.pulse(width)
+        for _ in range(steps):
+            wheel._turn()
+    assert bench.levels == [0, 1, 0, 1]
+    wheel.ended()
+    assert bench.events[-1].value == 3
+
+
+def test_a_feedback_servo_tells_its_angle(job_of: Run, engine: str) -> None:
+    devices = [DeviceUse("feedback_servo", {"servo": "D9", "feedback": "D2"}, {"degrees": 90.0})]
+    trace = simulate(job_of("feedback", 800, devices), engine)
+    before, after = (971 - int(each) for each in trace.text.split())
+    pulses = trace.pulses("D9")
+    turning = (pulses[-1][0] - pulses[0][0]) / 1e6 + 0.05  # seconds until it stands
+    beyond = sum(width for _, width in pulses) / len(pulses) - 1520
+    degrees = trace.device_events[-1].value
+    assert before / 942 * 360 == pytest.approx(90, abs=2)
+    assert after / 942 * 360 == pytest.approx(degrees, abs=2)
+    assert degrees == pytest.approx(90 + beyond * 4.88 * turning, abs=2)
 
 
 @pytest.mark.parametrize(

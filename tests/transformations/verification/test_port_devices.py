@@ -98,3 +98,23 @@ def test_what_is_wrong_with_a_signal_is_told_with_the_file_of_the_scenario(signa
     with pytest.raises(UsageError) as caught:
         signals_of(PORTS, Scenario("s", 1.0, signals, path=Path("dark.toml")))
     assert caught.value.location == Location("dark.toml")
+
+
+TWO_ON_ONE = """#include "simpletools.h"
+#include "abdrive.h"
+int lamp = 13;
+int main() { high(lamp); drive_speed(10, 10); }
+"""
+
+
+def test_two_ports_of_the_target_that_are_one_pin_of_the_source_are_not_compared(tmp_path: Path) -> None:
+    source = tmp_path / "rover.c"
+    source.write_text(TWO_ON_ONE)
+    bind = {"abdrive.left_servo": "D8", "abdrive.right_servo": "D9", "lamp": "D4"}
+    found = bound_ports(robosmi.plan_migration([source], bind=bind).plan)
+    at_13 = [port for port in found if port.source == "P13"]
+    assert {(port.name, port.target, port.shares_with) for port in at_13} == {
+        ("abdrive.right_servo", "D9", "lamp"), ("lamp", "D4", "abdrive.right_servo")
+    }  # fmt: skip
+    assert not any(port.watched or port.compared for port in at_13)
+    assert next(port for port in found if port.source == "P12").watched

@@ -13,6 +13,8 @@ from robosmi.transformations.verification.original_side import moved_devices, ru
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.transformations.verification.scenario_search import _HORIZON_ALONE_MS, _HORIZONS_MS, _horizon, search
 from robosmi.verify import bench, original_run
+from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.original_run import OriginalRun, run_original
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import DeviceUse
 from tests.host_model.bench import built, run
@@ -57,6 +59,21 @@ def test_wheels_of_varied_runs_stand_anywhere_between_two_ticks() -> None:
     places = {moved_devices([wheel], random.Random(seed))[0].settings["starts_at"] for seed in range(20)}
     assert len(places) == 20
     assert all(isinstance(place, float) and 0 <= place < 1 for place in places)
+
+
+def test_each_varied_run_puts_wheels_down_somewhere_else(monkeypatch: pytest.MonkeyPatch) -> None:
+    wheel = DeviceUse("wheel", {"servo": "P12", "encoder": "P14"}, {})
+    places = []
+
+    def noted(program: OriginalProgram, until_us: float, devices: list[DeviceUse], *more: object) -> OriginalRun:
+        places.append(devices[0].settings["starts_at"])
+        return run_original(program, until_us)
+
+    monkeypatch.setattr(original_side, "played", lambda ports, scenario, target: [wheel])
+    monkeypatch.setattr(original_side, "run_original", noted)
+    with built(BLINK) as program:
+        run_varied(program, PORTS, Scenario("rest", 20.0), run_original(program, 20_000.0))
+    assert len(set(places)) == 5
 
 
 def test_the_search_keeps_what_tells_why_and_ends(monkeypatch: pytest.MonkeyPatch) -> None:

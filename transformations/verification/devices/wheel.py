@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import floor
 from typing import ClassVar
 
 from robosmi.data_text import Json
@@ -16,25 +17,26 @@ class Wheel(PulseDriven):
 
     Settings: `neutral_us`, the width at which it stands; `ticks_per_s_per_us`, its speed in ticks a second for each
     microsecond beyond (negative where it is mounted the other way round); `ticks_per_s_limit`, the speed that it cannot
-    exceed; `starts_at`, what part of a tick it has behind it at first. Each tick is one change of the encoder's level. Without
-    pulses for 50 ms it stands. It notes as `at` each 16th tick of its way, forwards and backwards.
+    exceed; `starts_at`, what part of a tick it has behind it at first. The encoder's level changes at each whole tick, whichever
+    way the wheel comes to it: what turns round just behind one meets the same one again. Without pulses for 50 ms it stands. It
+    notes as `at` each 16th tick of its way, forwards and backwards.
     """
 
     mark = 16.0
 
     optional_pin_names = ("encoder",)
     setting_names: ClassVar[Mapping[str, Json]] = {
-        "neutral_us": 1500.0, "ticks_per_s_per_us": 0.64, "ticks_per_s_limit": 200.0, "starts_at": 0.0,
+        "neutral_us": 1500.0, "ticks_per_s_per_us": 0.64, "ticks_per_s_limit": 200.0, "starts_at": 0.5,
     }  # fmt: skip
 
     def start(self) -> None:
         """Stand still."""
         super().start()
-        self._speed = self._place = 0.0
-        self._way = float(self.settings["starts_at"])
-        self._level = 0
+        self._speed = 0.0
+        self._place = float(self.settings["starts_at"])
+        self._tick, self._turned = floor(self._place), 0
         if "encoder" in self.pins:
-            self.bench.set_level(self.pins["encoder"], 0)
+            self.bench.set_level(self.pins["encoder"], self._tick % 2)
         self.bench.at(_STEP_US, self._turn)
 
     def pulse(self, width_us: float) -> None:
@@ -46,15 +48,15 @@ class Wheel(PulseDriven):
     def _turn(self) -> None:
         if self.left_alone:
             self._speed = 0.0
-        before = int(self._way)
-        self._way += abs(self._speed) * _STEP_US / 1e6
         self._place += self._speed * _STEP_US / 1e6
         self.moved_to(self._place)
-        if int(self._way) != before and "encoder" in self.pins:
-            self._level = 1 - self._level
-            self.bench.set_level(self.pins["encoder"], self._level)
+        if floor(self._place) != self._tick:
+            self._turned += abs(floor(self._place) - self._tick)
+            self._tick = floor(self._place)
+            if "encoder" in self.pins:
+                self.bench.set_level(self.pins["encoder"], self._tick % 2)
         self.bench.at(self.bench.now + _STEP_US, self._turn)
 
     def ended(self) -> None:
         """Note how many ticks it turned."""
-        self.note("ticks", int(self._way))
+        self.note("ticks", self._turned)

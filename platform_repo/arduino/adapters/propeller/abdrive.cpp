@@ -39,7 +39,7 @@
 //# helper drive_top
 //#   fidelity: ticks/s, of drive_speed
 //#   ram: 2
-static int16_t drive_top = 128;
+static volatile int16_t drive_top = 128;
 
 //# helper drive_step
 //#   fidelity: ticks/s each frame, of drive_speed
@@ -60,33 +60,41 @@ inline int16_t drive_pulse(int16_t speed) {  // microseconds beyond neutral
 }
 
 //# helper wheels
-//#   ram: 68
+//#   ram: 72
 struct Wheel {
-  volatile int32_t speed256;      // ticks/s, in 1/256
-  volatile int16_t target;        // ticks/s
-  int32_t step256;                // each frame
-  volatile uint8_t rest;          // frames left at a stand
-  volatile uint8_t going;         // drive_goto: 0 there, 1 on the way, 2 coming to a stand, 3 the last ticks at 4 ticks/s
-  int16_t top;                    // drive_goto: ticks/s
-  volatile int32_t goal, ticks;   // encoder ticks
-  volatile int32_t way50;         // ticks as calculated from the speed, in 1/50
-  volatile int8_t sense;          // sign of the last motion
-  uint8_t level;                  // encoder: bit 0 the level counted last, bit 1 the level seen last
+  volatile int16_t speed, target;     // ticks/s
+  int16_t step;                       // ticks/s each frame
+  uint8_t finer, finer_sum;           // what whole numbers lose of the step, in 1/50, carried over frames
+  uint8_t top_finer, top_finer_sum;   // the same of the top speed
+  volatile uint8_t rest;              // frames left at a stand
+  volatile uint8_t going;             // drive_goto: 0 there, 1 on the way, 2 coming to a stand, 3 the last ticks at 4 ticks/s
+  int16_t top, guard;                 // drive_goto: ticks/s, and how many ticks before the end it stops
+  volatile int32_t goal, ticks;       // encoder ticks
+  volatile int32_t way50;             // ticks as calculated from the speed, in 1/50
+  volatile int8_t sense;              // sign of the last motion
+  uint8_t level;                      // encoder: bit 0 the level counted last, bit 1 the level seen last
   uint8_t pin, encoder;
-  volatile uint8_t *in;           // the encoder's register and bit
+  volatile uint8_t *in;               // the encoder's register and bit
   uint8_t mask;
-  int32_t whole(const volatile int32_t &value) const {  // not torn by an interrupt
+  template <class Int> Int whole(const volatile Int &value) const {  // not torn by an interrupt
     uint8_t old = SREG;
     cli();
-    int32_t now = value;
+    Int now = value;
     SREG = old;
     return now;
   }
-  int16_t speed() const {  // without a division, which takes 40 us
-    int32_t now = whole(speed256);
-    return (int16_t)((now < 0 ? now + 255 : now) >> 8);
+  void change_by(int16_t most, int32_t part, int32_t whole) {  // the step: the part of `most` that its change is of the greater one
+    finer_sum = 0;
+    step = part < whole ? most * part / whole : most;
+    finer = part < whole ? most * part % whole * 50 / whole : 0;
   }
 };
+inline uint8_t drive_carried(uint8_t &sum, uint8_t part) {  // 1 when fiftieths have become a whole
+  sum += part;
+  if (sum < 50) return 0;
+  sum -= 50;
+  return 1;
+}
 static Wheel wheels[2];
 static void (*drive_counts)();  // what begins to count encoder ticks when the drive starts, where the program asks for them
 
@@ -105,14 +113,16 @@ static volatile uint8_t drive_frames;
 inline void drive_frame() {
   for (uint8_t side = 0; side < 2; side++) {
     Wheel &wheel = wheels[side];
-    int16_t before = wheel.speed();
+    int16_t before = wheel.speed;
+    uint8_t more = drive_carried(wheel.finer_sum, wheel.finer);
     if (wheel.going && drive_goto_frame) drive_goto_frame(wheel);
     wheel.target = constrain(wheel.target, -drive_top, drive_top);
     if (!wheel.rest && wheel.going != 3) {
-      int32_t missing = wheel.target * 256L - wheel.speed256;
-      wheel.speed256 += constrain(missing, -wheel.step256, wheel.step256);
+      if (wheel.target > wheel.speed + wheel.step) wheel.speed += wheel.step + more;
+      else if (wheel.target < wheel.speed - wheel.step) wheel.speed -= wheel.step + more;
+      else wheel.speed = wheel.target;
     }
-    int16_t speed = wheel.speed();
+    int16_t speed = wheel.speed;
     if (!speed && before) wheel.rest = 5;
     if (speed) wheel.sense = speed > 0 ? 1 : -1;
     wheel.way50 += speed;
@@ -210,7 +220,7 @@ static DriveCounts drive_counts_from_its_start;
 //#   fidelity: first call starts the drive, which takes 140 ms
 //#   limit: open loop: encoders do not correct the speed, and the calibration of the source robot does not carry over (see drive_pulse)
 //#   ram: 4
-//#   stack: 52 34
+//#   stack: 48 30
 //#   interrupt: TIMER0_COMPA_vect 61 59
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
@@ -218,16 +228,12 @@ inline void drive_head_for(int16_t left, int16_t right) {
   int16_t to[2] = {left, right};
   uint8_t old = SREG;
   cli();
-  int32_t change[2], most = 1;
-  for (uint8_t side = 0; side < 2; side++) {
-    change[side] = abs(to[side] * 256L - wheels[side].speed256);
-    if (change[side] > most) most = change[side];
-  }
+  int16_t change[2] = {(int16_t)abs(left - wheels[0].speed), (int16_t)abs(right - wheels[1].speed)};
   for (uint8_t side = 0; side < 2; side++) {
     Wheel &wheel = wheels[side];
     wheel.going = 0;
     wheel.target = to[side];
-    wheel.step256 = change[side] == most ? drive_step * 256L : (int32_t)((float)drive_step * 256 * change[side] / most);
+    wheel.change_by(drive_step, change[side], change[!side]);
   }
   SREG = old;
   drive_wait_rest();
@@ -248,7 +254,7 @@ inline void drive_speed(int32_t left, int32_t right) {
 //#   needs: drive_speed
 //#   role: servo
 //#   fidelity: the same as drive_speed, as there since version 2
-//#   stack: 52 34
+//#   stack: 48 30
 //#   interrupt: TIMER0_COMPA_vect 61 59
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
@@ -263,16 +269,19 @@ inline void drive_rampStep(int32_t left, int32_t right) {
 //#   role: servo
 //#   fidelity: returns when one of the wheels is within 4 ticks/s, as there
 //#   limit: two speeds beyond the limit of drive_setMaxSpeed are never reached: it returns at the limit, where the library waits for ever
-//#   stack: 60 42
+//#   stack: 61 42
 //#   interrupt: TIMER0_COMPA_vect 61 59
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline bool drive_is_near(uint8_t side, int32_t asked) {
-  return wheels[side].speed() > asked - 4 && wheels[side].speed() < asked + 4;
+  int16_t speed = wheels[side].whole(wheels[side].speed);
+  return speed > asked - 4 && speed < asked + 4;
 }
 
 inline bool drive_is_ramping() {
-  return wheels[0].speed() != wheels[0].target || wheels[1].speed() != wheels[1].target;
+  for (const Wheel &wheel : wheels)
+    if (wheel.whole(wheel.speed) != wheel.whole(wheel.target)) return true;
+  return false;
 }
 
 inline void drive_ramp(int32_t left, int32_t right) {
@@ -316,7 +325,7 @@ template <class Int> inline void drive_getTicksCalc(Int *left, Int *right) {
 //# helper drive_going
 //#   needs: wheels
 //#   fidelity: a wheel accelerates, keeps its top speed until the rest of the way is what it needs to stop, stops, and makes the ticks still
-//#   fidelity: missing at 4 ticks/s
+//#   fidelity: missing at 4 ticks/s: as there a few of a wheel whose way is the shorter one, and most of a short way after a long one
 //#   ram: 7
 static volatile uint16_t drive_still;  // frames since the last tick
 static bool drive_goto_waits = true;
@@ -327,21 +336,25 @@ inline void drive_go_on(Wheel &wheel) {
   if (now != last) drive_still = 0;
   else if (drive_still < 65535) drive_still++;
   last = now;
-  int32_t left = wheel.goal - wheel.whole(wheel.ticks), speed = wheel.speed();
+  int32_t left = wheel.goal - wheel.whole(wheel.ticks);
   if (drive_still > 1000) {  // twice a frame at most: ten seconds without a tick
     wheel.going = 0;
-    wheel.target = wheel.speed256 = 0;
-  } else if (wheel.going == 1) {
-    int32_t guard = wheel.step256 ? speed * speed * 256 / (100 * wheel.step256) : 0;
-    if (abs(left) > guard) {
-      wheel.target = left > 0 ? wheel.top : -wheel.top;
+    wheel.target = wheel.speed = 0;
+    return;
+  }
+  uint8_t more = drive_carried(wheel.top_finer_sum, wheel.top_finer);
+  if (wheel.going == 1) {  // as there: divided by the whole steps alone, by none of them -1, and at a stand what it was before
+    if (wheel.speed) wheel.guard = wheel.step ? (int32_t)wheel.speed * wheel.speed / (100 * wheel.step) : 1;
+    if (abs(left) > wheel.guard + more) {
+      wheel.target = left > 0 ? wheel.top + more : -wheel.top - more;
     } else {
       wheel.target = 0;
       wheel.going = 2;
     }
-  } else if (!wheel.rest && (wheel.going == 3 || !speed)) {
+  }
+  if (!wheel.rest && (wheel.going == 3 || (wheel.going == 2 && !wheel.speed))) {
     wheel.going = left ? 3 : 0;
-    wheel.speed256 = left > 0 ? 4 * 256L : left < 0 ? -4 * 256L : 0;
+    wheel.speed = left > 0 ? 4 : left < 0 ? -4 : 0;
   }
 }
 
@@ -352,36 +365,43 @@ inline bool drive_on_the_way() {
 //# adapter drive_goto
 //#   for: void drive_goto(int distLeft, int distRight)
 //#   kind: semantic
-//#   needs: drive_goto_step wheels drive_frame drive_start drive_encoders drive_speed drive_going
+//#   needs: drive_goto_step drive_top wheels drive_frame drive_start drive_encoders drive_speed drive_going
 //#   role: encoder
 //#   fidelity: stops, drives both wheels so many ticks in the same time, and returns when they stand
 //#   limit: gives up ten seconds after the last tick, where the library waits for ever
-//#   stack: 100 83
-//#   interrupt: TIMER0_COMPA_vect 37 37
+//#   stack: 103 85
+//#   interrupt: TIMER0_COMPA_vect 30 30
 //#   interrupt: TIMER1_COMPA_vect 21
-//#   interrupt: TIMER1_COMPB_vect 69 69
+//#   interrupt: TIMER1_COMPB_vect 62 62
 inline void drive_goto(int32_t distLeft, int32_t distRight) {
-  int32_t way[2] = {distLeft, distRight}, most = max(abs(distLeft), abs(distRight));
+  int32_t way[2] = {distLeft, distRight};
   (void)drive_counts_from_its_start;
   drive_start();
   drive_speed(0, 0);
+  int16_t top_before = drive_top;
   uint8_t old = SREG;
   cli();
   drive_still = 0;
   drive_goto_frame = drive_go_on;
+  drive_top = 64;
   for (uint8_t side = 0; side < 2; side++) {
     Wheel &wheel = wheels[side];
+    int32_t own = abs(way[side]), most = abs(way[!side]);
     bool close = abs(wheel.goal - wheel.ticks) < 6;  // what was missed is made up for
     wheel.goal = (close ? wheel.goal : wheel.ticks) + way[side];
-    wheel.top = most ? 64L * abs(way[side]) / most : 0;
-    wheel.step256 = most ? drive_goto_step * 256L * abs(way[side]) / most : 0;
+    wheel.top = own < most ? 64 * own / most : 64;
+    wheel.top_finer = own < most ? 64 * own % most * 50 / most : 0;
+    wheel.top_finer_sum = 0;
+    wheel.change_by(drive_goto_step, own, most);
     wheel.going = 1;
   }
   SREG = old;
-  if (!drive_goto_waits) return;
-  while (drive_on_the_way()) yield();
-  delay(40);
-  while (drive_on_the_way()) yield();
+  if (drive_goto_waits) {
+    while (drive_on_the_way()) yield();
+    delay(40);
+    while (drive_on_the_way()) yield();
+  }
+  drive_top = top_before;
 }
 
 //# adapter drive_gotoMode

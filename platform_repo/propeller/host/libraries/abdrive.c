@@ -12,6 +12,7 @@ static struct wheel {
   volatile int speed_finer, speed_sum;        /* the same for the top speed of drive_goto */
   volatile int rest;                          /* frames left at a stand */
   volatile int going;                         /* drive_goto: 0 there, 1 on the way, 2 coming to a stand, 3 making up for ticks */
+  int guard;                                  /* so many ticks before the end it stops; at a stand what it was at the last speed */
   volatile int ticks, goal;
   volatile int calculated;                    /* ticks as the speeds make them, in 1/800 */
   int sense, level, seen, servo, encoder;
@@ -49,8 +50,9 @@ static int carried(volatile int *sum, int part) {
 static void go_on(struct wheel *wheel) {
   int left = wheel->goal - wheel->ticks, more = carried(&wheel->speed_sum, wheel->speed_finer);
   if (wheel->going == 1) {
-    int guard = wheel->speed && wheel->step ? wheel->speed * magnitude(wheel->speed) / (100 * wheel->step) : 0;
-    if (magnitude(left) > magnitude(guard) + magnitude(more)) {
+    /* a division by a step of 0 gives -1 there (propgcc, kernel.ext) */
+    if (wheel->speed) wheel->guard = wheel->step ? wheel->speed * wheel->speed / (100 * wheel->step) : 1;
+    if (magnitude(left) > wheel->guard + more) {
       wheel->wanted = left > 0 ? wheel->limit + more : -wheel->limit - more;
     } else {
       wheel->wanted = 0;
