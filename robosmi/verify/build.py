@@ -16,6 +16,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.doing import doing
 from robosmi.errors import MissingToolError
@@ -295,7 +296,7 @@ class Build:
         if done.returncode != 0:
             return _with(replace(report, ok=False), [messages.unread("converting", done.stderr)])
         elf = keep / Path(values["elf"]).name
-        elf.write_bytes(without_relocations(Path(values["elf"]).read_bytes()))
+        elf.write_bytes(without_relocations(inputs.read_bytes(values["elf"], inputs.MODEL)))
         return replace(report, elf=elf, hex=Path(shutil.copy2(values["hex"], keep)))
 
 

@@ -1,7 +1,7 @@
 """Linked programs as files (ELF, System V ABI 4.1): what is taken out of one before somebody gets it.
 
-The linker is asked to keep its relocations, by which the stack is told (`build`). Other tools take a file that has them for one that
-is still to be linked: `addr2line` of binutils 2.26 then names wrong lines.
+The linker is asked to keep its relocations, by which the stack is told (`build`). Other tools take a file that has them for one
+that is still to be linked: `addr2line` of binutils 2.26 then names wrong lines.
 """
 
 from __future__ import annotations

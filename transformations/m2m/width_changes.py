@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from robosmi.transformations.m2m.macro_order import MacroOrder
 from robosmi.transformations.m2m.width_rules import Walk
 from robosmi.transformations.m2m.width_wants import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, Want
 from robosmi.transformations.queries.expansion import TextPlace
@@ -57,6 +58,9 @@ class Writer:
     lost: list[Want] = field(default_factory=list)
     _casts: dict[TextPlace, _Cast] = field(default_factory=dict)
     _edits: dict[WidthEdit, None] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self._order_of = MacroOrder(self.texts)
 
     def edits(self) -> list[WidthEdit]:
         """All changes; of those at one place the ones that stand outside come first."""
@@ -124,7 +128,7 @@ class Writer:
         for place in node.layers:
             seen = self.walk.seen.get(place, set())
             shared = place.body or place not in node.places[:1]
-            if place in self.walk.changed and shared:
+            if shared and (place in self.walk.changed or (place.body and not self._order_of.stays(place))):
                 continue
             if not shared or (seen <= fits) or (number is not None and not number.signed and seen <= fits):
                 return place
