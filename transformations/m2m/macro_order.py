@@ -38,7 +38,7 @@ class MacroOrder:
         known = macro.parameters or ()
         open_ = {
             number for number, name in enumerate(known)
-            for at, word in enumerate(macro.body) if word in inside and word[3] == name and not _alone(macro.body, at)
+            for at, word in enumerate(macro.body) if word in inside and word[3] == name and not _alone(macro.body, at, self._by_name)
         }  # fmt: skip
         whole = len(inside) == len(macro.body) and not _operand(inside, (), {})
         return all(
@@ -87,9 +87,10 @@ def _within(words: Sequence[Token], place: TextPlace) -> list[Token]:
     return [word for word in words if place.start <= word[1] and word[2] <= place.end]
 
 
-def _alone(words: Sequence[Token], at: int) -> bool:
-    """Whether a word has parentheses of its own, or is an argument by itself."""
-    return 0 < at < len(words) - 1 and words[at - 1][3] in ("(", ",", "[") and words[at + 1][3] in (")", ",", "]")
+def _alone(words: Sequence[Token], at: int, macros: Collection[str]) -> bool:
+    """Whether a word has parentheses of its own, which are not those of a macro's arguments."""
+    inside = 0 < at < len(words) - 1 and words[at - 1][3] == "(" and words[at + 1][3] == ")"
+    return inside and (at < 2 or words[at - 2][3] not in macros)
 
 
 def _closing(words: Sequence[Token], opening: int) -> int:
