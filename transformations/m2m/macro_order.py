@@ -35,10 +35,10 @@ class MacroOrder:
         if macro is None:
             return True
         inside = _within(macro.body, place)
-        known = macro.parameters or ()
+        known, others = macro.parameters or (), self._by_name
         open_ = {
             number for number, name in enumerate(known)
-            for at, word in enumerate(macro.body) if word in inside and word[3] == name and not _alone(macro.body, at, self._by_name)
+            for at, word in enumerate(macro.body) if word in inside and word[3] == name and not _alone(macro.body, at, others)
         }  # fmt: skip
         whole = len(inside) == len(macro.body) and not _operand(inside, (), {})
         return all(
