@@ -50,9 +50,9 @@ def of_nets(circuit: hw.Circuit) -> Iterator[Odd]:
             if {hw.ConnectorKind.supply, hw.ConnectorKind.ground} <= kinds:
                 yield "supply on ground", str(part.title), " ".join(sorted(str(c.name or c.connectorId) for c in own))
         by_name = not any(
-            part.role is hw.Role.Power or (part.role is hw.Role.Board and c.kind is not hw.ConnectorKind.signal)
+            owner.role is hw.Role.Power or (owner.role is hw.Role.Board and c.kind is not hw.ConnectorKind.signal)
             for c in connectors
-            if (part := c.component) is not None
+            if (owner := c.component) is not None
         )
         if net.rail and by_name and (pins := sorted(str(c.pin) for c in connectors if c.pin)):
             yield "pin lost to a rail of names", "", " ".join(pins)
