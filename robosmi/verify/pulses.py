@@ -15,6 +15,8 @@ from robosmi.verify.simulation import PinTrace
 FEWEST = 4
 """So many pulses at least are a wave or a burst; fewer are levels."""
 _AHEAD = 8
+_NOTE = 0.04
+"""Two notes are further apart than this: a semitone is 5.9 %."""
 _STEADY = 1.3
 """Periods of a wave are within this factor of one another, nearly all of them."""
 _PITCH = 0.015
@@ -72,7 +74,7 @@ def wave_parts(pulses: Sequence[Pulse]) -> list[tuple[bool, list[Pulse]]]:
     parts: list[tuple[bool, list[Pulse]]] = []
     first = 0
     while first < len(pulses):
-        last = _steady_until(periods, first)
+        last = _one_pitch_until(periods, first, _steady_until(periods, first))
         steady = last - first + 1 >= FEWEST
         part = list(pulses[first : last + 1] if steady else pulses[first : first + 1])
         if not steady and parts and not parts[-1][0]:
@@ -183,6 +185,21 @@ def _steady_until(periods: list[float], first: int) -> int:
                 return number
         number += 1
     return number
+
+
+def _one_pitch_until(periods: list[float], first: int, last: int) -> int:
+    """The number of the last pulse of the first note of a wave: where even periods become clearly other even ones at once."""
+    for number in range(first + _AHEAD, last - _AHEAD):
+        if abs(periods[number + 1] - periods[number - 1]) <= _NOTE * periods[number - 1]:
+            continue
+        before, after = periods[number - _AHEAD : number], periods[number + 1 : number + 1 + _AHEAD]
+        if _is_even(before) and _is_even(after):
+            return number
+    return last
+
+
+def _is_even(periods: Sequence[float]) -> bool:
+    return max(periods) - min(periods) <= 2 * _PITCH * min(periods)
 
 
 def _near(period: float, usual: float) -> bool:

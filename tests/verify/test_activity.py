@@ -173,3 +173,13 @@ def test_the_last_step_of_a_ramp_is_no_width_of_its_own() -> None:
     for last in ([1408.0, 1400.63, 1399.81], [1408.0, 1400.0, 1400.0], [1355.0, 1347.0, 1344.0]):
         widths = [1430.0, 1419.0, *last, *[round(last[-1])] * 20]
         assert said(trace(frames(100_000, widths)))[-2][1] == f"pulses of {round(last[-1])} us"
+
+
+def test_notes_that_follow_one_another_at_once_are_waves_of_their_own() -> None:
+    def note(begin: float, period: float) -> list[PinChange]:
+        return [PinChange(begin + period * (n + half / 2), "D4", 1 - half) for n in range(200) for half in (0, 1)]
+
+    changes = (*note(0.0, 716.0), *note(200 * 716.0 + 11_000, 902.0))
+    trace = PinTrace("e", "running", 1_000_000.0, changes, (), (), ())
+    waves = [event.value[0] for event in activity(trace, "D4") if event.kind == WAVE]
+    assert waves == pytest.approx([1396.6, 1108.6], rel=0.005)
