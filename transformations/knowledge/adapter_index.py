@@ -101,7 +101,8 @@ class AdapterIndex:
     def unsupported(self, header: str) -> str:
         """Why the target cannot serve a header; empty where a file has pieces for it, or nothing is said."""
         files = self.files(header)
-        return "" if any(file.pieces for file in files) else next((f.unsupported for f in files if f.unsupported), "")
+        served = any(piece.kind == "adapter" for file in files for piece in file.pieces)  # values of a header do not serve it
+        return "" if served else next((f.unsupported for f in files if f.unsupported), "")
 
 
 def adapter_index(
