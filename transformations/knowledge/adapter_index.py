@@ -99,7 +99,7 @@ class AdapterIndex:
         return next((file.tasks[name] for file in self.files(header) if name in file.tasks), "")
 
     def unsupported(self, header: str) -> str:
-        """Why the target cannot serve a header; empty where a file has pieces for it, or nothing is said."""
+        """Why the target cannot serve a header; empty where a file has adapters for it, or nothing is said."""
         files = self.files(header)
         served = any(piece.kind == "adapter" for file in files for piece in file.pieces)  # values of a header do not serve it
         return "" if served else next((f.unsupported for f in files if f.unsupported), "")
