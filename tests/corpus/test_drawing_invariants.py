@@ -2,7 +2,7 @@
 
 A reader that joins what is apart (pins without a number, labels of two sheets, bus rows) makes nets that nobody draws: both ends
 of a lamp on one net, two pins of a board tied to each other, a supply on a ground. People draw a few of these, too;
-`drawings/odd.csv` lists each, judged by a person with the drawing. One more is a fault of a reader, or a row to be judged.
+`odd_drawings.csv` lists each, judged by a person with the drawing. One more is a fault of a reader, or a row to be judged.
 ROBOSMI_DRAWINGS names a folder with `OWNER+REPOSITORY/PATH` of each.
 """
 
@@ -20,7 +20,7 @@ from robosmi.errors import RobosmiError
 from robosmi.metamodels import hardware as hw
 from robosmi.transformations.chains.hardware import HardwareAnalysis, hardware
 
-JUDGED = Path(__file__).parent / "drawings" / "odd.csv"
+JUDGED = Path(__file__).parent / "odd_drawings.csv"
 ENDINGS = (".json", ".sch", ".kicad_sch", ".net", ".fz", ".fzz")
 MOST_OF_ALL = 0.6
 """Share of a drawing's wired connectors that one net may hold."""

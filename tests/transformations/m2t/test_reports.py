@@ -107,7 +107,7 @@ def test_the_worst_that_is_known_of_a_construct_is_its_verdict(tmp_path: Path) -
     result = made(case, tmp_path / "out")
     found = {c.title: c for c in constructs(result.models.plan, result.models.files)}
     assert found["function badge_setup"].verdict == "not_supported"
-    assert found["name LARGE"].verdict == "not_supported"
+    assert found["name LARGE"].verdict == "adapted"
     assert (found["function gauge_open"].verdict, found["function gauge_open"].effort) == ("needs_you", "small")
     assert found['#include "sys/unknown_thing.h"'].verdict == "needs_you"
     assert found['#include "badgetools.h"'].verdict == "adapted"
