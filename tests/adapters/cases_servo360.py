@@ -77,7 +77,8 @@ void loop() {{}}
     assert told[6] == 0
     at_rest, told[7:23] = told[7:23], []
     late = [each for each in at_rest if abs(each) > 31]  # seven units of 4,096 in 20 ms, as the adapter says
-    assert len(late) <= 2 and sum(late) == 0, "one edge that is late is a speed and then the same one back"
+    assert len(late) <= 2
+    assert sum(late) == 0, "one edge that is late is a speed and then the same one back"
     assert all(abs(each) <= 110 for each in late)
     assert sum(at_rest) / 16 == pytest.approx(0, abs=8)
     assert told[7] == 0

@@ -25,9 +25,9 @@ def circles(units: Sequence[ccode.SourceUnit], contexts: Sequence[UnitContext]) 
         contexts: what each was built with, in the same order; they take the findings.
     """
     again = {
-        os.path.realpath(str(unit.path)): (unit, context)
-        for unit, context in zip(units, contexts, strict=True)
-        if unit.includes and not guarded(context.source.parsed)
+        os.path.realpath(str(unit.path)): (unit, contexts[number])
+        for number, unit in enumerate(units)
+        if unit.includes and not guarded(contexts[number].source.parsed)
     }
     ways = {
         place: {_meant(include, place, context.include_dirs): include for include in reversed(_always(unit))}
