@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
-from robosmi.transformations.knowledge.lexer import Token, tokens
+from robosmi.transformations.knowledge.lexer import Token, closing, tokens
 
 if TYPE_CHECKING:
     from robosmi.transformations.knowledge.adapter_files import AdapterPiece
@@ -152,18 +152,9 @@ def _defined(found: list[Token], name: str) -> Iterator[list[str]]:
             yield split_arguments(macro[1])
         if text != name or at + 1 == len(found) or found[at + 1][3] != "(":
             continue
-        end = _closing(found, at + 1)
-        if end is not None and found[end + 1 : end + 2] and found[end + 1][3] == "{":
+        end = closing(found, at + 1)
+        if found[end + 1 : end + 2] and found[end + 1][3] == "{":
             yield _names(found[at + 2 : end])
-
-
-def _closing(found: list[Token], at: int) -> int | None:
-    depth = 0
-    for number in range(at, len(found)):
-        depth += (found[number][3] == "(") - (found[number][3] == ")")
-        if depth == 0:
-            return number
-    return None
 
 
 def _names(inside: list[Token]) -> list[str]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 import sys
+from collections.abc import Sequence
 from functools import cache
 
 Token = tuple[str, int, int, str]
@@ -193,6 +194,17 @@ def directive_comments(text: str) -> list[tuple[int, int]]:
     return [m.span() for m in _COMMENTS.finditer(text) if m["keep"] is None] if "/" in text else []
 
 
+def closing(words: Sequence[Token], opening: int) -> int:
+    """The number of the token that closes the bracket with a number; how many tokens there are where none does."""
+    depth = 0
+    for number in range(opening, len(words)):
+        depth += (words[number][3] in _OPENING) - (words[number][3] in _CLOSING)
+        if depth == 0:
+            return number
+    return len(words)
+
+
+_OPENING, _CLOSING = frozenset("([{"), frozenset(")]}")
 _DEFINITION = re.compile(
     r"(?P<name>[A-Za-z_$\x80-\U0010ffff][\w$\x80-\U0010ffff]*)(?:\((?P<parameters>[^)]*)\))?\s*(?P<body>.*)", re.DOTALL
 )

@@ -9,14 +9,25 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
-from robosmi.transformations.knowledge.lexer import Token, tokens
-from robosmi.transformations.queries.expansion import Definition, TextPlace, definition
+from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.lexer import Token, closing
+from robosmi.transformations.queries.argument_places import TokenText
+from robosmi.transformations.queries.expansion import Definition, TextPlace, macros_of
 
 _SIGNS = frozenset("-+!~*&")
-_OPEN = {"(": ")", "[": "]", "{": "}"}
 _BEFORE = frozenset(["(", "[", "{", "}", ",", ";", "=", "return"])
 _BEHIND = frozenset([")", "]", "}", ",", ";"])
+
+
+class _Use(NamedTuple):
+    """A use of a macro: its arguments, the words before and behind it, and the parameters of the macro whose body it is in."""
+
+    given: Sequence[Sequence[Token]]
+    before: str
+    behind: str
+    names: Collection[str]
 
 
 @dataclass
@@ -24,118 +35,119 @@ class MacroOrder:
     """The macros of a program and their uses.
 
     Attributes:
+        units: of the program.
         texts: path of a unit -> its bytes.
     """
 
+    units: Sequence[ccode.SourceUnit]
     texts: Mapping[str, bytes]
+
+    def __post_init__(self) -> None:
+        self._stays: dict[TextPlace, bool] = {}
+        self._loose: dict[str, bool] = {}
 
     def stays(self, place: TextPlace) -> bool:
         """Whether parentheses around a place of a macro's body change nothing for any use."""
+        if place not in self._stays:
+            self._stays[place] = self._judged(place)
+        return self._stays[place]
+
+    def _judged(self, place: TextPlace) -> bool:
         macro = next((each for each in self._macros if each.unit == place.unit and _within(each.body, place)), None)
         if macro is None:
             return True
         inside = _within(macro.body, place)
-        known, others = macro.parameters or (), self._by_name
+        known = macro.parameters or ()
         open_ = {
-            number for number, name in enumerate(known)
-            for at, word in enumerate(macro.body) if word in inside and word[3] == name and not _alone(macro.body, at, others)
+            known.index(word[3]) for at, word in enumerate(macro.body)
+            if word in inside and word[3] in known and not self._alone(macro.body, at)
         }  # fmt: skip
-        whole = len(inside) == len(macro.body) and not _operand(inside, (), {})
+        whole = len(inside) == len(macro.body) and not _operand(inside)[0]
         return all(
-            all(number < len(given) and _operand(given[number], names, self._by_name) for number in open_)
-            and not (whole and not (before in _BEFORE and behind in _BEHIND))
-            for given, names, before, behind in self._uses(macro)
+            all(number < len(use.given) and self._one_operand(use.given[number], use.names) for number in open_)
+            and not (whole and not (use.before in _BEFORE and use.behind in _BEHIND))
+            for use in self._uses.get(macro.name, ())
         )
 
-    def _uses(self, macro: Definition) -> Iterator[tuple[list[list[Token]], Collection[str], str, str]]:
-        """The uses of a macro: arguments, the parameters of the macro that they stand in, and the words before and behind."""
-        for words, names in self._streams:
-            for at, word in enumerate(words):
-                if word[3] != macro.name or word[0] != "name":
-                    continue
-                behind = at + 1
-                given: list[list[Token]] = []
-                if macro.parameters is not None:
-                    if behind >= len(words) or words[behind][3] != "(":
-                        continue
-                    end = _closing(words, behind)
-                    given = _split(words[behind + 1 : end])
-                    behind = end + 1
-                yield given, names, words[at - 1][3] if at else "(", words[behind][3] if behind < len(words) else ")"
+    def _alone(self, words: Sequence[Token], at: int) -> bool:
+        """Whether a word has parentheses of its own, which are not those of a macro's arguments."""
+        inside = 0 < at < len(words) - 1 and words[at - 1][3] == "(" and words[at + 1][3] == ")"
+        return inside and (at < 2 or words[at - 2][3] not in self._by_name)
+
+    def _one_operand(self, words: Sequence[Token], names: Collection[str]) -> bool:
+        """Whether an argument is one operand, whatever stands beside it; what a parameter stands for is not known."""
+        whole, first = _operand(words)
+        return whole and first not in names and not self._is_loose(first)
+
+    def _is_loose(self, name: str) -> bool:
+        """Whether a name is a macro that stands for more than one operand; the macro that it begins with counts, too."""
+        chain: list[str] = []
+        loose = False
+        while name in self._by_name and name not in self._loose and name not in chain:
+            chain.append(name)
+            macro = self._by_name[name]
+            whole, name = _operand(macro.body)
+            loose = not whole or name in (macro.parameters or ())
+            if loose:
+                break
+        loose = loose or self._loose.get(name, False)
+        self._loose.update(dict.fromkeys(chain, loose))
+        return loose
 
     @cached_property
     def _macros(self) -> list[Definition]:
-        found = []
-        for unit, data in self.texts.items():
-            for kind, start, end, _ in tokens(data):
-                made = definition(unit, data, start, end) if kind == "directive" else None
-                found += [made] if made is not None else []
-        return found
+        return [each for same in macros_of(self.units, self.texts).values() for each in same]
 
     @cached_property
     def _by_name(self) -> dict[str, Definition]:
         return {each.name: each for each in self._macros}
 
     @cached_property
-    def _streams(self) -> list[tuple[Sequence[Token], Collection[str]]]:
-        """The texts of the units without directives, and the bodies of macros with their parameters."""
-        plain = ([word for word in tokens(data) if word[0] not in ("directive", "comment")] for data in self.texts.values())
-        return [*((words, ()) for words in plain), *((each.body, each.parameters or ()) for each in self._macros)]
+    def _uses(self) -> dict[str, list[_Use]]:
+        """Name of a macro -> its uses, in the text of the units and in bodies of macros."""
+        found: dict[str, list[_Use]] = {}
+        for unit in self.units:
+            for name, use in self._uses_in(TokenText(self.texts[unit.path]), ()):
+                found.setdefault(name, []).append(use)
+        for macro in self._macros:
+            if macro.body:
+                start = macro.body[0][1]
+                text = TokenText(self.texts[macro.unit][start : macro.body[-1][2]], start)
+                for name, use in self._uses_in(text, macro.parameters or ()):
+                    found.setdefault(name, []).append(use)
+        return found
+
+    def _uses_in(self, text: TokenText, names: Collection[str]) -> Iterator[tuple[str, _Use]]:
+        words = text.tokens
+        for at, (kind, _, _, name) in enumerate(words):
+            if kind != "name" or name not in self._by_name:
+                continue
+            given = text.arguments(at) if self._by_name[name].parameters is not None else []
+            if given is None:
+                continue
+            last = closing(words, at + 1) if self._by_name[name].parameters is not None else at
+            behind = words[last + 1][3] if last + 1 < len(words) else ")"
+            yield name, _Use(given, words[at - 1][3] if at else "(", behind, names)
 
 
 def _within(words: Sequence[Token], place: TextPlace) -> list[Token]:
     return [word for word in words if place.start <= word[1] and word[2] <= place.end]
 
 
-def _alone(words: Sequence[Token], at: int, macros: Collection[str]) -> bool:
-    """Whether a word has parentheses of its own, which are not those of a macro's arguments."""
-    inside = 0 < at < len(words) - 1 and words[at - 1][3] == "(" and words[at + 1][3] == ")"
-    return inside and (at < 2 or words[at - 2][3] not in macros)
-
-
-def _closing(words: Sequence[Token], opening: int) -> int:
-    """The number of the bracket that closes another; the last word's where none does."""
-    depth = 0
-    for number in range(opening, len(words)):
-        depth += (words[number][3] in _OPEN) - (words[number][3] in _OPEN.values())
-        if depth == 0:
-            return number
-    return len(words) - 1
-
-
-def _split(words: Sequence[Token]) -> list[list[Token]]:
-    parts: list[list[Token]] = [[]]
-    depth = 0
-    for word in words:
-        depth += (word[3] in _OPEN) - (word[3] in _OPEN.values())
-        if word[3] == "," and depth == 0:
-            parts.append([])
-        else:
-            parts[-1].append(word)
-    return parts
-
-
-def _operand(words: Sequence[Token], names: Collection[str], macros: Mapping[str, Definition]) -> bool:
-    """Whether words are one operand, whatever stands beside them; what a parameter stands for is not known."""
+def _operand(words: Sequence[Token]) -> tuple[bool, str]:
+    """Whether words are one operand as they are written, and the first word behind its signs."""
     at = 0
     while at < len(words) - 1 and words[at][3] in _SIGNS:
         at += 1
     if at >= len(words):
-        return True
-    first = words[at]
-    if first[3] in names:
-        return False
-    macro = macros.get(first[3])
-    if macro is not None and not _operand(
-        macro.body, macro.parameters or (), {n: m for n, m in macros.items() if n != macro.name}
-    ):
-        return False
-    at = _closing(words, at) + 1 if first[3] == "(" else at + 1
+        return True, ""
+    first = words[at][3]
+    at = closing(words, at) + 1 if first == "(" else at + 1
     while at < len(words):
         if words[at][3] in ("(", "["):
-            at = _closing(words, at) + 1
+            at = closing(words, at) + 1
         elif words[at][3] in (".", "->"):
             at += 2
         else:
-            return False
-    return True
+            return False, first
+    return True, first

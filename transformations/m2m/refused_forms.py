@@ -13,7 +13,7 @@ from itertools import chain
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.knowledge.lexer import Token, tokens
+from robosmi.transformations.knowledge.lexer import Token, closing, tokens
 from robosmi.transformations.m2m import old_c
 from robosmi.transformations.m2m.designated_lists import list_holders, positional
 from robosmi.transformations.m2m.nested_types import RECORDS
@@ -73,7 +73,7 @@ def _types_in_place(words: Sequence[Token]) -> Iterator[Form]:
         if text in _TYPES and (brace := _definition(words, number)):
             if opened and opened[-1] == "(":
                 yield start, "a type is defined within parentheses, where C++ takes none", _BEFORE
-            elif not opened and _gives(words, _matching(words, brace) + 1):
+            elif not opened and _gives(words, closing(words, brace) + 1):
                 yield start, "a type is defined where the type of a function's value is written", _BEFORE
         if text in _OPENING:
             opened.append(text)
@@ -85,15 +85,6 @@ def _definition(words: Sequence[Token], number: int) -> int:
     """The number of the brace that a type's definition opens behind the word that begins it; 0 for a mere use."""
     behind = number + 1 + (number + 1 < len(words) and words[number + 1][0] == "name")
     return behind if behind < len(words) and words[behind][3] == "{" else 0
-
-
-def _matching(words: Sequence[Token], opening: int) -> int:
-    depth = 0
-    for number in range(opening, len(words)):
-        depth += (words[number][3] in _OPENING) - (words[number][3] in _CLOSING)
-        if depth == 0:
-            return number
-    return len(words)
 
 
 def _gives(words: Sequence[Token], number: int) -> bool:
@@ -128,7 +119,7 @@ def _old_pointers(words: Sequence[Token]) -> Iterator[Form]:
             continue
         close = number + 3
         while close < len(words) and texts[close] == "[":
-            close = _matching(words, close) + 1
+            close = closing(words, close) + 1
         typed = number > 0 and (words[number - 1][0] == "name" or texts[number - 1] == "*")
         if typed and texts[close : close + 3] == [")", "(", ")"]:
             declared[texts[number + 2]] = words[number][1]
@@ -138,7 +129,7 @@ def _old_pointers(words: Sequence[Token]) -> Iterator[Form]:
             continue
         behind = number + 1
         while behind < len(words) and texts[behind] == "[":
-            behind = _matching(words, behind) + 1
+            behind = closing(words, behind) + 1
         behind += texts[behind : behind + 1] == [")"]
         if texts[behind : behind + 1] == ["("] and texts[behind + 1 : behind + 2] not in ([")"], ["void"], []):
             told.add(text)
@@ -161,7 +152,7 @@ def _pointer_sizes(words: Sequence[Token]) -> Iterator[Form]:
     for number, (_, start, _, text) in enumerate(words):
         if text not in ("_Static_assert", "static_assert") or number + 1 >= len(words):
             continue
-        inner = [word[3] for word in words[number + 2 : _matching(words, number + 1)]]
+        inner = [word[3] for word in words[number + 2 : closing(words, number + 1)]]
         sized = " ".join(inner)
         if re.search(r"sizeof \( [\w ]*\*", sized):
             message = "the size of a pointer is asserted, which is another one on the target"

@@ -48,19 +48,18 @@ class Writer:
     Attributes:
         texts: path of a unit -> its bytes.
         walk: the walk that found the wants.
+        order: the macros of the program and their uses.
         lambdas: the target's language has functions without names.
         lost: what found no place.
     """
 
     texts: Mapping[str, bytes]
     walk: Walk
+    order: MacroOrder
     lambdas: bool = True
     lost: list[Want] = field(default_factory=list)
     _casts: dict[TextPlace, _Cast] = field(default_factory=dict)
     _edits: dict[WidthEdit, None] = field(default_factory=dict)
-
-    def __post_init__(self) -> None:
-        self._order_of = MacroOrder(self.texts)
 
     def edits(self) -> list[WidthEdit]:
         """All changes; of those at one place the ones that stand outside come first."""
@@ -128,7 +127,7 @@ class Writer:
         for place in node.layers:
             seen = self.walk.seen.get(place, set())
             shared = place.body or place not in node.places[:1]
-            if shared and (place in self.walk.changed or (place.body and not self._order_of.stays(place))):
+            if shared and (place in self.walk.changed or (place.body and not self.order.stays(place))):
                 continue
             if not shared or (seen <= fits) or (number is not None and not number.signed and seen <= fits):
                 return place

@@ -15,6 +15,7 @@ from itertools import accumulate
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.knowledge.lexer import tokens
+from robosmi.transformations.m2m.macro_order import MacroOrder
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.width_changes import WidthEdit, Writer
 from robosmi.transformations.m2m.width_formats import handing_on
@@ -75,7 +76,7 @@ def widenings(
     walk = Walk(here, there, names)
     with deep_calls():
         walk.handing = {name for top in typed.values() for name in handing_on(top)}
-    writer = Writer(texts, walk, cplusplus)
+    writer = Writer(texts, walk, MacroOrder(units, texts), cplusplus)
     with deep_calls():
         for unit in units:
             walk.run(typed.get(unit.path, []))

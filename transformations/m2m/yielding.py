@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.knowledge.lexer import Token, tokens
+from robosmi.transformations.knowledge.lexer import closing, tokens
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.cooperation import Waiting, gives_way, loops_of
 from robosmi.transformations.queries.source_text import SourceText, inside
@@ -105,8 +105,8 @@ def _in_macro(macro: ccode.Macro, text: SourceText) -> Iterator[migration.TextCh
         elif word == "}":
             tail = bool(opened and opened.pop())
         elif word in ("while", "for") and not tail:
-            close = _closing(words, at + 1)
-            if close is None:
+            close = closing(words, at + 1)
+            if close == len(words):
                 return
             following = words[close + 1] if close + 1 < len(words) else None
             if following is not None and following[3] in ("{", ";"):
@@ -116,16 +116,6 @@ def _in_macro(macro: ccode.Macro, text: SourceText) -> Iterator[migration.TextCh
         else:
             tail = False
         at += 1
-
-
-def _closing(words: list[Token], at: int) -> int | None:
-    """The number of the parenthesis that closes the one at a place."""
-    depth = 0
-    for number in range(at, len(words)):
-        depth += (words[number][3] == "(") - (words[number][3] == ")")
-        if depth == 0:
-            return number
-    return None
 
 
 def _change(text: SourceText, start: int, end: int, new: str) -> migration.TextChange:
