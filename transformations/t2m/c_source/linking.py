@@ -41,6 +41,8 @@ class Linker:
         self.own_types = [_types(c) for c in contexts]
         self._header_values = _values_of_headers(contexts, declarations)
         self._numbers = {os.path.abspath(context.source.path): number for number, context in enumerate(contexts)}
+        self._headers_read: dict[tuple[int, int], int | None] = {}
+        """Unit and a file that the parser read with it -> the unit that this file is, if it is one."""
         self._uses: dict[str, str] = {}
         self._sites: dict[str, list[CallSite]] = {}
         self._headers: dict[str, tuple[str, str]] = {}
@@ -68,7 +70,7 @@ class Linker:
             function = element if isinstance(element, ccode.Function) else None
             name = str(call.calleeName)
             if function is None or not function.definition:
-                function = self._own(number, name) or self._of_unit(context, cursor, name) or function
+                function = self._own(number, name) or self._of_unit(number, context, cursor, name) or function
             if function is not None:
                 connect(call, "callee", function)
                 continue
@@ -93,13 +95,17 @@ class Linker:
                 return function
         return own
 
-    def _of_unit(self, context: UnitContext, cursor: Cursor | None, name: str) -> ccode.Function | None:
-        """The function of that name in the unit where the parser found it: a static one of a header is seen so alone."""
+    def _of_unit(self, number: int, context: UnitContext, cursor: Cursor | None, name: str) -> ccode.Function | None:
+        """The function of that name in the header among the units where the parser found it: a static one is seen so alone."""
         if cursor is None:
             return None
         file, _ = clang.file_offset(context.lib.getCursorLocation(cursor))
-        number = self._numbers.get(os.path.abspath(clang.file_name(file)))
-        return self.own_functions[number].get(name) if number is not None else None
+        if file is None or file == context.parsed.reader.file:
+            return None
+        if (number, file) not in self._headers_read:
+            self._headers_read[number, file] = self._numbers.get(os.path.abspath(clang.file_name(file)))
+        header = self._headers_read[number, file]
+        return self.own_functions[header].get(name) if header is not None else None
 
     @staticmethod
     def _declared_signature(context: UnitContext, cursor: Cursor | None, name: str) -> str:
