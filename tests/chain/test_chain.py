@@ -460,6 +460,9 @@ def test_a_run_that_is_kept_takes_a_metamodel_that_has_changed(site: Path) -> No
     replace(site / "site.ecore", 'name="price"', 'name="price" lowerBound="0"')
     assert [r.step.name for r in kept.run().steps if r.state != "up to date"] == ["to_site", "pages"]
     assert type(kept.value("library").Book.all[0]).__name__ == "Book"
+    assert kept.value("library", type(kept.value("library"))) is kept.value("library")
+    with pytest.raises(RuleError, match=r"the step of 'library' made .*; expected is int"):
+        kept.value("library", int)
 
 
 # Bad input: nothing is done

@@ -32,6 +32,17 @@ def test_the_order_of_opposites_is_kept_when_asked_for() -> None:
     assert orders == [["Ada", "Cy"], ["Cy", "Ada"]]
 
 
+def test_an_equivalent_of_another_class_than_is_asked_for_is_refused() -> None:
+    old, target = library("Old"), new("copy")
+    migration = Flock(old, target)
+    migration.run()
+    author = old.Author.all[0]
+    kind = type(migration.equivalent(author))
+    assert migration.equivalent(author, kind) is migration.equivalent(author)
+    with pytest.raises(RuleError, match="is no int"):
+        migration.equivalent(author, int)
+
+
 def metamodel(tmp_path: Path, version: int, features: str) -> Metamodel:
     head = '<ecore:EPackage xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" '
     head += 'xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" '

@@ -39,6 +39,17 @@ def test_links_are_found_from_either_end() -> None:
     assert len(t.trace) == 6
 
 
+def test_what_is_of_a_class_is_given_alone_where_the_class_is_asked_for() -> None:
+    L, G, t = transformed()
+    ada = L.Author.all[0]
+    group = type(G.Group.all[0])
+    assert t.trace.equivalents(ada, group) == [G.Group.all[0]]
+    assert t.trace.equivalents(L.Book.all[0], group) == []
+    assert t.equivalent(ada, kind=group) is G.Group.all[0]
+    assert t.equivalent(ada) is G.Node.all[0]
+    assert t.equivalent(L.Book.all[0], kind=group) is None
+
+
 def test_links_are_grouped_by_source_when_iterated_and_kept_in_order_made() -> None:
     t = transformed()[2]
     assert [(x.rule, x.source.name) for x in t.trace][:3] == [
