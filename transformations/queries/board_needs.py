@@ -134,27 +134,46 @@ def _pin(binding: migration.PortBinding) -> platform.Pin | None:
 
 
 def _timers(plan: migration.MigrationPlan) -> Iterable[TimerNeeds]:
-    """Who takes which timer; pieces that need each other, and the library that they work with, are one."""
-    takers: dict[str, list[tuple[set[int], str]]] = {}
+    """Who takes which timer: the included libraries, and the families of the pieces that the program gets."""
+    takers: dict[str, list[str]] = {}
     for choice in plan.libraryChoices:
         if choice.included and choice.chosen is not None:
             for timer in choice.chosen.timers:
-                takers.setdefault(str(timer), []).append((set(), str(choice.chosen.name)))
-    for piece in emitted(plan):
-        needed = closure([piece])
-        library = next((str(name) for each in needed for name in each.libraries), "")
-        for timer in piece.timers:
-            _join(takers.setdefault(str(timer), []), {id(each) for each in needed}, id(piece), library or str(piece.name))
-    return (TimerNeeds(timer, tuple(distinct(name for _, name in takers[timer]))) for timer in sorted(takers))
+                takers.setdefault(str(timer), []).append(str(choice.chosen.name))
+    pieces = emitted(plan)
+    for timer in sorted({str(timer) for piece in pieces for timer in piece.timers}):
+        takers.setdefault(timer, []).extend(_families(timer, pieces))
+    return (TimerNeeds(timer, tuple(distinct(takers[timer]))) for timer in sorted(takers))
 
 
-def _join(families: list[tuple[set[int], str]], needed: set[int], piece: int, name: str) -> None:
-    """Add a piece to those that take a timer: to the family of one that it needs, which is called by its last piece."""
-    for number, (members, called) in enumerate(families):
-        if members & needed or called == name:
-            families[number] = (members | {piece}, called if not members or called == name else name)
-            return
-    families.append(({piece}, name))
+def _families(timer: str, pieces: list[platform.Adapter]) -> list[str]:
+    """The names of those who take a timer on their own.
+
+    Pieces that take it are written to share it where one of them needs the other, or both need a third that takes it, or both
+    work with one library: they are one family. It is called by its library, else by the first function that needs it.
+
+    Args:
+        timer: name of the timer.
+        pieces: all that the program gets, each behind what it needs.
+    """
+    families: list[tuple[set[int], str]] = []
+    for piece in pieces:
+        if timer in piece.timers:
+            needed = closure([piece])
+            library = next((str(name) for each in needed for name in each.libraries), "")
+            members = {id(each) for each in needed if timer in each.timers}
+            joined = [family for family in families if family[0] & members or family[1] == library != ""]
+            families = [family for family in families if family not in joined]
+            named = library or next((name for _, name in joined if name), "")
+            families.append((members.union(*(own for own, _ in joined)), named))
+    return [name or _first_user(members, pieces) for members, name in families]
+
+
+def _first_user(members: set[int], pieces: list[platform.Adapter]) -> str:
+    """The name of the first function that needs one of some pieces; of the last of these where no function does."""
+    users = (p for p in pieces if p.pieceKind == platform.PieceKind.adaptedFunction and members & {id(e) for e in closure([p])})
+    last = [p for p in pieces if id(p) in members][-1]
+    return str(next(users, last).name)
 
 
 # ---- in words

@@ -115,3 +115,23 @@ def test_loops_within_loops_take_no_time_to_look_at(tmp_path: Path) -> None:
     begun = time.process_time()
     assert memory(plan).of_variables == 4
     assert time.process_time() - begun < 5
+
+
+@pytest.mark.parametrize(
+    ("statements", "timers", "contested"),
+    [
+        ("pwm_start(20000); pwm_set(9, 0, 1500); pwm_stop();", {"Timer1": ["pwm_set"]}, []),
+        ("square_wave(5, 0, 1000); pause(5); square_wave_stop();", {"Timer2": ["square_wave"]}, []),
+        ("square_wave(5, 0, 1000); freqout(4, 10, 3000);", {"Timer2": ["freqout", "square_wave"]}, ["Timer2"]),
+        ("servo_angle(16, 900); drive_speed(9, 9); high(3);", {"Timer1": ["Servo"]}, []),
+    ],
+)
+def test_functions_that_share_a_timer_are_one_taker(
+    statements: str, timers: dict[str, list[str]], contested: list[str], tmp_path: Path
+) -> None:
+    program = tmp_path / "timers.c"
+    headers = "".join(f'#include "{name}.h"\n' for name in ("simpletools", "servo", "abdrive"))
+    program.write_text(f"{headers}int main() {{ {statements} }}\n")
+    needs = board_needs(plan_migration([program]).plan)
+    assert {timer.timer: list(timer.takers) for timer in needs.timers} == timers
+    assert [said.split(" ")[0] for said in shortages(needs) if "is taken by" in said] == contested

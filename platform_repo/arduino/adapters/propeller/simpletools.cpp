@@ -715,6 +715,7 @@ inline void freqout(int32_t pin, int32_t msTime, int32_t frequency) {
 // ---------------------------------------------------------------- waves that go on
 
 //# helper wave_pins
+//#   timer: Timer2
 //#   fidelity: the pin of each channel of square_wave
 //#   ram: 8
 static int32_t wave_pins[2] = {-1, -1};
@@ -764,6 +765,7 @@ inline void square_wave_stop() {
 }
 
 //# helper pwm_channels
+//#   timer: Timer1
 //#   fidelity: the pulses of each channel; `end` is in counts of Timer1 from the begin of the cycle
 //#   ram: 22
 struct PwmChannel {
@@ -776,6 +778,7 @@ struct PwmChannel {
 static volatile PwmChannel pwm_channels[2];
 
 //# helper pwm_cycle
+//#   timer: Timer1
 //#   fidelity: microseconds of the cycle, 0 while there is none
 //#   ram: 4
 static volatile uint32_t pwm_cycle = 0;

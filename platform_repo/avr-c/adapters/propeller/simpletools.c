@@ -684,6 +684,7 @@ static inline void square_wave_stop(void) {
 }
 
 //# helper pwm_channels
+//#   timer: Timer1
 //#   fidelity: the pulses of each channel; `end` is in counts of Timer1 from the begin of the cycle
 //#   ram: 22
 typedef struct {
@@ -696,6 +697,7 @@ typedef struct {
 static volatile PwmChannel pwm_channels[2];
 
 //# helper pwm_cycle
+//#   timer: Timer1
 //#   fidelity: microseconds of the cycle, 0 while there is none
 //#   ram: 4
 static volatile uint32_t pwm_cycle = 0;
