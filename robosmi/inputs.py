@@ -183,7 +183,9 @@ def _read(path: str | os.PathLike[str], kind: Kind, follow: bool, dir_fd: int | 
         return kept[name]
     with open_file(path, follow=follow, dir_fd=dir_fd) as stream:
         size = os.fstat(stream.fileno()).st_size
-        data = stream.read(kind.most + 1) if size <= kind.most else None  # the size may be wrong, as in /proc
+        data = stream.read(size + 1) if size <= kind.most else None  # `read` makes room for as many as it is asked for
+        if data is not None and len(data) > size:  # the size may be wrong, as in /proc
+            data += stream.read(kind.most + 1 - len(data))
     if data is None or len(data) > kind.most:
         cause = f"it is larger than {kind.limit}, the most that a {kind.name} may have"
         raise InputRefusedError(errno.EFBIG, cause, path, f"check that it is a {kind.name}, or split it")

@@ -7,87 +7,20 @@ function of `robosmi.quoting` marks. A template that declares nothing is untouch
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable
+from typing import Any
 
-from jinja2 import Environment, Undefined, nodes
+from jinja2 import Environment, nodes
 from jinja2.exceptions import TemplateSyntaxError
-from jinja2.ext import Extension
 from jinja2.parser import Parser
-from markupsafe import Markup
 
-from robosmi.errors import did_you_mean
 from robosmi.generate.borders import VALUE, fault
-from robosmi.generate.languages import LANGUAGES, NOWHERE, QUOTING, Language
-from robosmi.query.values import as_string
-from robosmi.quoting import Quoted
-
-if TYPE_CHECKING:
-    from robosmi.functions import Function
-
-
-NOTHING = "nothing"
-"""What a template declares whose values are all made for it, and quoted where they are made."""
+from robosmi.generate.languages import LANGUAGES, NOWHERE, Language
+from robosmi.generate.quoting_filters import NOTHING, hidden
 
 _PRINTING = ("print", "println")
 _MARKING = ("start_preserve", "start_control")
 _OWN = ("stop_preserve", "stop_control", "set_content_type", "chop", "part", "stop")
-
-
-class Declaration(Extension):
-    """The tag `quoting`; the language is noted at the parser, whose tree `quoted` then walks."""
-
-    def __init__(self, environment: Environment) -> None:
-        super().__init__(environment)
-        self.tags = {"quoting"}
-
-    def parse(self, parser: Parser) -> list[nodes.Node]:
-        """Jinja's entry; the tag itself prints nothing."""
-        line = next(parser.stream).lineno
-        language = parser.parse_expression()
-        known = (*LANGUAGES, NOTHING)
-        if not isinstance(language, nodes.Const) or language.value not in known:
-            said = repr(language.value) if isinstance(language, nodes.Const) else "this"
-            near = did_you_mean(str(getattr(language, "value", "")), known)
-            raise TemplateSyntaxError(
-                f"{said} is no language{near}; there are: {', '.join(known)}", line, parser.name, parser.filename
-            )
-        if getattr(parser, "quoting", language.value) != language.value:
-            raise TemplateSyntaxError("a template declares one language", line, parser.name, parser.filename)
-        parser.quoting = language.value  # type: ignore[attr-defined]
-        return []
-
-
-def filters() -> dict[str, Function]:
-    """The filters of every template: `safe`, one function for each place by its name, and those that `quoted` puts in."""
-    found: dict[str, Function] = {"safe": lambda value: Quoted(as_string(value))}
-    for place, function in QUOTING.items():
-        found[place] = _marked(place, function)
-        found[_hidden(place)] = _printed(place, function)
-    return found
-
-
-def _hidden(place: str) -> str:
-    """The name of the filter that `quoted` puts in, which no template can write."""
-    return f"({place})"
-
-
-def _marked(place: str, function: Callable[[str], str]) -> Callable[[Any], Quoted]:
-    return lambda value: Quoted(function(as_string(value)), place)
-
-
-def _printed(place: str, function: Callable[[str], str]) -> Callable[[Any], str]:
-    markup = place.startswith("html")
-
-    def quote(value: Any) -> str:
-        if isinstance(value, Quoted) and value.place in ("", place):
-            return str.__str__(value)
-        if isinstance(value, Undefined) or (markup and isinstance(value, Markup)):
-            return str.__str__(str(value))
-        text = function(as_string(value))
-        return Quoted(text, place) if place == "csv" else text  # whose line breaks are the cell's: nothing is put behind them
-
-    return quote
 
 
 def parsed(environment: Environment, source: str, name: str | None, filename: str | None) -> nodes.Template:
@@ -185,7 +118,7 @@ class _Walk:
         place = self.language.place(state)
         if place == NOWHERE:
             raise self._error(node, "no value can be printed here so that it stays text")
-        return nodes.Filter(node, _hidden(place), [], [], None, None, lineno=node.lineno)
+        return nodes.Filter(node, hidden(place), [], [], None, None, lineno=node.lineno)
 
     def _is_own(self, node: nodes.Call, state: Any) -> bool:
         """Whether a call prints what is quoted already: a macro of the template, or a marker of a region."""
@@ -207,7 +140,7 @@ class _Walk:
 
     def _identity(self, arguments: list[nodes.Expr], place: int) -> None:
         if len(arguments) > place:
-            name = _hidden(self.language.comment)
+            name = hidden(self.language.comment)
             arguments[place] = nodes.Filter(arguments[place], name, [], [], None, None, lineno=arguments[place].lineno)
 
     def _error(self, node: nodes.Node, message: str) -> TemplateSyntaxError:

@@ -1,7 +1,7 @@
-"""Where in a text an expression of a template stands: in a comment, a string, a table's cell, an attribute; and who quotes there.
+"""Where in a text an expression of a template stands: in a comment, a string, a table's cell, an attribute.
 
 A language reads the template's own text piece by piece; what is printed between the pieces is quoted and so changes no place.
-`contexts` puts the quoting into a template; the functions that quote are `robosmi.quoting`'s.
+`contexts` puts the quoting into a template; `quoting_filters` says which function of `robosmi.quoting` quotes at a place.
 """
 
 from __future__ import annotations
@@ -10,39 +10,7 @@ import re
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from robosmi import quoting
 from robosmi.generate import data_places
-
-QUOTING: dict[str, Callable[[str], str]] = {
-    "c_word": quoting.c_word,
-    "c_comment": quoting.c_comment,
-    "c_block_comment": quoting.c_block_comment,
-    "c_string": quoting.c_string,
-    "c_char": quoting.c_char,
-    "c_header": quoting.c_header,
-    "identifier": quoting.identifier,
-    "file_name": quoting.file_name,
-    "markdown": quoting.markdown,
-    "markdown_block": quoting.markdown_block,
-    "markdown_cell": quoting.markdown_cell,
-    "markdown_code": quoting.markdown_code,
-    "markdown_code_cell": quoting.markdown_code_cell,
-    "html": quoting.html,
-    "html_attribute": quoting.html_attribute,
-    "html_url": quoting.html_url,
-    "html_comment": quoting.html_comment,
-    "dot_string": quoting.dot_string,
-    "dot_label": quoting.dot_label,
-    "plantuml": quoting.plantuml,
-    "toml": quoting.toml,
-    "yaml": quoting.yaml,
-    "yaml_key": quoting.yaml,
-    "yaml_flow": quoting.toml,
-    "yaml_line": quoting.yaml_line,
-    "csv": quoting.csv_record_cell,
-    "terminal": quoting.terminal,
-}
-"""Place -> the function that quotes a text there; every template may call each as a filter, too."""
 
 State = TypeVar("State")
 NOWHERE = ""

@@ -20,7 +20,10 @@ from jinja2.bccache import Bucket
 from robosmi.inputs import flags
 from robosmi.user_folders import cache_dir
 
-_MODULES = [os.path.join(os.path.dirname(__file__), name) for name in ("contexts.py", "out.py", "output.py", "templates.py")]
+_MODULES = [
+    os.path.join(os.path.dirname(__file__), f"{name}.py")
+    for name in ("borders", "contexts", "data_places", "languages", "out", "output", "quoting_filters", "templates")
+]
 """They say how templates are compiled: code that was made before one of them changed is not used."""
 
 

@@ -20,7 +20,7 @@ from jinja2.sandbox import SandboxedEnvironment
 from robosmi import resources
 from robosmi.diagnostics import Location
 from robosmi.errors import RobosmiError, RuleError
-from robosmi.generate import contexts
+from robosmi.generate import quoting_filters
 from robosmi.generate.identity import region_id
 from robosmi.generate.out import Blocks, Comments, Out, Stop
 from robosmi.generate.output import Buffer, Text, joined, outdented, printed, text_of
@@ -73,7 +73,9 @@ class _Environment(SandboxedEnvironment):
         return joined(pieces)
 
     def _parse(self, source: str, name: str | None, filename: str | None) -> jinja2.nodes.Template:
-        return contexts.parsed(self, source, name, filename)
+        from robosmi.generate.contexts import parsed  # most runs find their templates compiled
+
+        return parsed(self, source, name, filename)
 
     def getattr(self, obj: Any, attribute: str) -> Any:
         if obj.__class__ is dict and attribute in obj and attribute not in _OF_MAPS and not attribute.startswith("_"):
@@ -274,12 +276,12 @@ def _environment(loader: jinja2.BaseLoader, *, auto_reload: bool = False, cache:
         cache_size=-1,
         optimized=False,  # folding constants takes longer than it saves
         finalize=printed,
-        extensions=[Blocks, contexts.Declaration, "jinja2.ext.do", "jinja2.ext.loopcontrols"],
+        extensions=[Blocks, quoting_filters.Declaration, "jinja2.ext.do", "jinja2.ext.loopcontrols"],
         bytecode_cache=cache,
     )
     environment.seen = []
     environment.globals["region_id"] = environment.region_id
-    environment.filters.update(contexts.filters(), outdent=outdented)
+    environment.filters.update(quoting_filters.filters(), outdent=outdented)
     return environment
 
 

@@ -26,6 +26,9 @@ ToText = Callable[[Any], str]
 
 T = TypeVar("T")
 
+ECORE_URI = "http://www.eclipse.org/emf/2002/Ecore"
+XML_TYPE_URI = "http://www.eclipse.org/emf/2003/XMLType"
+
 _WHOLE = re.compile(r"[+-]?[0-9]+")
 _REAL = re.compile(r"[+-]?(NaN|Infinity|([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?[fFdD]?)")
 _HEX = re.compile("([0-9A-Fa-f]{2})*")
@@ -251,7 +254,6 @@ _DEFAULTS: dict[str, Any] = {
     "EShort": 0, "EByte": b"\0", "EChar": "\0", "EInt": 0, "ELong": 0, "EDouble": 0.0, "EFloat": 0.0, "EBoolean": False,
     "int": 0, "long": 0, "short": 0, "byte": 0, "double": 0.0, "float": 0.0, "boolean": False, "char": "\0",
 }  # fmt: skip
-_ECORE = "http://www.eclipse.org/emf/2002/Ecore"
 FEATURE_MAP = "EFeatureMapEntry"
 
 
@@ -273,7 +275,7 @@ def real(value: T) -> T:
 def _key(datatype: EDataType) -> str:
     """The name under which a data type stands in the tables: its own if it is Ecore's, else that of its Java class."""
     package = datatype.ePackage
-    if package is None or package.nsURI == _ECORE:
+    if package is None or package.nsURI == ECORE_URI:
         return str(datatype.name)
     return str(datatype.instanceClassName or "")
 

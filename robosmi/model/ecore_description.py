@@ -12,10 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Location
+from robosmi.model.datatypes import ECORE_URI, XML_TYPE_URI
 from robosmi.model.ordering import post_order
-
-ECORE_URI = "http://www.eclipse.org/emf/2002/Ecore"
-XML_TYPE_URI = "http://www.eclipse.org/emf/2003/XMLType"
 
 
 @dataclass(eq=False)

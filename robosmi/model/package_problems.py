@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from robosmi.model.ecore_description import ECORE, ECORE_URI, Class, DataType, DescribedElement, Enumeration, Package, is_known
+from robosmi.model.datatypes import ECORE_URI
+from robosmi.model.ecore_description import ECORE, Class, DataType, DescribedElement, Enumeration, Package, is_known
 from robosmi.model.ecore_loader import Problem
 from robosmi.model.linearise import topological
 from robosmi.model.package_types import MAP_ENTRY

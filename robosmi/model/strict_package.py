@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 from pyecore import ecore
 
 from robosmi.model.construct import initialise
-from robosmi.model.ecore_description import XML_TYPE_URI
+from robosmi.model.datatypes import XML_TYPE_URI
 from robosmi.model.feature_values import FeatureCollection
 from robosmi.model.pyecore_internals import first_listeners_of, quick_constructor, set_first_listeners, set_key
 from robosmi.model.python_names import MEMBER

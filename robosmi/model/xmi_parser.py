@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from xml.parsers import expat
 
 from robosmi.errors import did_you_mean
+from robosmi.model.datatypes import ECORE_URI
 from robosmi.model.ecore import DynamicEObject
 from robosmi.model.features import class_in
 from robosmi.model.lean import AttributeValue, ReferenceValue, collection, holder
@@ -278,7 +279,7 @@ class _Parser(Builder):
             if name == "XMI" and XMI_NAMESPACES.fullmatch(uri):
                 self.several = True
                 return None, FeatureEntry(ROOT)
-            if uri == "http://www.eclipse.org/emf/2002/Ecore":
+            if uri == ECORE_URI:
                 raise ForeignRoot
         package = self.package_of(uri)
         eclass = class_in(package, name)

@@ -23,7 +23,7 @@ from robosmi.model.lean import plain_value
 from robosmi.model.pyecore_internals import container_of, containing_feature_of, is_value, key_of, value_in, xmi_id_of
 
 _ODD_ID = re.compile(r"^/|^\?|[\s#:]|^$")
-_NOT_IN_PATHS = re.compile(r"[^A-Za-z0-9/_.!~*'()@=+$,;\u00a0-\U0010ffff-]")  # as EMF's URI.createFileURI, but for & and :
+_NOT_IN_PATHS = re.compile(r"(?![A-Za-z0-9/_.!~*'()@=+$,;-])[\x00-\x9f]")  # as EMF's URI.createFileURI, but for & and :
 _SAFE = "/!$&'()*+,;=@~-._:"
 
 

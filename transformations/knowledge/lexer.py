@@ -205,9 +205,7 @@ def closing(words: Sequence[Token], opening: int) -> int:
 
 
 _OPENING, _CLOSING = frozenset("([{"), frozenset(")]}")
-_DEFINITION = re.compile(
-    r"(?P<name>[A-Za-z_$\x80-\U0010ffff][\w$\x80-\U0010ffff]*)(?:\((?P<parameters>[^)]*)\))?\s*(?P<body>.*)", re.DOTALL
-)
+_DEFINITION = re.compile(r"(?P<name>(?![0-9])(?:[\w$]|[^\x00-\x7f])+)(?:\((?P<parameters>[^)]*)\))?\s*(?P<body>.*)", re.DOTALL)
 
 
 def definition_parts(rest: str) -> tuple[str, list[str] | None, str]:

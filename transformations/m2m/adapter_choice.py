@@ -168,7 +168,9 @@ class AdapterChoice:
         declared = {entry.header: self.api.signature(name, entry) for entry in self.api.entries(name)}
         same = [other for other, signature in declared.items() if signature == declared.get(header)]
         below = [other for other in declared if other in self.api.closure((header,))]
-        above = [other for other in self.index.headers if header in self.api.closure((other,))]
+        closures = {other: self.api.closure((other,)) for other in self.index.headers}
+        above = [other for other, below_it in closures.items() if header in below_it]
+        above.sort(key=lambda other: len(closures[other]))  # the nearest ones first; those of further ones need not be read
         return distinct((header, *same, *below, *(other for other in above if other not in declared)))
 
     def _conflict(self, pieces: Iterable[AdapterPiece]) -> str:

@@ -6,7 +6,7 @@ The words are data (`parts/port_roles.toml`). Which port goes to which component
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence, Set
 from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
@@ -64,8 +64,9 @@ def is_serial(connection: migration.Connection) -> bool:
 
 
 def said(texts: Iterable[str]) -> set[str]:
-    """The words of several names (see `name_words`)."""
-    return {word for text in texts for word in name_words(text)}
+    """The words of several names, lower case, without those that say nothing of the device."""
+    vocabulary = known_roles().vocabulary
+    return {word for text in texts for word in _words_of(text, vocabulary)}
 
 
 def connector_words(texts: Iterable[str]) -> set[str]:
@@ -74,15 +75,14 @@ def connector_words(texts: Iterable[str]) -> set[str]:
     return words | {inner for word in words if (inner := word.removeprefix("pin").removesuffix("pin"))}
 
 
-def name_words(name: str) -> set[str]:
-    """The words of a name, lower case, without those that say nothing of the device."""
+def _words_of(name: str, vocabulary: Set[str]) -> set[str]:
+    """The words of one name (see `said`)."""
     words = {w.lower() for w in _WORDS.findall(name) if not w.isdigit() and len(w) > 1}
-    return {part for word in words for part in _apart(word)} - EMPTY_WORDS
+    return {part for word in words for part in _apart(word, vocabulary)} - EMPTY_WORDS
 
 
-def _apart(word: str) -> Sequence[str]:
+def _apart(word: str, vocabulary: Set[str]) -> Sequence[str]:
     """The known words that a word is put together of (`pinbutton`, `redled`), else the word itself."""
-    vocabulary = known_roles().vocabulary
     if word in vocabulary:
         return (word,)
     parts: dict[int, tuple[str, ...]] = {0: ()}

@@ -10,7 +10,7 @@ import pytest
 import robosmi
 from robosmi.metamodels import migration
 from robosmi.transformations.queries.choices import offered_choices
-from robosmi.transformations.queries.component_kinds import name_words
+from robosmi.transformations.queries.component_kinds import said
 
 CASES = sorted((Path(__file__).parent / "port_evidence").iterdir())
 
@@ -61,4 +61,4 @@ def test_a_channel_of_a_converter_is_offered_pins_that_measure() -> None:
     ],
 )
 def test_names_are_taken_apart_where_all_of_them_is_known(name: str, words: set[str]) -> None:
-    assert name_words(name) == words
+    assert said([name]) == words
