@@ -61,6 +61,8 @@ class ActivityEvent:
         unclear: whether a pause about as long as the one that ends an activity is near, so that it may be seen otherwise.
         barely: whether it only just happens, so that another run of the same program may do without it.
         vague_us: by how much its begin may be put otherwise, since what was before passes into it slowly.
+        off: by what part of itself a wave's frequency, or each number of a reading, may be off beyond what counts as the same
+            anyway, since it is off in other runs of the program.
     """
 
     at_us: float
@@ -71,6 +73,7 @@ class ActivityEvent:
     unclear: bool = False
     barely: bool = False
     vague_us: float = 0.0
+    off: tuple[float, ...] = ()
 
     def __str__(self) -> str:
         value = self.value[0]

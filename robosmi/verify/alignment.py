@@ -34,28 +34,55 @@ def alike(one: ActivityEvent, other: ActivityEvent) -> bool:
         return False
     if one.kind == WAVE:
         (hz, duty), (other_hz, other_duty) = one.value, other.value
-        near = abs(float(hz) - float(other_hz)) <= _HZ * max(float(hz), float(other_hz))
+        loose = one.off[0] if one.off else other.off[0] if other.off else 0.0
+        near = abs(float(hz) - float(other_hz)) <= (_HZ + loose) * max(float(hz), float(other_hz))
         return near and abs(float(duty) - float(other_duty)) <= _DUTY
     if one.kind == PULSES:
         return abs(float(one.value[0]) - float(other.value[0])) <= tolerated_us(float(one.value[0]))
     if one.kind == HELD:
         return one.value[0] == other.value[0] and lengths_alike(float(one.value[1]), float(other.value[1]))
     if one.kind == READING:
-        return _reads_alike(str(one.value[0]), str(other.value[0]))
+        return _reads_alike(str(one.value[0]), str(other.value[0]), one.off or other.off)
     return one.value == other.value
 
 
-def _reads_alike(one: str, other: str) -> bool:
-    """Whether two lines are the same, but for numbers that are off by one in their last digit, or by 1 %: measured values."""
+def _reads_alike(one: str, other: str, off: Sequence[float] = ()) -> bool:
+    """Whether two lines are the same, but for numbers that are off by one in their last digit, or by 1 %: measured values.
+
+    Args:
+        one, other: the lines.
+        off: by what part more each number of them may be off.
+    """
     if one == other:
         return True
     if _NUMBER.sub("0", one) != _NUMBER.sub("0", other):
         return False
-    for mine, theirs in zip(_NUMBER.findall(one), _NUMBER.findall(other), strict=True):
+    for place, (mine, theirs) in enumerate(zip(_NUMBER.findall(one), _NUMBER.findall(other), strict=True)):
         step = 10.0 ** -len(mine.partition(".")[2])
-        if abs(float(mine) - float(theirs)) > max(1.001 * step, _NUMBERS * abs(float(mine))):
+        part = _NUMBERS + (off[place] if place < len(off) else 0.0)
+        if abs(float(mine) - float(theirs)) > max(1.001 * step, part * abs(float(mine))):
             return False
     return True
+
+
+def parts_off(one: ActivityEvent, other: ActivityEvent) -> tuple[float, ...]:
+    """By what part of itself a wave's frequency, or each number of a reading, is off in an event that says the same."""
+    if one.kind == other.kind == WAVE:
+        return (_part(float(one.value[0]), float(other.value[0])),)
+    if one.kind == other.kind == READING:
+        mine, theirs = (_NUMBER.findall(str(each.value[0])) for each in (one, other))
+        return tuple(_part(float(mine[at]), float(theirs[at])) for at in range(min(len(mine), len(theirs))))
+    return ()
+
+
+def larger(one: tuple[float, ...], other: tuple[float, ...]) -> tuple[float, ...]:
+    """The larger of each two parts; what only one has is that one's."""
+    longer, shorter = (one, other) if len(one) >= len(other) else (other, one)
+    return tuple(max(part, shorter[at]) if at < len(shorter) else part for at, part in enumerate(longer))
+
+
+def _part(one: float, other: float) -> float:
+    return abs(one - other) / max(abs(one), abs(other)) if one != other else 0.0
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
-from robosmi.verify.alignment import aligned, alike
+from robosmi.verify.alignment import aligned, alike, larger, parts_off
 from robosmi.verify.difference_words import lasts_otherwise, told_difference
 from robosmi.verify.self_difference import SelfDifference, first_self_difference, first_wrong_line
 
@@ -86,10 +86,17 @@ class ChannelComparison:
 
 @dataclass(frozen=True)
 class EventTolerance:
-    """How far an event may be off beyond the base, in ms, and how much longer or shorter what it begins may last."""
+    """How far an event may be off beyond the base.
+
+    Attributes:
+        time_ms: in time, in milliseconds.
+        duration_ms: how much longer or shorter what it begins may last.
+        parts: what it says: by what part of itself a wave's frequency, or each number of a reading.
+    """
 
     time_ms: float = 0.0
     duration_ms: float = 0.0
+    parts: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -110,8 +117,10 @@ class ClosedLoop:
     def loosened(self, source: Sequence[ActivityEvent], allowed: Sequence[EventTolerance]) -> list[EventTolerance]:
         """The tolerances with what a single end may take, from the first motion on."""
         return [
-            EventTolerance(each.time_ms + self.ms, each.duration_ms + self.ms) if event.at_us / 1000 >= self.since_ms else each
-            for event, each in zip(source, allowed, strict=True)
+            EventTolerance(each.time_ms + self.ms, each.duration_ms + self.ms, each.parts)
+            if source[at].at_us / 1000 >= self.since_ms
+            else each
+            for at, each in enumerate(allowed)
         ]
 
 
@@ -123,12 +132,15 @@ def tolerances(source: Sequence[ActivityEvent], varied: Sequence[Sequence[Activi
         varied: those of runs with other costs and slightly moved inputs; each may be longer or shorter at its end.
     """
     times, spans = [0.0] * len(source), [0.0] * len(source)
+    parts: list[tuple[float, ...]] = [()] * len(source)
     for run in varied:
         found = aligned(source, run)
         if found.own < len(source) and found.other < len(run):
             return None
         for (number, other), after in zip(found.pairs, [*found.pairs[1:], None], strict=False):
             times[number] = max(times[number], abs(run[other].at_us - source[number].at_us) / 1000)
+            if source[number].value != run[other].value:
+                parts[number] = larger(parts[number], parts_off(source[number], run[other]))
             if after is not None:
                 own_ms = source[after[0]].at_us - source[number].at_us
                 other_ms = run[after[1]].at_us - run[other].at_us
@@ -136,8 +148,9 @@ def tolerances(source: Sequence[ActivityEvent], varied: Sequence[Sequence[Activi
         if found.pairs:  # what comes later than the run lasts is off by no less than its last event
             own, other = found.pairs[-1]
             off_ms = abs(run[other].at_us - source[own].at_us) / 1000
-            times[own + 1 :] = [max(time, off_ms) for time in times[own + 1 :]]
-    return [EventTolerance(2 * time, 2 * span) for time, span in zip(times, spans, strict=True)]
+            for at in range(own + 1, len(times)):
+                times[at] = max(times[at], off_ms)
+    return [EventTolerance(2 * time, 2 * spans[at], tuple(2 * part for part in parts[at])) for at, time in enumerate(times)]
 
 
 def compare(
@@ -165,6 +178,7 @@ def compare(
     if allowed is None or _ends_differ(source, varied, horizon_ms, allowed):
         return _racy(channel, source, target, varied, horizon_ms)
     off = allowed or [EventTolerance()]
+    source = [replace(event, off=allowed[at].parts) for at, event in enumerate(source)]
 
     def in_time(own: int, other: int) -> bool:
         vague_ms = _vague_ms(source[own], target[other])

@@ -79,14 +79,19 @@ def test_a_program_ends_when_main_and_its_cogs_have_ended() -> None:
         ("fork();", "unmodelled", "fork"),
         ('fopen("x", "w");', "unmodelled", "fopen"),
         ("CTRA = 20 << 26;", "unmodelled", "CTRA in a logic mode"),
+        ("clkset(0, 12000000);", "unmodelled", "clkset"),
+        ("clkset(CLKMODE | 0x80, CLKFREQ);", "unmodelled", "clkset"),
         ("*(volatile int *)0 = 1;", "crashed", NOTHING),
         ("*(volatile int *)0x10000 = 1;", "crashed", "reaches for memory that is not there"),
         ("volatile int zero = 0; print(\"%d\", 7 / zero);", "crashed", "divides by zero"),
+        ("((volatile int *)__builtin_frame_address(0))[1] = 0x10000;", "crashed",
+            "goes on where no code is, as after a value was put beyond the end of a local array"),
         ("abort();", "crashed", "calls abort"),
     ],
 )  # fmt: skip
 def test_what_ends_a_run_is_told(text: str, status: str, cause: str) -> None:
-    found = run(f"#include <simpletools.h>\nint main() {{ high(5); {text} low(5); pause(10); }}")
+    act = f"__attribute__((noinline)) void act(void) {{ {text} }}"
+    found = run(f"#include <simpletools.h>\n{act}\nint main() {{ high(5); act(); low(5); pause(10); }}")
     assert (found.status, found.cause, found.trace.state) == (status, cause, "crashed")
     assert [level for _, level in found.trace.levels("P5")] == [1]
 

@@ -46,6 +46,8 @@ def told(statements: str, typed: str = "", headers: str = "") -> str:
         ('writeDec(simpleterm_pointer(), 12); dprint(simpleterm_pointer(), " %d", 3)', "12 3"),
         ('printf("%5.2f|%-4d|%s|%ld|%c\\n", 3.14159, 5, "ab", 7L, 65); puts("x"); putchar(66)', " 3.14|5   |ab|7|A\nx\nB"),
         ('char b[20]; sprintf(b, "%03d %g", 7, 0.5); print("%s", b)', "007 0.5"),
+        ('volatile float n = 0; n /= n; printf("%d %lld %5.1f|%-6G|%*.2f %f", 1, 2LL, n, -n, 4, -n, -1.0 / 0)',
+            "1 2   nan|NAN   | nan -inf"),
     ],
 )  # fmt: skip
 def test_text_goes_out(call: str, text: str) -> None:

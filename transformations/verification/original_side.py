@@ -51,7 +51,7 @@ _FACTORS = (
     Variation(5, early_part=0.001, line_part=_LINE_PART),
 )
 """What the program's steps cost in the varied runs; a microcontroller of another kind is about so much faster or slower."""
-_MEASURED = ("voltages", "capacitor", "ranger")
+_MEASURED = ("voltages", "capacitor", "ranger", "two_pin_ranger")
 """Devices whose values two boards never measure quite alike."""
 _MOVED_MS = 20.0
 """By so much the instants of inputs are moved: the longest time between two looks of a program that polls."""

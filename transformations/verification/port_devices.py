@@ -228,12 +228,13 @@ def texts_understood(plan: migration.MigrationPlan) -> list[str]:
 
 def _device(rules: Sequence[DataTable], used: Mapping[str, set[str]], channel: bool) -> tuple[str, str]:
     """The kind of the device at a port, and what it calls the port; two empty texts for none."""
-    ways = {"out" if way == "unknown" else way for told in used.values() for way in told}
+    ways = {way for told in used.values() for way in told}
     for rule in rules:
         if rule.flag("channels", False) != channel:
             continue
         wanted, beside = set(rule.texts("ways", ())), set(rule.texts("beside", ()))
-        if channel or (not used.keys().isdisjoint(rule.texts("functions", ())) and wanted <= ways and beside <= used.keys()):
+        driven = not beside or not beside.isdisjoint(used)
+        if channel or (not used.keys().isdisjoint(rule.texts("functions", ())) and wanted <= ways and driven):
             return rule.text("kind"), rule.text("pin")
     return "", ""
 

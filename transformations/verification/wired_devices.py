@@ -49,11 +49,10 @@ def wired_devices(views: Sequence[CodeView], rules: Sequence[DataTable], roles: 
     found: list[WiredDevice] = []
     taken: set[object] = set()
     for rule in rules:
-        parts = rule.table("parts") if "parts" in rule.values else None
         apart, addresses = set(rule.numbers("apart", ())), rule.numbers("addresses", ())
         if len({tuple(_told(views, place)) for place in rule.texts("same", ())}) > 1:
             continue
-        for device in _of_parts(views, rule.text("kind"), parts, roles) if parts is not None else _of_calls(views, rule):
+        for device in _of_rule(views, rule, roles):
             places: set[object] = set(device.pins.values())
             if rule.flag("bus", False):
                 address = device.settings.get("address")
@@ -62,6 +61,15 @@ def wired_devices(views: Sequence[CodeView], rules: Sequence[DataTable], roles: 
                 found.append(replace(device, closed_by=rule.texts("closed_by", ()), loop_ms=rule.optional_number("loop_ms") or 0))
                 taken |= places
     return found
+
+
+def _of_rule(views: Sequence[CodeView], rule: DataTable, roles: Mapping[str, int]) -> Iterator[WiredDevice]:
+    """The devices that a rule finds: by parts, by pairs of calls, or by single calls."""
+    if "parts" in rule.values:
+        return _of_parts(views, rule.text("kind"), rule.table("parts"), roles)
+    if "pair" in rule.values:
+        return _of_pairs(views, rule.text("kind"), rule.table("pair"))
+    return _of_calls(views, rule)
 
 
 def _of_calls(views: Sequence[CodeView], rule: DataTable) -> Iterator[WiredDevice]:
@@ -91,6 +99,46 @@ def _of_parts(views: Sequence[CodeView], kind: str, parts: DataTable, roles: Map
                 break
     if len(pins) == len(parts.values):
         yield WiredDevice(kind, pins)
+
+
+def _of_pairs(views: Sequence[CodeView], kind: str, pair: DataTable) -> Iterator[WiredDevice]:
+    """A device for each two calls of a function of the program of which one asks and the next one after it hears the answer.
+
+    Where their ports are parameters of that function, those of each call of it belong together.
+    """
+    asking, answering = pair.values
+    for view in views:
+        asked = _placed(view, pair.texts(asking))
+        for answer, heard in _placed(view, pair.texts(answering)):
+            around = _function_of(answer)
+            before = [
+                (int(call.startOffset), ports)
+                for call, ports in asked
+                if _function_of(call) is around and len(ports) == len(heard) and not set(ports) & set(heard)
+            ]
+            for at, ports in sorted(before, reverse=True):
+                if at < answer.startOffset:
+                    for turn, number in enumerate(heard):
+                        yield WiredDevice(kind, {asking: ports[turn], answering: number})
+                    break
+
+
+def _placed(view: CodeView, places: Sequence[str]) -> list[tuple[ccode.Call, list[int]]]:
+    """The calls of a unit that arguments (`function position`) are of, with the ports that these say."""
+    values = Values(view.program, view.unit)
+    found = []
+    for place in places:
+        function, _, position = place.partition(" ")
+        found += [(call, _ports(view, call, int(position), values)) for _, call in _calls((view,), (function,))]
+    return found
+
+
+def _function_of(call: ccode.Call) -> ccode.Function | None:
+    """The function in whose body a call stands; None for one outside of any."""
+    around = call.eContainer()
+    while around is not None and not isinstance(around, ccode.Function):
+        around = around.eContainer()
+    return around
 
 
 def _told(views: Sequence[CodeView], place: str) -> list[int]:

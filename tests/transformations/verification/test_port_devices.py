@@ -118,3 +118,52 @@ def test_two_ports_of_the_target_that_are_one_pin_of_the_source_are_not_compared
     }  # fmt: skip
     assert not any(port.watched or port.compared for port in at_13)
     assert next(port for port in found if port.source == "P12").watched
+
+
+def bodied(tmp_path: Path, body: str) -> dict[str, tuple[str, str, bool]]:
+    """Port -> the device there, what it calls the port, and whether what the program does there is compared all the same."""
+    source = tmp_path / "robot.c"
+    source.write_text(f'#include "simpletools.h"\n{body}\n')
+    plan = robosmi.plan_migration([source], bind={f"P{n}": f"D{n}" for n in (3, 4, 5, 6) if f"({n}" in body}).plan
+    return {port.source: (port.device, port.pin, port.watched) for port in bound_ports(plan)}
+
+
+@pytest.mark.parametrize(
+    ("body", "found"),
+    [
+        ("int main() { set_direction(3, 0); while (1) if (input(3)) high(4); }", {"P3": ("levels", "pin", False)}),
+        ("int main() { while (1) { low(3); if (input(3)) high(4); } }", {"P3": ("levels", "pin", False)}),
+        ("int main() { while (1) { high(3); pause(1); if (input(3)) high(4); } }", {"P3": ("capacitor", "pin", False)}),
+        ("int main() { set_output(3, 1); set_direction(3, 1); while (input(3)) ; }", {"P3": ("capacitor", "pin", False)}),
+        ("int main() { low(3); high(3); pause(1); low(3); return pulse_in(3, 1); }", {"P3": ("ranger", "signal", False)}),
+        ("int main() { low(3); return pulse_in(3, 1); }", {"P3": ("levels", "pin", False)}),
+    ],
+)  # fmt: skip
+def test_what_a_program_does_to_a_port_tells_the_device_there(
+    tmp_path: Path, body: str, found: dict[str, tuple[str, str, bool]]
+) -> None:
+    assert bodied(tmp_path, body).items() >= found.items()
+
+
+ASKED = ("two_pin_ranger", "trigger", True)
+HEARD = ("two_pin_ranger", "echo", False)
+
+
+@pytest.mark.parametrize(
+    ("body", "found"),
+    [
+        ("int main() { low(3); low(4); while (1) { pulse_out(3, 10); high(5); print(\"%d\", pulse_in(4, 1)); } }",
+            {"P5": ASKED, "P4": HEARD, "P3": ("", "", True)}),
+        ("int main() { while (1) { low(4); pulse_out(3, 10); print(\"%d\", pulse_in(4, 1)); } }", {"P3": ASKED, "P4": HEARD}),
+        ("int main() { while (1) { low(3); high(3); pause(1); low(3); print(\"%d\", pulse_in(4, 1)); } }",
+            {"P3": ASKED, "P4": HEARD}),
+        ("long cm(int t, int e) { pulse_out(t, 10); return pulse_in(e, 1) / 58; }\nint main() { return cm(3, 4) + cm(5, 6); }",
+            {"P3": ASKED, "P4": HEARD, "P5": ASKED, "P6": HEARD}),
+        ("void ask() { pulse_out(3, 10); }\nint main() { ask(); return pulse_in(4, 1); }",
+            {"P3": ("", "", True), "P4": ("levels", "pin", False)}),
+    ],
+)  # fmt: skip
+def test_a_device_that_is_asked_at_one_port_answers_at_the_next_one_that_is_heard(
+    tmp_path: Path, body: str, found: dict[str, tuple[str, str, bool]]
+) -> None:
+    assert bodied(tmp_path, body).items() >= found.items()

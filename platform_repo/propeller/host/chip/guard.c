@@ -31,6 +31,8 @@ static void fault(int signal, siginfo_t *info, void *context) {
   if (signal == SIGILL) host_end("crashed", "runs into what is no instruction");
   if (signal == SIGSEGV && where >= (char *)0 && where < (char *)NOWHERE)
     host_end("crashed", "uses a number below 4096 as an address, as a pointer to nothing does (on the board, the clock frequency is at 0)");
+  if (signal == SIGSEGV && where == (char *)registers[REG_EIP])
+    host_end("crashed", "goes on where no code is, as after a value was put beyond the end of a local array");
   host_end("crashed", "reaches for memory that is not there");
 }
 

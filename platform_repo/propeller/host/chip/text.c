@@ -3,7 +3,31 @@
 #include <string.h>
 #include "host.h"
 
-int host_print(char *text, int size, const char *format, va_list values) { return vsnprintf(text, size, format, values); }
+/* Takes the sign of values that are no numbers, which the source's library does not print. Values lie one behind the other here. */
+static void drop_nan_signs(const char *format, va_list values) {
+  char *at = (char *)values;
+  while ((format = strchr(format, '%'))) {
+    int wide = 0;
+    for (format++; *format && strchr("-+ #'0123456789.*hlLqjzt", *format); format++) {
+      if (*format == '*') at += sizeof(int);
+      wide += *format == 'l' ? 1 : *format == 'q' || *format == 'j' ? 2 : 0;
+    }
+    if (!*format) return;
+    if (strchr("aAeEfFgG", *format)) {
+      double value;
+      memcpy(&value, at, sizeof value);
+      if (value != value) at[sizeof value - 1] &= 0x7F;
+      at += sizeof value;
+    } else if (*format != '%')
+      at += wide > 1 ? sizeof(long long) : sizeof(int);
+    format++;
+  }
+}
+
+int host_print(char *text, int size, const char *format, va_list values) {
+  drop_nan_signs(format, values);
+  return vsnprintf(text, size, format, values);
+}
 
 /* The same format without the `l` before e, f and g: a double of the program has 4 bytes. */
 int host_scan(const char *text, const char *format, va_list places) {
