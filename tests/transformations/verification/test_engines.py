@@ -75,6 +75,14 @@ def test_the_console_is_read_and_typed_on(job_of: Run, engine: str) -> None:
     assert trace.console[-1].at_us == pytest.approx(40_000, abs=500)
 
 
+def test_writing_to_its_own_memory_takes_a_microcontroller_its_time(job_of: Run, engine: str) -> None:
+    trace = simulate(job_of("own_memory", 60, ()), engine)
+    assert trace.text == "55AA"
+    [written, there] = [end - begun for begun, end in trace.pulses("D8")]
+    assert written == pytest.approx(2 * 3_500, rel=0.06)
+    assert there < 100
+
+
 def test_a_run_can_be_repeated_to_the_byte(job_of: Run, engine: str) -> None:
     asked = job_of("rangers", 300, [DeviceUse("ranger", {"signal": "D7"}, {"points": [[0, 20], [150, 35]]})])
     assert simulate(asked, engine) == simulate(asked, engine)

@@ -38,6 +38,13 @@ _LONGEST = 5
 _ALL_PINS, _DIRECTIONS, _PORT = 8, 9, 10
 _EVERY_WRITE = 8
 _PAINT = 0xA5
+_EEPROM_CONTROL = 0x3F
+"""The EEPROM's control register, which is there in all microcontrollers that are served."""
+_EEPROM_WRITES = 0b110
+"""Both its bits that a program sets to have a byte written, of which the lower one stays until it is."""
+_EEPROM_BUSY, _EEPROM_MODE = 0b10, 4
+_EEPROM_WRITE_US = (3400.0, 1800.0, 1800.0, 3400.0)
+"""How long that takes, by the two bits from the mode's on: erase and write, erase, write, and what is reserved (data sheets)."""
 _UART_INPUT, _UART_OUTPUT = 0, 1
 _UART_SLEEPS, _UART_ECHOES = 1, 2
 _BUS_IN, _BUS_OUT = 0, 1
@@ -103,6 +110,8 @@ class _Run(Bench):
         self.timers = Timers(job.timers, job.pins, job.clock_hz)
         for address in self.timers.registers:
             self._watch_register(address)
+        self._writing_until = 0.0
+        self._notify(library.avr_iomem_getirq(self._avr, _EEPROM_CONTROL, None, _EVERY_WRITE), self._eeprom_told)
 
     def _made(self) -> int:
         job, library = self._job, self._library
@@ -310,6 +319,20 @@ class _Run(Bench):
     def _watch_register(self, address: int) -> None:
         irq = self._library.avr_iomem_getirq(self._avr, address, None, _EVERY_WRITE)
         self._notify(irq, lambda value: self.timers.written(self.now, address, value & 0xFF))
+
+    # ---- the microcontroller's own EEPROM, in which simavr writes at once
+
+    def _eeprom_told(self, value: int) -> None:
+        """Stay busy for as long as writing a byte takes."""
+        if value & _EEPROM_WRITES == _EEPROM_WRITES and self.now >= self._writing_until:
+            self._writing_until = self.now + _EEPROM_WRITE_US[value >> _EEPROM_MODE & 3]
+            self.at(self._writing_until, lambda: self._eeprom_busy(0))
+        if self.now < self._writing_until:
+            self._eeprom_busy(_EEPROM_BUSY)
+
+    def _eeprom_busy(self, busy: int) -> None:
+        now = self._library.avr_core_watch_read(self._avr, _EEPROM_CONTROL)
+        self._library.avr_core_watch_write(self._avr, _EEPROM_CONTROL, now & ~_EEPROM_BUSY | busy)
 
     # ---- the run
 
