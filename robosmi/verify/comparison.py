@@ -137,7 +137,8 @@ def tolerances(source: Sequence[ActivityEvent], varied: Sequence[Sequence[Activi
         found = aligned(source, run)
         if found.own < len(source) and found.other < len(run):
             return None
-        for (number, other), after in zip(found.pairs, [*found.pairs[1:], None], strict=False):
+        for at, (number, other) in enumerate(found.pairs):
+            after = found.pairs[at + 1] if at + 1 < len(found.pairs) else None
             times[number] = max(times[number], abs(run[other].at_us - source[number].at_us) / 1000)
             if source[number].value != run[other].value:
                 parts[number] = larger(parts[number], parts_off(source[number], run[other]))
@@ -187,8 +188,9 @@ def compare(
     found = aligned(source, target, in_time)
     greatest = 0.0
     late = found.own < len(source) and found.other < len(target) and alike(source[found.own], target[found.other])
-    ends = [*found.pairs[1:], (found.own, found.other) if late else None]
-    for (own, other), after in zip(found.pairs, ends, strict=False):
+    for at, (own, other) in enumerate(found.pairs):
+        last = at + 1 == len(found.pairs)
+        after = found.pairs[at + 1] if not last else (found.own, found.other) if late else None
         dt = (target[other].at_us - source[own].at_us) / 1000
         greatest = dt if abs(dt) > abs(greatest) else greatest
         if after is None or source[own].kind in _PRINTED or own == 0:
