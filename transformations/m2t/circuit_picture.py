@@ -184,7 +184,7 @@ class _Drawing:
                 self.result.links.append(DrawnLink(ends[0], other, self.colours[id(net)], names))
 
     def _bundle(self) -> None:
-        """One line for all links of two boxes; each row gets a tag that says what it is wired to."""
+        """One line for all links of two boxes, none for those within one; each row gets a tag that says what it is wired to."""
         boxes = self.result.boxes
         pairs: dict[tuple[int, int], list[DrawnLink]] = {}
         partners: dict[tuple[int, int], list[str]] = {}
@@ -202,6 +202,7 @@ class _Drawing:
         self.result.links = [
             DrawnLink(Place(one, HEAD), Place(other, HEAD), "#777777", "; ".join(link.text for link in links), len(links))
             for (one, other), links in pairs.items()
+            if one != other  # the rows' tags say it; the line would come back to where it begins
         ]
 
 

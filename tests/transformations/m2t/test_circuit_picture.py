@@ -78,7 +78,7 @@ def overlapping(texts: list[Span]) -> list[tuple[str, str]]:
 
 
 def loose_ends(picture: str) -> list[str]:
-    """The wires of a picture that do not begin and end at a dot on the edge of a box."""
+    """The wires of a picture that do not begin and end at two dots on edges of boxes."""
     root = etree.fromstring(picture.encode())
     dots = {(float(c.get("cx", "0")), float(c.get("cy", "0"))) for c in root.iter(f"{SVG}circle")}
     boxes = [
@@ -89,6 +89,8 @@ def loose_ends(picture: str) -> list[str]:
     wrong = []
     for path in root.iter(f"{SVG}path"):
         numbers = [float(number) for number in _NUMBER.findall(path.get("d", ""))]
+        if numbers[:2] == numbers[-2:]:
+            wrong.append(path.get("d", ""))
         for x, y in (numbers[:2], numbers[-2:]):
             at_dot = any(abs(x - a) < _EXACT and abs(y - b) < _EXACT for a, b in dots)
             at_box = any(
@@ -247,6 +249,24 @@ def test_many_wires_are_bundled_by_component_and_each_row_says_where_it_leads(tm
     made = hardware(path).picture()
     assert overlapping(spans(made)) == []
     assert loose_ends(made) == []
+
+
+def test_pins_of_one_component_that_are_tied_to_one_another_get_no_line_where_wires_are_bundled(tmp_path: Path) -> None:
+    segments = [(part, pin) for part in ("seg1", "seg2", "seg3") for pin in "ABCDEFG"]
+    wires = [f'["uno:{2 + n % 12}", "{part}:{pin}", "", []]' for n, (part, pin) in enumerate(segments)]
+    tied = '["seg1:COM.1", "seg1:COM.2", "", []], ["seg1:COM.1", "r1:1", "", []], ["r1:2", "uno:5V", "", []]'
+    parts = [f'{{"type": "wokwi-7segment", "id": "seg{number}"}}' for number in (1, 2, 3)]
+    board = '{"type": "wokwi-arduino-uno", "id": "uno"}, {"type": "wokwi-resistor", "id": "r1"}'
+    path = tmp_path / "diagram.json"
+    path.write_text(
+        f'{{"editor": "wokwi", "parts": [{", ".join([board, *parts])}], "connections": [{", ".join([*wires, tied])}]}}'
+    )
+    picture = circuit_picture(hardware(path).circuit)
+    assert picture.links
+    assert all(link.one.box != link.other.box for link in picture.links)
+    tags = {row.tag for box in picture.boxes if box.title == "seg1" for row in box.rows if row.text.startswith("COM")}
+    assert any("r1 1" in tag for tag in tags)
+    assert loose_ends(hardware(path).picture()) == []
 
 
 def test_symbols_of_supplies_are_one_table_of_rails_that_have_the_names_of_their_nets(tmp_path: Path) -> None:

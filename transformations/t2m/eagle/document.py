@@ -8,7 +8,7 @@ pins of gates that are not drawn are on the net of their name, as in EAGLE.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -136,10 +136,10 @@ class _Reading:
             if (placed := own.get(prefix + instance.get("part", ""))) is not None:
                 placed.gates.add(instance.get("gate", ""))
         ports = dict(self._instances(owner, prefix, inside))
+        names: dict[str, None] = {}
         for net in owner.iterfind("sheets/sheet/nets/net"):
-            self._net(net, prefix, ports)
-        for part in own.values():
-            self._undrawn_supplies(part, prefix)
+            names[self._net(net, prefix, ports)] = None
+        self._supplies_by_name(own, names, prefix)
 
     def _part(self, element: etree._Element, prefix: str) -> EaglePart:
         library, deviceset, device = (element.get(key, "") for key in ("library", "deviceset", "device"))
@@ -182,7 +182,7 @@ class _Reading:
             self.sizes[kind] = sum(1 for _ in module.iter())
         return self.sizes[kind]
 
-    def _net(self, net: etree._Element, prefix: str, ports: dict[str, set[str]]) -> None:
+    def _net(self, net: etree._Element, prefix: str, ports: dict[str, set[str]]) -> str:
         name = prefix + net.get("name", "")
         pins = self.made.nets.setdefault(name, [])
         for ref in net.iterfind("segment/pinref"):
@@ -193,10 +193,28 @@ class _Reading:
                 inner = f"{prefix}{instance}:{port}"
                 self.made.nets.setdefault(inner, [])
                 self.made.joined.append((name, inner))
+        return name
 
-    def _undrawn_supplies(self, part: EaglePart, prefix: str) -> None:
-        if part.found is None:
-            return
-        for pin in part.found.pins.values():
-            if pin.direction == "pwr" and pin.gate not in part.gates and part.found.addlevels.get(pin.gate) == "request":
-                self.made.nets.setdefault(prefix + pin.name, []).append(PinRef(part.name, pin.gate, pin.written, part.line))
+    def _supplies_by_name(self, own: dict[str, EaglePart], names: Iterable[str], prefix: str) -> None:
+        """Put each supply pin that no wire reaches on the net that has its name, as EAGLE does.
+
+        That is the net with a supply symbol of this name, else the one that is called so. Gates that need not be drawn count.
+        """
+        wired: set[tuple[str, str, str]] = set()
+        nets: dict[str, str] = {}
+        for name in names:
+            for ref in self.made.nets[name]:
+                part = own.get(ref.part)
+                wired.add((ref.part, ref.gate, ref.pin))
+                if part is not None and part.found is not None:
+                    pin = part.found.pins.get((ref.gate, ref.pin))
+                    if pin is not None and pin.direction == "sup":
+                        nets.setdefault(pin.name, name)
+        for part in own.values():
+            if (found := part.found) is None:
+                continue
+            for pin in found.pins.values():
+                there = pin.gate in part.gates or found.addlevels.get(pin.gate) == "request"
+                if pin.direction == "pwr" and there and (part.name, pin.gate, pin.written) not in wired:
+                    refs = self.made.nets.setdefault(nets.get(pin.name, prefix + pin.name), [])
+                    refs.append(PinRef(part.name, pin.gate, pin.written, part.line))

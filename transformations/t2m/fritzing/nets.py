@@ -17,6 +17,10 @@ from robosmi.transformations.t2m.fritzing.document import Instance
 DERIVED = 8 | 16
 """Wire flags of old jumpers and of rats' nests: hints that Fritzing derives and does not conduct by (viewgeometry.h)."""
 
+PCB_TRACE, SCHEMATIC_TRACE = 4, 128
+"""Wire flags of what was drawn in one view only. Old sketches repeat such a wire in every view; only its own shows it or conducts
+by it (`ConnectorItem::getSkipFlags`)."""
+
 
 Has: TypeAlias = Callable[[Instance, str], bool]
 """Whether an instance that is no wire has a connector."""
@@ -33,6 +37,7 @@ class ViewWiring:
         wire_ends: connectors of components at a wire's ends, by wire.
         wires: identities of the wires that conduct.
         ignored_wires: how many wires are derived hints.
+        foreign_wires: how many wires are traces of another view.
         dangling: connections to instances that are not in the drawing.
         lacking: connectors that a connection names and that the part has not, by instance; such connections are left out.
         too_big: boards of strips that have more holes than are followed.
@@ -44,6 +49,7 @@ class ViewWiring:
     wire_ends: dict[str, dict[tuple[str, str], None]] = field(default_factory=dict)
     wires: list[str] = field(default_factory=list)
     ignored_wires: int = 0
+    foreign_wires: int = 0
     dangling: list[tuple[Instance, str]] = field(default_factory=list)
     lacking: dict[str, dict[str, None]] = field(default_factory=dict)
     too_big: list[Instance] = field(default_factory=list)
@@ -64,11 +70,15 @@ def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders, has: 
     silent: set[str] = set()
     for identity, instance in instances.items():
         if instance.is_wire:
-            if (instance.view(view).flags or 0) & DERIVED:
+            flags = instance.view(view).flags or 0
+            if flags & DERIVED:
                 silent.add(identity)
+                result.ignored_wires += 1
+            elif flags & _foreign(view, instance):
+                silent.add(identity)
+                result.foreign_wires += 1
             else:
                 result.wires.append(identity)
-    result.ignored_wires = len(silent)
 
     def node(identity: str, instance: Instance, connector: str) -> Node:
         if instance.is_wire:
@@ -103,6 +113,13 @@ def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders, has: 
     _join_symbols(result, instances)
     _join_strips(result, instances)
     return result
+
+
+def _foreign(view: str, wire: Instance) -> int:
+    """The flags that make a wire a trace of another view: a schematic without a PCB view has the PCB's flag in old sketches."""
+    if view == "breadboardView":
+        return PCB_TRACE | SCHEMATIC_TRACE
+    return SCHEMATIC_TRACE if view == "pcbView" else PCB_TRACE if "pcbView" in wire.elements else 0
 
 
 def links_parts(found: ViewWiring, instances: Mapping[str, Instance]) -> bool:

@@ -169,13 +169,15 @@ class _Reading:
         )
 
     def _report_rest(self, wired: nets.ViewWiring) -> None:
-        if self.sketch.without_views or wired.ignored_wires:
+        if self.sketch.without_views or wired.ignored_wires or wired.foreign_wires:
+            traces = f", and {wired.foreign_wires} traces of another view" if wired.foreign_wires else ""
             self.report(
                 "RS205",
                 Severity.info,
-                f"left out: {self.sketch.without_views} parts without a view and {wired.ignored_wires} derived wires",
+                f"left out: {self.sketch.without_views} parts without a view and {wired.ignored_wires} derived wires{traces}",
                 without_views=self.sketch.without_views,
                 derived_wires=wired.ignored_wires,
+                foreign_wires=wired.foreign_wires,
             )
         for instance in wired.too_big:
             self.report(

@@ -95,6 +95,23 @@ def test_supplies_of_gates_that_are_not_drawn_are_on_the_net_of_their_name(tmp_p
     assert {"A.GND", "B.GND"} <= {c.connectorId for c in ground.connectors}
 
 
+def test_supply_pins_without_a_wire_are_on_the_net_of_their_name_or_supply_symbol(
+    tmp_path: Path,
+) -> None:
+    """As in boards of EAGLE: `GND@2` beside a wired `GND@1`, `VSS` where a symbol VSS is on the net GND; a wired pin stays."""
+    chip = device("CHIP", [("GND@1", "pwr"), ("GND@2", "pwr"), ("VSS", "pwr"), ("VDD", "pwr"), ("SDA", "io")])
+    libraries = [device("ARDUINO_UNO", UNO), chip, device("VSS", [("VSS", "sup")]), device("GND", [("GND", "sup")])]
+    parts = [part("U1", "ARDUINO_UNO"), part("IC1", "CHIP"), part("SUPPLY1", "VSS"), part("SUPPLY2", "GND")]
+    nets = [net("GND", "U1.GND@1", "IC1.GND@1", "SUPPLY1.VSS", "SUPPLY2.GND"), net("N$1", "U1.D2", "IC1.VDD")]
+    placed = "".join(f'<instance part="{name}" gate="A"/>' for name in ("U1", "IC1", "SUPPLY1", "SUPPLY2"))
+    path = schematic(tmp_path, libraries, parts, nets, "", f"<instances>{placed}</instances>")
+    circuit, _ = read_circuit(path)
+    joined = [{f"{c.component.title}.{c.connectorId}" for c in n.connectors if c.component is not None} for n in circuit.nets]
+    assert {"U1.GND@1", "U1.GND@2", "IC1.GND@1", "IC1.GND@2", "IC1.VSS", "SUPPLY1.VSS", "SUPPLY2.GND"} in joined
+    assert {"U1.D2", "IC1.VDD"} in joined
+    assert not any("IC1.SDA" in net and len(net) > 1 for net in joined)
+
+
 def test_pins_and_parts_that_are_not_there_and_doubled_names_are_left_out_and_said(tmp_path: Path) -> None:
     parts = [part("U1", "ARDUINO_UNO"), part("LED1", "LED"), part("LED1", "LED"), part("X1", "GONE")]
     nets = [net("A", "U1.D2", "LED1.1"), net("B", "U1.D99", "X1.1"), net("C", "U1.D4", "LED7.1"), net("D", "U1.D5", "X1.2")]
