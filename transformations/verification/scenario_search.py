@@ -221,8 +221,8 @@ def _horizon(
 ) -> float:
     """How long scenarios last: until a program whose inputs rest has come wherever it comes by itself, and as long again.
 
-    One that has not come on at all may be in a long wait or on a long way, and goes on behind it. A horizon at which its run is
-    given up is too long.
+    One that has not come on at all, or has gone round and shown nothing on any channel, may be in a long wait or on a long way,
+    and goes on behind it. A horizon at which its run is given up is too long.
     """
     before: tuple[frozenset[Place], bytes] | None = None
     reached, settled = 0.0, 0.0
@@ -238,7 +238,7 @@ def _horizon(
             return horizon
         if before is not None and places == before[0]:
             settled = settled or horizon
-            if run.counts != before[1]:
+            if run.counts != before[1] and any(place[0] == "channel" for place in places):
                 return settled
         else:
             settled = 0.0

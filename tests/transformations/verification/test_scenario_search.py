@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import random
+from time import monotonic
 
 import pytest
 
 from robosmi.transformations.verification.port_devices import device_facts
 from robosmi.transformations.verification.scenario_goals import NEGATIVE, behaviour
-from robosmi.transformations.verification.scenario_search import _constant, _in_turn, _Input, _random_signals
+from robosmi.transformations.verification.scenario_search import _constant, _horizon, _in_turn, _Input, _random_signals
 from robosmi.verify.original_run import OriginalRun
 from robosmi.verify.simulation import ConsoleByte, PinTrace
+from tests.host_model.bench import built
 
 LINE = _Input("RX", "points", ("a", "b"), 300.0, "serial_line")
 LAMP = _Input("LAMP", "points", (0, 1), 250.0, "levels")
@@ -62,3 +64,16 @@ def test_a_text_with_a_number_below_zero_is_a_goal_of_its_own() -> None:
 
     assert goals("T 21\nT 4\n") == set()
     assert goals("T 21\nT -4\nT -5.5\n") == {"T -0"}
+
+
+@pytest.mark.parametrize(
+    ("body", "horizon"),
+    [
+        ('for (int i = 0; i < 9; i++) pause(1000); print("done"); while (1) pause(1000);', 12_000.0),
+        ('while (1) { print("on"); pause(1000); }', 6_000.0),
+        ("while (1) pause(1000);", 6_000.0),
+    ],
+)
+def test_a_program_that_goes_round_and_shows_nothing_is_looked_at_for_longer(body: str, horizon: float) -> None:
+    with built(f"#include <simpletools.h>\nint main() {{ {body} }}") as program:
+        assert _horizon(program, [], monotonic() + 60, (3_000.0, 6_000.0, 12_000.0)) == horizon
