@@ -93,7 +93,7 @@ def written(text: str, sizes: Counter[tuple[str, str]]) -> str:
         if size and not line.startswith(f"{MARK}   "):
             lines.append(f"{MARK}   ram: {size}")
             size = ""
-        if line.startswith(f"{MARK}   members:"):
+        if line.startswith((f"{MARK}   members:", f"{MARK}   beside:")):
             size, variant = "", True
         if line.startswith(f"{MARK}   ram:") and not variant:
             continue

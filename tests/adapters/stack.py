@@ -166,7 +166,7 @@ def written(text: str, found: Mapping[tuple[str, str], Measured]) -> str:
             key = ("", "")
         if line is None:
             break
-        if head and line.startswith(f"{MARK}   members:"):
+        if head and line.startswith((f"{MARK}   members:", f"{MARK}   beside:")):
             kept = True
         if head and not kept and key in found and line.startswith((f"{MARK}   stack:", f"{MARK}   interrupt:")):
             continue
@@ -198,7 +198,12 @@ def main(*arguments: str) -> int:
             continue
         found: dict[tuple[str, str], Measured] = {}
         for piece in here:
-            if (piece.kind not in _KINDS and piece.stack < 0) or piece.members or (piece.mcus and MCU not in piece.mcus):
+            if (
+                (piece.kind not in _KINDS and piece.stack < 0)
+                or piece.members
+                or piece.beside
+                or (piece.mcus and MCU not in piece.mcus)
+            ):
                 continue
             try:
                 found[piece.header, piece.name] = measured(piece)

@@ -85,10 +85,10 @@ def test_some_compile_alone(key: tuple[str, str], tmp_path: Path) -> None:
 
 
 @cache
-def uses(header: str) -> dict[tuple[str, str], set[tuple[str, str]]]:
-    """What each piece of a header names of other pieces, as libclang sees it."""
+def uses(header: str, members: tuple[str, ...] = (), calls: tuple[str, ...] = ()) -> dict[tuple[str, str], set[tuple[str, str]]]:
+    """What each piece of a header names of other pieces in a program with some members and calls, as libclang sees it."""
     wanted = [(piece.header, piece.name) for piece in pieces() if piece.header == header]
-    needed = AdapterPieces(pieces()).needed(wanted, "atmega328p").pieces
+    needed = AdapterPieces(pieces(), members, calls).needed(wanted, "atmega328p").pieces
     text = f"#include <Arduino.h>\n{adapter_text([adapter_element(piece) for piece in needed], {}, NO_PIN)}"
     arguments = ["-target", "avr", "-mmcu=atmega328p", *DEFINES, "-nostdinc", "-isystem/usr/lib/avr/include"]
     arguments += [*folders("atmega328p"), *(f"-isystem{path}" for path in glob.glob("/usr/lib/gcc/avr/*/include"))]
@@ -135,7 +135,7 @@ def test_what_is_declared_is_what_the_text_uses(piece: AdapterPiece) -> None:
     if piece.mcus and "atmega328p" not in piece.mcus:
         return
     declared = {key for name in piece.needs if (key := known.key(name, piece.header))}
-    used = uses(piece.header)[piece.header, piece.name]
+    used = uses(piece.header, tuple(piece.members), tuple(piece.beside))[piece.header, piece.name]
     assert used - declared == set(), "used, but not declared as needed"
     assert declared - used == set(), "declared as needed, but not used"
     for name in (

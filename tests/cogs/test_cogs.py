@@ -38,7 +38,7 @@ def moved(name: str, folder: Path, board: str = "uno") -> Generated:
     place = PROGRAMS / name
     files = sorted(place.glob("*.c")) if place.is_dir() else [place.with_suffix(".c")]
     text = "".join(file.read_text() for file in files)
-    bind = {port: pin for port, pin in BIND.items() if re.search(rf"\b(?:high|low|toggle|input)\({port[1:]}\)", text)}
+    bind = {port: pin for port, pin in BIND.items() if re.search(rf"\b(?:high|low|toggle|input|pulse_out)\({port[1:]}\b", text)}
     if '#include "abdrive.h"' in text:
         bind |= dict(zip(("abdrive.left_servo", "abdrive.right_servo"), SERVOS, strict=True))
     return migrate(files, folder, bind=bind, target=board)
@@ -147,6 +147,14 @@ def test_a_cog_keeps_its_beat(tmp_path: Path) -> None:
     down = [at / 1000 for at, level in trace.levels("D12") if level == 0][-1]
     assert up - beats[0] == pytest.approx(40, abs=2)
     assert down - up == pytest.approx(50, abs=2)
+
+
+@pytest.mark.parametrize("board", BOARDS)
+def test_what_a_cog_is_held_up_by_is_taken_off_its_next_pauses(board: str, tmp_path: Path) -> None:
+    trace = run("held_up", tmp_path, 3000, board)
+    blinks = rises(trace, BIND["P26"])
+    assert (blinks[-1] - blinks[0]) / (len(blinks) - 1) == pytest.approx(100, abs=0.5)
+    assert gaps(blinks) == [pytest.approx(100, abs=12)] * (len(blinks) - 1)
 
 
 @pytest.mark.parametrize("board", ["uno", "mega"])

@@ -195,7 +195,8 @@ def judgement(
     how = adapters or defaults()["migrate"]["adapters"]
     target.reserve_names_of(board)
     files = adapter_files_of(settings, target, api)
-    choice = adapter_choice(files, api, board, how, widened=widths != KEEP, members=outside_members(program.views))
+    members, calls = outside_members(program.views), {name for view in program.views for name in view.called()}
+    choice = adapter_choice(files, api, board, how, widened=widths != KEEP, members=members, calls=calls)
     known = api.settings.get("ports", {}).get("look_up", {})
     look_up = [str(known[name]) for name in looked_up(ports) if name in known]
     judged = judge_program(program.views, target, choice, program.copies, look_up)

@@ -30,7 +30,7 @@ RELATIONS = ("oneToOne", "oneToMany", "manyToOne", "semantic")
 """How calls correspond (paper 3.4): one to one, to several statements, several to one, another mechanism with the same effect."""
 CAPABILITIES = ("digital", "pwm", "interrupt", "analog")
 DIRECTIONS = ("in", "out", "both")
-_LISTS = ("needs", "include", "timer", "vector", "taken", "mcu", "members", "library", "symmetric")
+_LISTS = ("needs", "include", "timer", "vector", "taken", "mcu", "members", "beside", "library", "symmetric")
 _ATTRIBUTES = {"include": "includes", "timer": "timers", "vector": "vectors", "mcu": "mcus", "library": "libraries"}
 _TEXTS = (
     "for",
@@ -141,6 +141,7 @@ class AdapterPiece:
         taken: interrupts that a library which it includes handles itself.
         mcus: microcontrollers that this variant is for; empty for all.
         members: this variant is for programs that use one of these members of a record; empty for all programs.
+        beside: this variant is for programs that call one of these functions; empty for all programs.
         pins: its parameters that are pins.
         ports: pins that it uses by convention.
         tables: tables that it looks ports up in.
@@ -172,6 +173,7 @@ class AdapterPiece:
     taken: list[str] = field(default_factory=list)
     mcus: list[str] = field(default_factory=list)
     members: list[str] = field(default_factory=list)
+    beside: list[str] = field(default_factory=list)
     pins: list[AdapterPin] = field(default_factory=list)
     ports: list[ConventionalPort] = field(default_factory=list)
     tables: list[PortTable] = field(default_factory=list)
@@ -227,12 +229,12 @@ def adapter_file(path: Path, text: str) -> AdapterFile:
         raise _wrong(Location(str(path)), "the header of the source platform is not named", f"begin with `{MARK} header NAME`")
     seen: set[tuple[str, str, str]] = set()
     for piece in pieces:
-        members = " ".join(sorted(piece.members))
+        condition = " ".join([*sorted(piece.members), "beside", *sorted(piece.beside)])
         for mcu in piece.mcus or [""]:
-            if (piece.name, mcu, members) in seen:
+            if (piece.name, mcu, condition) in seen:
                 where = f" for {mcu}" if mcu else ""
                 raise _wrong(piece.location, f"'{piece.name}' is there twice{where}", "remove one, or give them `mcu`")
-            seen.add((piece.name, mcu, members))
+            seen.add((piece.name, mcu, condition))
     return made
 
 

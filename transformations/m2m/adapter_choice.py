@@ -55,6 +55,7 @@ class AdapterChoice:
         filled: whether functions get bodies; constants have their values in any case.
         widened: whether the program's numbers are written with the widths of the source, which are those of adapters.
         members: of the platform's records, which the program uses by name.
+        calls: the functions that the program calls and does not define.
 
     Attributes:
         chosen_pieces: the pieces that elements were made of.
@@ -69,9 +70,10 @@ class AdapterChoice:
         filled: bool = True,
         widened: bool = False,
         members: Collection[str] = (),
+        calls: Collection[str] = (),
     ) -> None:
         self.index, self.api, self.mcu, self.filled, self.widened = index, api, mcu, filled, widened
-        self.pieces = AdapterPieces(index, members)
+        self.pieces = AdapterPieces(index, members, calls)
         self._made: dict[tuple[str, str], platform.Adapter] = {}
         self.chosen_pieces: list[AdapterPiece] = []
         self._unserved: dict[str, UnservedHeader] = {}
@@ -194,7 +196,14 @@ class AdapterChoice:
 
 
 def adapter_choice(
-    index: AdapterIndex, api: ApiIndex, board: platform.Board, how: str, *, widened: bool, members: Collection[str]
+    index: AdapterIndex,
+    api: ApiIndex,
+    board: platform.Board,
+    how: str,
+    *,
+    widened: bool,
+    members: Collection[str],
+    calls: Collection[str],
 ) -> AdapterChoice:
     """The adapters of a plan.
 
@@ -205,6 +214,7 @@ def adapter_choice(
         how: one of `ADAPTERS`.
         widened: whether the program's numbers are written with the widths of the source.
         members: of the platform's records, which the program uses by name.
+        calls: the functions that the program calls and does not define.
 
     Raises:
         UsageError: adapters are neither filled nor placeholders.
@@ -212,7 +222,7 @@ def adapter_choice(
     if how not in ADAPTERS:
         raise UsageError(f"adapters cannot be '{how}'{did_you_mean(how, ADAPTERS)}", fix=f"use one of: {', '.join(ADAPTERS)}")
     mcu = str(board.microcontroller.name) if board.microcontroller is not None else ""
-    return AdapterChoice(index, api, mcu, filled=how == ADAPTERS[0], widened=widened, members=members)
+    return AdapterChoice(index, api, mcu, filled=how == ADAPTERS[0], widened=widened, members=members, calls=calls)
 
 
 def _misfit(calls: Iterable[ccode.Call], signatures: Iterable[str]) -> str:

@@ -1,7 +1,7 @@
 """Which pieces of adapter files a program needs, and in which order they stand: the closure of what the adapters declare.
 
 Names are looked up in the piece's own header first, then among all; `servo.h/servo_set` names a piece of another header. A
-variant for a microcontroller counts before one for all, one for the members of a record that the program uses before that.
+variant for a microcontroller counts before one for all, one for what the program uses or calls before that.
 """
 
 from __future__ import annotations
@@ -44,10 +44,13 @@ class AdapterPieces:
     Args:
         source: where they come from, or the pieces themselves.
         members: of records that the program does not declare, which it uses by name.
+        calls: the functions that the program calls and does not define.
     """
 
-    def __init__(self, source: PieceSource | Iterable[AdapterPiece], members: Collection[str] = ()) -> None:
-        self.members = frozenset(members)
+    def __init__(
+        self, source: PieceSource | Iterable[AdapterPiece], members: Collection[str] = (), calls: Collection[str] = ()
+    ) -> None:
+        self.members, self.calls = frozenset(members), frozenset(calls)
         self._source: PieceSource = _Listed(source) if isinstance(source, Iterable) else source
         self._known: dict[str, dict[str, list[list[AdapterPiece]]]] = {}
 
@@ -78,14 +81,15 @@ class AdapterPieces:
     def variant(self, key: tuple[str, str], mcu: str) -> AdapterPiece | None:
         """The variant of a piece for a microcontroller."""
         for group in self._of(key[0]).get(key[1], ()):
-            fitting = [
-                piece
-                for piece in group
-                if (not piece.mcus or mcu in piece.mcus) and (not piece.members or not self.members.isdisjoint(piece.members))
-            ]
-            if fitting:
-                return max(fitting, key=lambda piece: (bool(piece.members), bool(piece.mcus)))
+            if fitting := [piece for piece in group if self._fits(piece, mcu)]:
+                return max(fitting, key=lambda piece: (bool(piece.members or piece.beside), bool(piece.mcus)))
         return None
+
+    def _fits(self, piece: AdapterPiece, mcu: str) -> bool:
+        """Whether a variant is for a microcontroller and for the program."""
+        if piece.members and self.members.isdisjoint(piece.members):
+            return False
+        return not (piece.beside and self.calls.isdisjoint(piece.beside)) and (not piece.mcus or mcu in piece.mcus)
 
     def variants(self, key: tuple[str, str]) -> list[AdapterPiece]:
         """All variants of a piece, those that count first in front."""

@@ -386,11 +386,17 @@ inline void cog_heap(bool leaves_main, bool enters_main) {  // without an end, m
   if (enters_main) __malloc_heap_end = 0;
 }
 
+//# helper held_up
+//#   mcu: atmega328p atmega32u4 atmega2560
+//#   fidelity: by how many microseconds others made waits of the cog that runs longer, and none was made shorter for it yet
+//#   ram: 4
+static uint32_t held_up = 0;
+
 //# helper yield
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: cog_table cogs_running cog_switch cog_overflow cog_heap COG_SLOTS
+//#   needs: cog_table cogs_running cog_switch cog_overflow cog_heap held_up COG_SLOTS
 //#   fidelity: the next cog that runs goes on; all that waits on the target calls this
-//#   stack: 61
+//#   stack: 65
 extern "C" inline __attribute__((used)) void yield() {
   uint8_t from = cog_table.now, to = from;
   if (from) {
@@ -402,7 +408,10 @@ extern "C" inline __attribute__((used)) void yield() {
   if (to == from) return;
   cog_table.now = to;
   cog_heap(!from, !to);
+  uint32_t mine = held_up;
   cog_switch(&cog_table.saved[from], cog_table.saved[to]);
+  asm volatile("" : "+m"(held_up));  // others wrote it meanwhile
+  held_up = mine;
 }
 
 //# helper cog_stop
@@ -417,10 +426,11 @@ inline void cog_stop(int32_t number) {
 
 //# helper cog_main
 //#   mcu: atmega328p atmega32u4 atmega2560
-//#   needs: cog_table cog_stop
+//#   needs: cog_table cog_stop held_up
 //#   fidelity: a cog stops when its function ends
 inline void cog_main() {
   uint8_t number = cog_table.now;
+  held_up = 0;
   cog_table.code[number](cog_table.parameter[number]);
   cog_stop(number);
 }
@@ -499,7 +509,7 @@ inline int32_t cogid() {
 //#   needs: cog_stop
 //#   fidelity: exact; pins stay as the cog left them
 //#   limit: pins that only the stopped cog drove go on being driven; there they become inputs
-//#   stack: 65 61
+//#   stack: 69 65
 inline void cogstop(int32_t cogid) {
   cog_stop(cogid);
 }
@@ -611,7 +621,7 @@ inline int32_t __builtin_propeller_cogid() {
 //#   needs: cogstop
 //#   fidelity: exact; pins stay as the cog left them
 //#   limit: pins that only the stopped cog drove go on being driven; there they become inputs
-//#   stack: 65 61
+//#   stack: 69 65
 inline void __builtin_propeller_cogstop(int32_t cogid) {
   cogstop(cogid);
 }
