@@ -18,6 +18,7 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, PLAIN_C, TargetFacts
 from robosmi.transformations.m2m.refused_forms import remarks
 from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
+from robosmi.transformations.queries.block_braces import is_torn
 from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.t2m.c_source.side_file import ENDING, SideProject, project_beside, read_side
 from robosmi.transformations.t2m.c_source.sources import source_files
@@ -108,14 +109,16 @@ def stored_program(files: ProgramFiles, api: ApiIndex, target: TargetFacts) -> S
     """Read a program as it is to be migrated and stored.
 
     Raises:
-        SourceError: a file cannot be read as a program, there is not one function main, or a file is not C and the target takes C
-            alone.
+        SourceError: a file cannot be read as a program, there is not one function main, a macro tears it, or a file is not C and
+            the target takes C alone.
     """
     program, findings = read_program(files.paths, api.name, files.include_dirs, files.defines)
     findings = [*files.findings, *findings]
     if target.language == PLAIN_C:
         _refuse_cplusplus(program, target)
     main = _the_main(program)
+    if not target.keeps_main:
+        _refuse_torn(main)
     seen = views(program, api)
     for view in seen:
         findings = [*findings, *library_cogs(view), *unknown_functions(view)]
@@ -166,6 +169,21 @@ def _the_main(program: ccode.Program) -> ccode.Function:
             fix="give the files of one program",
         )
     return found[0][1]
+
+
+def _refuse_torn(main: ccode.Function) -> None:
+    """Refuse a main that cannot be divided, since a macro writes one of its braces together with statements.
+
+    Raises:
+        SourceError: it is such a one.
+    """
+    if main.body is not None and is_torn(main.body):
+        unit = ancestor_of_kind(main, ccode.SourceUnit)
+        raise SourceError(
+            "main begins or ends in a macro that holds more than its brace",
+            location=Location(unit.path if unit is not None else "", main.line, main.column),
+            fix="write the braces of main in the source, and the statements of that macro beside them",
+        )
 
 
 def _store_units(program: ccode.Program) -> dict[str, str]:

@@ -6,6 +6,7 @@ from robosmi.transformations.constraints import (
     code_characters,
     code_cores,
     code_formats,
+    code_kept,
     code_memory,
     code_ports,
     code_ranges,
@@ -15,5 +16,5 @@ from robosmi.transformations.constraints.code_move import move_findings, moved
 
 __all__ = ["MODULES", "move_findings", "moved"]
 
-MODULES = (code_widths, code_formats, code_characters, code_cores, code_ports, code_ranges, code_memory)
+MODULES = (code_widths, code_formats, code_characters, code_cores, code_ports, code_ranges, code_memory, code_kept)
 """Where they are."""

@@ -320,7 +320,7 @@ def _upwards(expression: Element) -> Iterator[tuple[Element, Element]]:
 def KeepsItsSize(unit: ccode.SourceUnit) -> bool | Fail:
     """No size of a type that is narrower on the target is computed with."""
     m = the_move()
-    some = [s for s in m.view(unit).of_kind(ccode.SizeOf) if _shrinks(m, s) and not _is_measure(s)]
+    some = [s for s in m.view(unit).of_kind(ccode.SizeOf) if _shrinks(m, s) and not _is_measure(m, s)]
     return not some or together(f"{len(some)} size(s) of types that have fewer bytes on the target", some)
 
 
@@ -330,17 +330,23 @@ def _shrinks(m: Move, size: ccode.SizeOf) -> bool:
         return False
     if kind.depth and not kind.array:
         return m.there.pointer_bits < m.here.pointer_bits
+    if isinstance(kind.declaration, ccode.Enumeration):
+        most = max((int(literal.value) for literal in kind.declaration.literals), default=0)
+        return m.narrower and most <= 2**m.there.int_bits - 1
     here, there = m.here.number(kind.base), m.there.number(kind.base)
     if m.fixed and _says_int(kind.base):
         return False
     return here is not None and there is not None and there.bits < here.bits
 
 
-def _is_measure(size: ccode.SizeOf) -> bool:
-    """Whether the size counts elements, or memory that is as big as what is put into it."""
+def _is_measure(m: Move, size: ccode.SizeOf) -> bool:
+    """Whether the size counts elements, or memory that is as big as what is put into it; a function that prints tells it."""
     parent = size.eContainer()
     while isinstance(parent, (ccode.Binary, ccode.Cast)):
         if isinstance(parent, ccode.Binary) and parent.operator == "/":
             return True
         parent = parent.eContainer()
-    return isinstance(parent, ccode.Call)
+    if not isinstance(parent, ccode.Call):
+        return False
+    prints = parent.callee.variadic if parent.callee is not None else m.signatures.get(parent.calleeName, [""])[-1:] == ["..."]
+    return not prints

@@ -32,12 +32,14 @@ class TargetNames:
             return frozenset(getattr(names, kind)) if names is not None else frozenset()
 
         self.declared, self.macros, self.same, self.absent, self.keywords = (of(kind) for kind in KINDS)
+        self.statements: frozenset[str] = frozenset()
+        """Words of the statements that stand within the program's text, which no macro of the program may be."""
 
-    def beside(self, declared: frozenset[str], macros: frozenset[str]) -> TargetNames:
-        """The same with further names that a program shares with other text: those declared there, and macros."""
+    def beside(self, declared: frozenset[str], macros: frozenset[str], statements: frozenset[str]) -> TargetNames:
+        """The same with further names that a program shares with other text: those declared there, macros, and words within."""
         made = TargetNames(None)
         made.declared, made.macros = self.declared | declared, self.macros | macros
-        made.same, made.absent, made.keywords = self.same, self.absent, self.keywords
+        made.same, made.absent, made.keywords, made.statements = self.same, self.absent, self.keywords, statements
         return made
 
 

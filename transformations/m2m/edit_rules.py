@@ -13,13 +13,15 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.adapter_ranges import parameter_names
-from robosmi.transformations.m2m import compound_literals
+from robosmi.transformations.m2m import compound_literals, early_functions
 from robosmi.transformations.m2m.designated_lists import positional
 from robosmi.transformations.m2m.nested_types import before_record, tag_places
 from robosmi.transformations.m2m.old_c import word_places
+from robosmi.transformations.queries.block_braces import inside
 from robosmi.transformations.queries.own_headers import own_header
+from robosmi.transformations.queries.plan import RUN_IN_SETUP
 from robosmi.transformations.queries.signature_text import nothing
-from robosmi.transformations.queries.source_text import SourceText, inside, is_header
+from robosmi.transformations.queries.source_text import SourceText, is_header
 from robosmi.transformations.queries.tokens import name_tokens
 
 Replacement = tuple[int, int, str]
@@ -142,8 +144,8 @@ def _convert_compound(element: ccode.Located, choice: str, text: SourceText) -> 
     return [(element.startOffset, element.startOffset, f"({choice})("), (element.endOffset, element.endOffset, ")")]
 
 
-def _parentheses(element: ccode.Function, choice: str, text: SourceText) -> list[Replacement]:
-    found = re.compile(rb"\b%s\s*\(\s*\)" % re.escape(element.name.encode())).search(
+def _parentheses(element: ccode.Function | ccode.Typedef, choice: str, text: SourceText) -> list[Replacement]:
+    found = re.compile(rb"\b%s\s*\)?\s*\(\s*\)" % re.escape(element.name.encode())).search(
         text.data, element.startOffset, element.endOffset
     )
     return [(found.end() - 1, found.end() - 1, choice)] if found else []
@@ -212,8 +214,9 @@ def _behind_return(element: ccode.Located, choice: str, text: SourceText) -> lis
     return [(place, place, f" {choice}")]
 
 
-def _zero_value(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    return [(element.endOffset, element.endOffset, f" = {choice}")]
+def _inner_block(element: ccode.Block, choice: str, text: SourceText) -> list[Replacement]:
+    start, end = inside(text.data, element)
+    return [(start, start, " {"), (end, end, "} ")]
 
 
 def _assign_behind(variable: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
@@ -375,7 +378,9 @@ RULES: dict[str, EditRule] = {
     "source-assembler": _comment,
     "return-with-value": _behind_return,
     "return-without-value": _void_value,
-    "zero-value": _zero_value,
+    "zero-value": lambda element, choice, text: [(element.endOffset, element.endOffset, f" = {choice}")],
+    RUN_IN_SETUP: lambda element, choice, text: early_functions.without_attribute(element, text.data),
+    "inner-block": _inner_block,
     "assign-behind": _assign_behind,
     "take-out": _out,
     "define-extern": _define_extern,

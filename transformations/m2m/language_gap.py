@@ -15,6 +15,9 @@ from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.m2m import old_c, shared_names
 from robosmi.transformations.m2m.compound_literals import compound_literals
 from robosmi.transformations.m2m.designated_lists import list_holders, positional
+from robosmi.transformations.m2m.early_functions import run_in_setup
+from robosmi.transformations.m2m.empty_types import said_parameters
+from robosmi.transformations.m2m.exact_texts import exact_texts
 from robosmi.transformations.m2m.nested_types import nested_enumerations, nested_tags
 from robosmi.transformations.m2m.source_assembler import assembler
 from robosmi.transformations.m2m.text_change import Change, Rule
@@ -27,6 +30,7 @@ from robosmi.transformations.queries.expression_type import (
     type_of,
 )
 from robosmi.transformations.queries.numbers import COMPARISONS
+from robosmi.transformations.queries.plan import RUN_IN_SETUP
 from robosmi.transformations.queries.signature_text import function_type
 
 _NULLS = re.compile(rb"NULL|\(?\s*0[xX]?0*[uUlL]*\s*\)?")
@@ -204,6 +208,8 @@ def _pointers(given: ValueType, wanted: ValueType) -> str:
         return lost
     if given.base == "void":
         return "C++ does not convert void * on its own"
+    if given.depth > 1 and given.constant != wanted.constant:
+        return lost or "C++ makes nothing constant behind more than one pointer"
     return "the pointers are of different types" if (given.base, given.depth) != (wanted.base, wanted.depth) else lost
 
 
@@ -311,6 +317,9 @@ RULES: tuple[Rule, ...] = (
     _tags,
     _designated,
     compound_literals,
+    exact_texts,
+    said_parameters,
+    run_in_setup,
     _enumerations,
     _conversions,
     _comparisons,
@@ -345,6 +354,8 @@ TEXT_RULES = frozenset(
         "enumeration-before",
         "tag-of-member",
         "one-element",
+        "inner-block",
+        RUN_IN_SETUP,
         "zero-value",
     }
 )

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token
-from robosmi.transformations.queries.expression_type import ValueType
+from robosmi.transformations.queries.expression_type import ValueType, of_use
 
 MOST = 256
 """Elements in a row that are left out and still written as `{}`."""
@@ -60,9 +60,16 @@ def is_record(kind: ValueType | None) -> bool:
 
 
 def members_of(kind: ValueType | None) -> Sequence[ccode.Field]:
-    """The members of a structure or union, in their order; none of any other type."""
+    """The members of a structure or union that take a value, in their order; none of any other type."""
     record = kind.declaration if kind is not None and is_record(kind) else None
-    return list(record.fields) if isinstance(record, ccode.Record) else []
+    fields = record.fields if isinstance(record, ccode.Record) else ()
+    return [field for field in fields if field.name or not _is_gap(field)]
+
+
+def _is_gap(field: ccode.Field) -> bool:
+    """Whether a member without a name is a gap between bit fields, and no record whose members are the outer one's."""
+    kind = of_use(field.valueType)
+    return kind is not None and kind.arithmetic
 
 
 def is_union(kind: ValueType | None) -> bool:

@@ -15,6 +15,7 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, closing
 from robosmi.transformations.queries.argument_places import TokenText
 from robosmi.transformations.queries.expansion import Definition, TextPlace, macros_of
+from robosmi.transformations.queries.tokens import name_tokens
 
 _SIGNS = frozenset("-+!~*&")
 _BEFORE = frozenset(["(", "[", "{", "}", ",", ";", "=", "return"])
@@ -51,6 +52,25 @@ class MacroOrder:
         if place not in self._stays:
             self._stays[place] = self._judged(place)
         return self._stays[place]
+
+    def computed_before(self, place: TextPlace) -> bool:
+        """Whether a place stands in a macro that a directive computes with (`#if PIN(3) > 12`), which knows no types."""
+        return place.body and any(
+            m.unit == place.unit and m.name in self._in_conditions and _within(m.body, place) for m in self._macros
+        )
+
+    @cached_property
+    def _in_conditions(self) -> set[str]:
+        """The macros that conditions of directives use, and those that these use."""
+        conditions = " ".join(str(each.condition or "") for unit in self.units for each in unit.conditionals)
+        waiting = [name for _, _, name in name_tokens(conditions.encode())]
+        found: set[str] = set()
+        while waiting:
+            name = waiting.pop()
+            if name in self._by_name and name not in found:
+                found.add(name)
+                waiting += [word[3] for macro in self._macros if macro.name == name for word in macro.body if word[0] == "name"]
+        return found
 
     def _judged(self, place: TextPlace) -> bool:
         macro = next((each for each in self._macros if each.unit == place.unit and _within(each.body, place)), None)

@@ -13,10 +13,11 @@ from collections.abc import Iterator, Mapping
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.m2m.text_change import Change
+from robosmi.transformations.queries.block_braces import is_torn
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType, declared_with_others, type_of
 from robosmi.transformations.queries.main_program import exits
-from robosmi.transformations.queries.signature_text import declare, nothing
+from robosmi.transformations.queries.signature_text import declared_parameters, nothing
 from robosmi.transformations.queries.tokens import name_tokens
 
 _QUALIFIERS = re.compile(r"(?:\b(?:static|const|volatile|extern|register|auto|inline)\b|\s)*")
@@ -33,7 +34,7 @@ def empty_lists(view: CodeView, data: bytes, functions: Mapping[str, FunctionTyp
             continue
         known = defined.get(function.name)
         if known is not None and known.parameters and not function.definition:
-            yield Change(function, "empty-parentheses", _list(known), "in C++ an empty list means no parameters")
+            yield Change(function, "empty-parentheses", declared_parameters(known), "in C++ an empty list means no parameters")
         elif any(c.arguments for f in (function, known) if f is not None for c in f.calls):
             yield Change(function, "empty-parentheses", "...", "it is called with arguments that it does not take")
 
@@ -51,22 +52,13 @@ def missing_arguments(view: CodeView, data: bytes, functions: Mapping[str, Funct
             yield Change(call, "missing-arguments", before + values, "it is called without arguments that it takes")
 
 
-def _list(function: ccode.Function) -> str:
-    """The parameters of a function as C++ writes them."""
-    shown = [
-        declare(f"{p.valueType.spelling} {p.valueType.arrayDims or ''}" if p.valueType is not None else "int", p.name)
-        for p in function.parameters
-    ]
-    return ", ".join([*shown, *(["..."] if function.variadic else [])])
-
-
 def parameters_behind(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """`f(a) int a; {`: the types of the parameters come into the list."""
     for function in view.of_kind(ccode.Function):
         names = [p.name for p in function.parameters]
         inner = function.signature[function.signature.find("(", function.signature.find(function.name)) + 1 :].removesuffix(")")
         if function.body is not None and names and [w.strip() for w in inner.split(",")] == names:
-            yield Change(function, "parameters-behind", _list(function), "C++ declares parameters in the list only")
+            yield Change(function, "parameters-behind", declared_parameters(function), "C++ declares parameters in the list only")
 
 
 def implicit_int(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
@@ -278,6 +270,17 @@ def words_of_c(view: CodeView, data: bytes, functions: Mapping[str, FunctionType
         yield Change(elements[-1], "words-between", " ".join(map(str, between)), "C++ has another word for it")
 
 
+def hidden_counters(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """A body of a loop that declares a name which the loop's head declares, too: in C the body is a block within."""
+    for loop in view.of_kind(ccode.For):
+        body, head = loop.body, loop.initial if isinstance(loop.initial, ccode.DeclarationStatement) else loop.declaration
+        if head is None or not isinstance(body, ccode.Block) or is_torn(body):
+            continue
+        inner = {d.name for s in body.statements if isinstance(s, ccode.DeclarationStatement) for d in s.declarations}
+        if not inner.isdisjoint(d.name for d in head.declarations if d.name):
+            yield Change(body, "inner-block", "", "in C++ the body of a loop declares no name of its head anew")
+
+
 RULES = (
     empty_lists,
     missing_arguments,
@@ -286,6 +289,7 @@ RULES = (
     missing_returns,
     returns,
     jumped_over,
+    hidden_counters,
     zero_constants,
     sizes_of_parameters,
     words_of_c,

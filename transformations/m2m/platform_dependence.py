@@ -230,7 +230,8 @@ def _beside_adapters(names: TargetNames, views: Sequence[CodeView], result: Depe
     own -= served | {""}
     declared, macros = declared_names(result.pieces, own)
     declared |= library_names(result.pieces, index, own)
-    return names.beside(declared, macros | {str(helper.name) for helper in result.helpers})
+    within = {word for piece in result.pieces for statement in piece.setup for word in _WORD.findall(str(statement))}
+    return names.beside(declared, macros | {str(helper.name) for helper in result.helpers}, frozenset(within))
 
 
 def _change_unit_texts(

@@ -16,6 +16,9 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.lexer import Token, closing, tokens
 from robosmi.transformations.m2m import old_c
 from robosmi.transformations.m2m.designated_lists import list_holders, positional
+from robosmi.transformations.m2m.early_functions import left_early
+from robosmi.transformations.m2m.empty_types import empty_types
+from robosmi.transformations.m2m.exact_texts import without_zero
 from robosmi.transformations.m2m.nested_types import RECORDS
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import of_use, type_of
@@ -56,6 +59,13 @@ def refused_forms(view: CodeView, data: bytes) -> list[Form]:
     words = [word for word in tokens(data) if word[0] not in ("comment", "directive")]
     found = [*_choices_by_type(data), *_types_in_place(words), *_late_enumerations(words), *_old_pointers(words)]
     found += [*_hidden_types(view), *_pointer_sizes(words)]
+    for each in empty_types(view, data):
+        if each.parameters is None:
+            message = f"nothing says what the functions of the type '{each.typedef.name}' take, and they take something"
+            found.append((int(each.typedef.startOffset), message, "write the types of the parameters in its definition"))
+    for function in left_early(view, data):
+        message = f"'{function.name}' runs before main, when the target has not started its clock: a wait in it never ends"
+        found.append((int(function.startOffset), message, "call it at the beginning of main"))
     found += [*_rows_of_parameters(view, data), *_flexible_values(view), *_record_casts(view)]
     return sorted(set(found))
 
@@ -219,16 +229,6 @@ def _record_casts(view: CodeView) -> Iterator[Form]:
             )
 
 
-_CHARACTER = re.compile(r"\\(?:x[0-9a-fA-F]+|[0-7]{1,3}|.)|[^\\]", re.DOTALL)
-"""A character of a text in C, or its escape (C17, 6.4.4.4)."""
-
-
-def _text_bytes(literal: str) -> int:
-    """The bytes of a text in C, as it is written, without the zero byte at its end; pieces that stand side by side are one."""
-    written = "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', literal, re.DOTALL))
-    return sum(1 if c.startswith("\\") else len(c.encode(errors="surrogateescape")) for c in _CHARACTER.findall(written))
-
-
 _RECORD_WITHIN = re.compile(rb"\)\s*\{")
 
 
@@ -252,10 +252,8 @@ def _unmended(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Located, str]
             yield value, "a list that names the elements of an array by their index is no C++"
         elif re.search(r"[{,]\s*\.\w+\s*=(?!=)", text):
             yield value, "a list that names members is C++ only where it names them in their order"
-    for literal in view.of_kind(ccode.StringLiteral):
-        variable = literal.eContainer()
-        use = variable.valueType if isinstance(variable, ccode.Variable) else None
-        if use is not None and use.arrayDims.strip("[] ") == str(_text_bytes(literal.text)) and use.pointerDepth == 0:
+    for literal, written in without_zero(view, data):
+        if not written:
             yield literal, "the array has no room for the zero byte at the end of its text"
     for variable in old_c.jumped_over_for_good(view):
         yield variable, "a jump leads over an initial value, which C++ refuses"

@@ -56,6 +56,8 @@ def renamings(views: Sequence[CodeView], sources: Mapping[str, bytes], names: Ta
             reason = f"the target or an adapter has a macro '{name}'"
         elif top and name in names.declared:
             reason = f"the target or an adapter declares a '{name}' of its own"
+        elif name in names.statements and isinstance(declaration, ccode.Macro):
+            reason = f"a statement that an adapter needs in setup has the word '{name}'"
         else:
             continue
         if taken is None:

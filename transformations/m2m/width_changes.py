@@ -76,6 +76,11 @@ class Writer:
                 self.lost.append(want)
         for place in sorted(self._casts, key=lambda p: (p.unit, p.start, -p.end)):
             cast = self._casts[place]
+            if cast.number is not None and not cast.read and self.order.computed_before(place):
+                zero = "0" + ("" if cast.number.signed else "U") + ("LL" if cast.number.bits > 32 else "L")
+                self._edits[WidthEdit(place.unit, place.end, place.end, "))", WIDEN)] = None
+                self._edits[WidthEdit(place.unit, place.start, place.start, f"({zero} + (", WIDEN)] = None
+                continue
             words = [(f"({_spelt(cast.number)})", WIDEN)] if cast.number is not None else []
             words += [("(uint8_t)", READ)] if cast.read else []
             if cast.enclosed:

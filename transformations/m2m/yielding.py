@@ -12,9 +12,10 @@ from collections.abc import Iterator
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.lexer import closing, tokens
+from robosmi.transformations.queries.block_braces import inside
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.cooperation import Waiting, gives_way, loops_of
-from robosmi.transformations.queries.source_text import SourceText, inside
+from robosmi.transformations.queries.source_text import SourceText
 
 GIVE_WAY = "give-way"
 """Rule of changes of text: a loop lets the others get on."""

@@ -13,10 +13,13 @@ from typing import TYPE_CHECKING, NamedTuple
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.quoting import c_comment
+from robosmi.transformations.queries.block_braces import inside
 from robosmi.transformations.queries.expression_type import of_use
+from robosmi.transformations.queries.plan import RUN_IN_SETUP
 from robosmi.transformations.queries.plan_adapters import rest_levels, setup_statements
-from robosmi.transformations.queries.source_text import Piece, SourceText, inside, reindent
+from robosmi.transformations.queries.source_text import Piece, SourceText, reindent
 from robosmi.transformations.queries.text_changes import decision_of
+from robosmi.typed import distinct
 
 if TYPE_CHECKING:
     from robosmi.model.driver import Item
@@ -164,7 +167,14 @@ def _setup(plan: migration.MigrationPlan) -> list[str]:
     for connection in rest_levels(plan):
         levels.append(f"digitalWrite({connection.name}, {connection.restLevel.upper()});  // {_idle(connection)}\n")
         levels.append(f"pinMode({connection.name}, OUTPUT);\n")
-    return [*levels, *(f"{statement}\n" for statement in setup_statements(plan))]
+    return [*levels, *(f"{statement}\n" for statement in setup_statements(plan)), *_early_calls(plan)]
+
+
+def _early_calls(plan: migration.MigrationPlan) -> list[str]:
+    """Calls of the functions that run before main, in the order of the text."""
+    early = (d.element for d in plan.dispositions if RUN_IN_SETUP in d.rules)
+    found = sorted((f for f in early if isinstance(f, ccode.Function)), key=lambda f: int(f.startOffset))
+    return [f"{name}();  // it runs before main\n" for name in distinct(str(f.name) for f in found)]
 
 
 def _idle(connection: migration.Connection) -> str:
@@ -235,7 +245,7 @@ def _indented(pieces: Sequence[Piece], source: SourceText) -> list[str]:
     if not pieces or source.line_start(pieces[0].start) == pieces[0].start:
         return reindent(texts)
     head, _, rest = texts[0].partition("\n")
-    others = reindent([rest, *texts[1:]])
+    others = reindent([rest, *texts[1:]], head.endswith("\\"))
     return [f"  {head.strip()}\n{others[0]}" if head.strip() else others[0], *others[1:]]
 
 

@@ -15,7 +15,9 @@ from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 
-_QUALIFIERS = re.compile(r"\b(const|volatile|register|restrict|extern|static|struct|union|enum)\b")
+_QUALIFIERS = re.compile(
+    r"\b(const|volatile|register|restrict|extern|static|struct|union|enum|__(?:const|volatile|restrict)(?:__)?)\b"
+)
 ARITHMETIC = frozenset(
     [
         "bool",
@@ -112,6 +114,8 @@ def of_use(use: ccode.TypeUse | None) -> ValueType | None:
         if inner is not None:
             meant = inner.declaration or _unnamed(declaration)
             sizes = made.dimensions + (inner.dimensions if made.depth == made.dimensions else 0)
+            if inner.array:  # an element of a named array has no name of its own
+                made = replace(made, spelling=inner.spelling + "*" * made.depth, constant=made.constant or inner.constant)
             return replace(made, base=inner.base, depth=made.depth + inner.depth, dimensions=sizes, declaration=meant)
     return replace(made, declaration=declaration or nameless(use))
 
@@ -133,7 +137,7 @@ def nameless(use: ccode.TypeUse) -> ccode.Record | ccode.Enumeration | None:
     if not isinstance(holder, ccode.Variable):
         return None
     beside = _declared_beside(holder)
-    found = [d for d in beside if isinstance(d, kind) and not d.name and d.startOffset <= holder.startOffset]
+    found = [d for d in beside if isinstance(d, kind) and not d.name and d.startOffset < holder.endOffset]
     return max(found, key=lambda declared: int(declared.startOffset), default=None)
 
 

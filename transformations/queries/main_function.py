@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind, ancestor_of_kind
+from robosmi.transformations.queries.block_braces import is_torn
 from robosmi.transformations.queries.main_locals import (
     MovedDeclaration,
     Surroundings,
@@ -114,6 +115,8 @@ def _obstacle(structure: MainStructure) -> str:
     assert loop is not None
     if reason := _jumps(structure):
         return reason
+    if isinstance(loop.body, ccode.Block) and is_torn(loop.body):
+        return f"a macro writes more than a brace of the loop in line {loop.line}"
     expanded = [(use.startOffset, use.endOffset) for use in unit.macroUses]
     for leaving in (*ways_out(loop), *all_of_kind(main, ccode.Return), *all_of_kind(loop, ccode.Continue)):
         if any(start <= leaving.startOffset < end for start, end in expanded):

@@ -40,6 +40,10 @@ def platform_of(plan: migration.MigrationPlan) -> platform.Platform:
     return found
 
 
+RUN_IN_SETUP = "run-in-setup"
+"""The rule of dispositions of functions that run before main on the source: setup calls them first."""
+
+
 def keeps_main(plan: migration.MigrationPlan) -> bool:
     """Whether programs of the plan's target begin with main, so that it stays as it is."""
     return target_of(plan).structure is platform.EntryStructure.mainFunction

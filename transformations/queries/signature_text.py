@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 
+from robosmi.metamodels import ccode
 from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
@@ -92,3 +93,12 @@ def nothing(returned: str) -> str:
     if returned.strip() == "void" or not words:
         return ""
     return "0" if "*" in returned or words[0] in ARITHMETIC else "{}"
+
+
+def declared_parameters(function: ccode.Function) -> str:
+    """The parameters of a function as C++ writes them in its list, empty for none."""
+    shown = [
+        declare(f"{p.valueType.spelling} {p.valueType.arrayDims or ''}" if p.valueType is not None else "int", p.name)
+        for p in function.parameters
+    ]
+    return ", ".join([*shown, *(["..."] if function.variadic else [])])

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from robosmi.metamodels import ccode, migration
+from robosmi.transformations.queries.block_braces import ends_in_brace
 from robosmi.transformations.queries.text_changes import decision_of, effective
 
 HEADERS = (".h", ".hh", ".hpp")
@@ -80,6 +81,8 @@ class SourceText:
         """Offset behind a statement with its semicolon."""
         if self.data[statement.endOffset - 2 : statement.endOffset].endswith((b";", b"}", b"%>")):
             return int(statement.endOffset)
+        if isinstance(statement, (ccode.Block, ccode.If, ccode.Switch, ccode.Loop)) and ends_in_brace(statement):
+            return int(statement.endOffset)
         found = self.data.find(b";", statement.endOffset)
         return found + 1 if found >= 0 else int(statement.endOffset)
 
@@ -144,33 +147,32 @@ class SourceText:
         return Piece(text, start, end, tuple(elements), applied)
 
 
-def inside(data: bytes, block: ccode.Located) -> tuple[int, int]:
-    """The range between the braces of a block, which may be written as the digraphs `<%` and `%>`."""
-    start, end = int(block.startOffset), int(block.endOffset)
-    return start + (2 if data[start : start + 2] == b"<%" else 1), end - (2 if data[end - 2 : end] == b"%>" else 1)
-
-
 _LABEL = re.compile(r"\s*(?!default\b)[A-Za-z_]\w*\s*:(?!:)")
 
 
-def reindent(texts: Sequence[str]) -> list[str]:
+def reindent(texts: Sequence[str], continued: bool = False) -> list[str]:
     """Texts that stand together, with their common indentation taken away and two blanks given instead.
 
     Directives and what continues a line (after a backslash) are left as they are, since blanks in them may matter. Labels
     stand further left than what they belong to, so they do not count for the common indentation.
+
+    Args:
+        texts: that stand one behind the other.
+        continued: the first one goes on with a line before it, which ends in a backslash.
     """
-    lines = [line.expandtabs(4) for text in texts for line, kept in _lines(text) if line.strip() and not kept]
+    shown = [list(_lines(text, continued and not number)) for number, text in enumerate(texts)]
+    lines = [line.expandtabs(4) for text in shown for line, kept in text if line.strip() and not kept]
     counted = [line for line in lines if not _LABEL.match(line)] or lines
     common = min((len(line) - len(line.lstrip(" ")) for line in counted), default=0)
-    return ["".join(line if kept else _reindented(line, common) for line, kept in _lines(text)) for text in texts]
+    return ["".join(line if kept else _reindented(line, common) for line, kept in text) for text in shown]
 
 
 _LINES = re.compile(r"[^\n]*\n|[^\n]+")  # a form feed ends no line of C, nor does what else Python's splitlines knows
 
 
-def _lines(text: str) -> Iterator[tuple[str, bool]]:
-    """The lines of a text, and whether each has to stay as it is."""
-    directive = continued = False
+def _lines(text: str, continued: bool = False) -> Iterator[tuple[str, bool]]:
+    """The lines of a text, and whether each has to stay as it is; the first may continue a line."""
+    directive = False
     for line in _LINES.findall(text):
         if not continued:
             directive = line.lstrip().startswith("#")

@@ -166,6 +166,12 @@ def _attribute(context: UnitContext, number: int, stop: int) -> bool:
     return kind == "name" and following < stop and text not in QUALIFIERS and not context.expansions_at(following)
 
 
+_BEFORE_A_NAME = frozenset(["*", "(", "const", "volatile", "restrict", "^", "&", "&&"]) | {
+    f"__{word}{end}" for word in ("const", "volatile", "restrict") for end in ("", "__")
+}
+"""What stands between a type and a name; GNU C spells words with underlines, too."""
+
+
 def declarator(context: UnitContext, spec: Specifiers, name_offset: int) -> tuple[str, str, int, int]:
     """The declarator around a name.
 
@@ -176,7 +182,7 @@ def declarator(context: UnitContext, spec: Specifiers, name_offset: int) -> tupl
     tokens = context.tokens
     name = context.token_at(name_offset)
     first = name
-    while first - 1 >= spec.end and tokens[first - 1][3] in (*("*", "(", "const", "volatile", "restrict", "^", "&", "&&"),):
+    while first - 1 >= spec.end and tokens[first - 1][3] in _BEFORE_A_NAME:
         first -= 1
     before = [t[3] for t in tokens[first:name]]
     i = name + 1 if name < len(tokens) and tokens[name][1] == name_offset and tokens[name][0] == "name" else name

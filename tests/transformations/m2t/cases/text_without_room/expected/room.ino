@@ -5,7 +5,7 @@
 
 #include "adapters.h"
 
-char code[3] = "abc";
+char code[3] = {'a', 'b', 'c'};
 
 void setup() {
 }

@@ -1,0 +1,109 @@
+"""Texts that fill an array of characters to its end, so that the zero byte has no room (C11 6.7.9): C++ refuses them.
+
+Each becomes a list of its characters. Texts that a macro writes, and those in lists that are written anew as a whole, stay;
+`refused_forms` tells them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+
+from robosmi.metamodels import ccode
+from robosmi.transformations.m2m.designated_lists import positional
+from robosmi.transformations.m2m.list_values import UnknownList, constants_of, index_value, members_of
+from robosmi.transformations.m2m.text_change import Change
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.expression_type import FunctionType, ValueType, of_use
+from robosmi.transformations.queries.initialisers import says_where, value_in
+
+_PIECE = re.compile(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)
+_CHARACTER = re.compile(r"\\(?:x[0-9a-fA-F]+|[0-7]{1,3}|.)|[^\\]", re.DOTALL)
+"""A character of a text in C, or its escape (C17, 6.4.4.4)."""
+_SIZE = re.compile(r"\[([^\]]*)\]")
+
+
+def exact_texts(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """The texts that are written where they stand."""
+    for literal, written in without_zero(view, data):
+        if written:
+            text = data[literal.startOffset : literal.endOffset].decode("utf-8", errors="surrogateescape")
+            yield Change(literal, "replace", _listed(text), "the array has no room for the zero byte of its text")
+
+
+def without_zero(view: CodeView, data: bytes) -> Iterator[tuple[ccode.StringLiteral, bool]]:
+    """The texts of a unit that have as many characters as their array has elements, and whether they can be written otherwise."""
+    for variable in view.of_kind(ccode.Variable):
+        if variable.initializer is None or variable.valueType is None:
+            continue
+        found = list(_within(variable.initializer, variable.valueType, _sizes(variable.valueType), constants_of(variable)))
+        anew = [(start, end) for start, end, _ in positional(variable, data) or ()] if found else []
+        for literal in found:
+            start, end = int(literal.startOffset), int(literal.endOffset)
+            plain = data[start:end].startswith(b'"') and data[start:end].endswith(b'"')
+            yield literal, plain and not any(first <= start and end <= last for first, last in anew)
+
+
+def _sizes(use: ccode.TypeUse) -> list[str]:
+    """The sizes of an array as they are written, those of a type that the program names too."""
+    made = _found(_SIZE, str(use.arrayDims or ""))
+    named = use.declaration.aliased if isinstance(use.declaration, ccode.Typedef) else None
+    return made + (_sizes(named) if named is not None else [])
+
+
+def _within(
+    value: ccode.Expression, use: ccode.TypeUse, sizes: Sequence[str], constants: Mapping[str, int]
+) -> Iterator[ccode.StringLiteral]:
+    kind = of_use(use)
+    if kind is None or kind.depth > kind.dimensions:
+        return
+    if isinstance(value, ccode.StringLiteral):
+        if len(sizes) == 1 and kind.base.endswith("char") and _known(sizes[0], constants) == len(characters(value.text)):
+            yield value
+    elif isinstance(value, ccode.InitializerList):
+        inside = [each for element in value.elements if (each := value_in(element)) is not None]
+        if sizes:
+            for each in inside:
+                yield from _within(each, use, sizes[1:], constants)
+            return
+        yield from _members(value, kind, constants)
+
+
+def _members(given: ccode.InitializerList, kind: ValueType, constants: Mapping[str, int]) -> Iterator[ccode.StringLiteral]:
+    """The texts for the members of a structure, which come in their order or say their member."""
+    members = members_of(kind)
+    places = {str(member.name): place for place, member in enumerate(members)}
+    place = 0
+    for element in given.elements:
+        left = element.left if isinstance(element, ccode.Assignment) and says_where(element) else None
+        place = places.get(str(left.name), len(members)) if isinstance(left, ccode.Member) else place
+        value = value_in(element)
+        use = members[place].valueType if place < len(members) else None
+        if value is not None and use is not None:
+            yield from _within(value, use, _sizes(use), constants)
+        place += 1
+
+
+def _known(size: str, constants: Mapping[str, int]) -> int | None:
+    try:
+        return index_value(size, constants)
+    except UnknownList:
+        return None
+
+
+def characters(literal: str) -> list[str]:
+    """The bytes of a text in C as they are written, without the zero byte at its end; pieces that stand side by side are one."""
+    made: list[str] = []
+    for piece in _found(_PIECE, literal.replace("\\\n", "")):
+        for each in _found(_CHARACTER, piece):
+            plain = len(each.encode(errors="surrogateescape")) == 1 or each.startswith("\\")
+            made += [each] if plain else [f"\\x{byte:02x}" for byte in each.encode(errors="surrogateescape")]
+    return made
+
+
+def _found(pattern: re.Pattern[str], text: str) -> list[str]:
+    return list(pattern.findall(text))
+
+
+def _listed(literal: str) -> str:
+    return "{" + ", ".join("'" + {"'": "\\'", '\\"': '"'}.get(each, each) + "'" for each in characters(literal)) + "}"

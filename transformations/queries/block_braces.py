@@ -1,0 +1,49 @@
+"""The braces of a block as they are written: `{` and `}`, the digraphs `<%` and `%>`, or macros that end in one or are one.
+
+`#define FOREVER for (;;) {` and `#define END }` open and close blocks in programs; the block begins behind the use of the one
+and ends before that of the other.
+"""
+
+from __future__ import annotations
+
+from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
+
+
+def inside(data: bytes, block: ccode.Located) -> tuple[int, int]:
+    """The range between the braces of a block that is not torn.
+
+    Args:
+        data: the bytes of the block's unit.
+        block: what stands between braces.
+    """
+    start, end = int(block.startOffset), int(block.endOffset)
+    opening, closing = _ends(block)
+    first = int(opening.endOffset) if opening is not None else start + (2 if data[start : start + 2] == b"<%" else 1)
+    last = int(closing.startOffset) if closing is not None else end - (2 if data[end - 2 : end] == b"%>" else 1)
+    return first, last
+
+
+def is_torn(block: ccode.Located) -> bool:
+    """Whether a macro has more behind the brace that begins a block, or beside the one that ends it, than that brace."""
+    opening, closing = _ends(block)
+    return not _body(opening).endswith("{") or _body(closing, "}") != "}"
+
+
+def ends_in_brace(statement: ccode.Located) -> bool:
+    """Whether a macro ends a statement, and ends in a brace itself."""
+    return _body(_ends(statement)[1], "").endswith("}")
+
+
+def _ends(block: ccode.Located) -> tuple[ccode.MacroUse | None, ccode.MacroUse | None]:
+    """The uses of macros in which a block begins and ends."""
+    unit = ancestor_of_kind(block, ccode.SourceUnit)
+    uses = list(unit.macroUses) if unit is not None else []
+    opening = (use for use in uses if use.startOffset <= block.startOffset < use.endOffset)
+    closing = (use for use in uses if use.startOffset < block.endOffset <= use.endOffset)
+    return next(opening, None), next(closing, None)
+
+
+def _body(use: ccode.MacroUse | None, none: str = "{") -> str:
+    """What the macro of a use stands for; where there is no use, the brace that is written."""
+    return none if use is None else str(use.macro.body or "").strip() if use.macro is not None else ""
