@@ -1,8 +1,12 @@
 """`python -m robosmi`, and the command `robosmi`: the command line, also where it is interrupted before it has begun."""
 
+import atexit
 import os
 import signal
 import sys
+import threading
+from contextlib import suppress
+from typing import NoReturn
 
 
 def _current_folder_is_first() -> bool:
@@ -28,7 +32,26 @@ def start() -> int:
     return code
 
 
+def command() -> NoReturn:
+    """Run the command of this process and end it, without taking its models and modules apart one by one.
+
+    The system takes all memory back at once. Where threads are at work, or what was printed cannot be written, Python ends the
+    process in its own way.
+    """
+    try:
+        code = start()
+    except SystemExit as error:  # of --help and --version
+        code = int(error.code or 0)
+    if threading.active_count() == 1:
+        atexit._run_exitfuncs()
+        with suppress(OSError, ValueError, AttributeError):  # AttributeError: the stream is None
+            sys.stdout.flush()
+            sys.stderr.flush()
+            os._exit(code)
+    sys.exit(code)
+
+
 if __name__ == "__main__":
     if _current_folder_is_first():
         del sys.path[0]
-    sys.exit(start())
+    command()

@@ -10,18 +10,22 @@ from __future__ import annotations
 import dis
 import importlib
 import os
+import sys
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from functools import cache
+from importlib.machinery import PathFinder
 from types import ModuleType
 from typing import Any, NamedTuple
 
+from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import InternalError, MissingToolError, RuleError, UsageError, did_you_mean
 
 ENTRY_POINTS = "robosmi.transformations"
 BUILT_IN = "robosmi.transformations:registry"
+_INFO = (".dist-info", "egg-info")
 
 ADDING = ("constraints",)
 """The kinds of which everything that is offered under one name counts, and not only what was offered last."""
@@ -208,10 +212,12 @@ def load(target: str) -> Any:
 @cache
 def registry() -> Registry:
     """The registry of this process, filled from the entry points at the first call; damaged plug-ins are in its `broken`."""
-    from importlib.metadata import entry_points
-
     result = Registry()
     load(BUILT_IN)(result)
+    if not others_may_offer(sys.path):
+        return result
+    from importlib.metadata import entry_points
+
     points = {point.value: point for point in entry_points(group=ENTRY_POINTS)}
     for value, point in points.items():
         if value == BUILT_IN:
@@ -226,6 +232,43 @@ def registry() -> Registry:
         else:
             result.take(offered, distribution)
     return result
+
+
+def others_may_offer(folders: Iterable[str]) -> bool:
+    """Whether an installed distribution but our own offers something, or may do so where it is not seen at a glance.
+
+    `importlib.metadata` would know for certain, but loading it takes longer than many a command, and few people have plug-ins.
+
+    Args:
+        folders: where distributions are installed, as `sys.path` has them.
+    """
+    if any("find_distributions" in dir(finder) for finder in sys.meta_path if finder is not PathFinder):
+        return True
+    for folder in folders:
+        try:
+            names = os.listdir(folder or ".")
+        except FileNotFoundError:
+            continue
+        except OSError:  # an archive
+            return True
+        for name in names:
+            if name.endswith(".egg"):
+                return True
+            if name.lower().endswith(_INFO) and _offers(os.path.join(folder, name, "entry_points.txt")):
+                return True
+    return False
+
+
+def _offers(path: str) -> bool:
+    """Whether a file of entry points has one of our group that is not our own."""
+    try:
+        text = inputs.read_text(path, inputs.SETTINGS)
+    except (FileNotFoundError, NotADirectoryError):
+        return False
+    except (OSError, UnicodeDecodeError):
+        return True
+    section = text.partition(f"[{ENTRY_POINTS}]")[2].partition("\n[")[0]
+    return any(line.partition("=")[2].strip() != BUILT_IN for line in section.splitlines() if "=" in line)
 
 
 def unloadable(error: BaseException) -> MissingToolError | None:

@@ -7,7 +7,6 @@ asked for is imported. With `--json`, stdout is exactly one document, also when 
 from __future__ import annotations
 
 import argparse
-import atexit
 import gc
 import importlib
 import os
@@ -190,14 +189,12 @@ def _end_in_order() -> None:
 
 
 def _collect_less() -> None:
-    """Look for garbage in circles less often, and not at the end: a command is over before it pays (a fifth of a migration).
+    """Look for garbage in circles less often: a command is over before it pays (a fifth of a migration).
 
     What models refer to in circles lives as long as the command, so Python's default of a look after every 700 new objects
-    finds nothing, again and again; at its end the system takes all memory back. A migration of a small program makes fewer than
-    200,000 that stay.
+    finds nothing, again and again. A migration of a small program makes fewer than 200,000 that stay.
     """
     gc.set_threshold(200_000, 20, 20)
-    atexit.register(gc.freeze)
 
 
 def _run(parsed: argparse.Namespace) -> int:

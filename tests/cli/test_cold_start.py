@@ -22,7 +22,29 @@ code = main()
 import gc
 print(json.dumps({"code": code, "modules": sorted(sys.modules), "threshold": gc.get_threshold()}), file=sys.stderr)
 """
-LONG_TO_LOAD = {"pyecore.resources", "ssl", "urllib.request", "networkx", "numpy", "asyncio"}
+LONG_TO_LOAD = {"pyecore.resources", "ssl", "urllib.request", "networkx", "numpy", "asyncio", "email"}
+
+ENDING = """
+import atexit, threading, time
+from robosmi.__main__ import command
+atexit.register(print, "registered")
+def later():
+    time.sleep(0.5)
+    print("thread")
+if {threads}:
+    threading.Thread(target=later).start()
+command()
+"""
+
+
+@pytest.mark.parametrize("threads", [False, True])
+@pytest.mark.parametrize(("words", "code"), [(["--version"], 0), (["hardware", "nowhere.fzz"], 3)])
+def test_what_is_registered_for_the_end_of_the_process_and_threads_are_done(words: list[str], code: int, threads: bool) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", ENDING.format(threads=threads), *words], capture_output=True, text=True, cwd=ROOT
+    )
+    assert done.returncode == code
+    assert done.stdout.split()[-1 - threads :] == (["thread"] if threads else []) + ["registered"]
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,8 @@ from typing import Any
 
 import pytest
 
+from robosmi.plugins import others_may_offer
+
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 PROGRAM = HERE.parent / "targets" / "program" / "beacon.c"
@@ -176,3 +178,30 @@ def test_a_folder_of_data_that_is_not_there_is_said_and_its_plug_in_listed(tmp_p
     tools = [tool for tool in command("doctor", path=path)["result"]["tools"] if "beacon" in tool["name"]]
     assert [tool["found"] is None for tool in tools] == [False, True]
     assert "/nowhere/at/all" in str(tools[1])
+
+
+OURS = "[console_scripts]\nx = y:z\n\n[robosmi.transformations]\nbuiltin = robosmi.transformations:registry\n\n[last]\na = b:c\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "offers"),
+    [
+        ("a-1.dist-info", OURS, False),
+        ("a-1.dist-info", OURS.replace("builtin = ", "checks = checks_plugin:register\nbuiltin = "), True),
+        ("a.egg-info", "[robosmi.transformations]\nchecks=checks_plugin:register", True),
+        ("EGG-INFO", "[robosmi.transformations]\nchecks=checks_plugin:register", True),
+        ("a-1.dist-info", "[another.group]\nrobosmi.transformations = a:b\n", False),
+        ("a-1.dist-info", "[robosmi.transformations]\n\udcff = a:b", True),
+        ("a.egg", "", True),
+        ("a", "[robosmi.transformations]\nchecks = checks_plugin:register\n", False),
+    ],
+)
+def test_whether_others_offer_something_is_seen_at_a_glance(name: str, text: str, offers: bool, tmp_path: Path) -> None:
+    (tmp_path / name).mkdir()
+    (tmp_path / name / "entry_points.txt").write_text(text, errors="surrogateescape")
+    assert others_may_offer([str(tmp_path / "nowhere"), str(tmp_path)]) is offers
+
+
+def test_an_archive_on_the_path_may_offer_something(tmp_path: Path) -> None:
+    (tmp_path / "all.zip").write_bytes(b"")
+    assert others_may_offer([str(tmp_path / "all.zip")])
