@@ -231,10 +231,16 @@ def _failed(error: RobosmiError, command: str, as_json: bool, started: float, sa
         with suppress(SourceError):  # the message below has to do
             _print_json(document)
     place = f"{error.location}: " if error.location else ""
-    streams.complain(terminal(f"robosmi: error: {place}{error.message}"))
+    streams.complain(_lines(f"robosmi: error: {place}{error.message}"))
     if error.fix:
-        streams.complain(terminal(f"  do: {error.fix}"))
+        streams.complain(_lines(f"  do: {error.fix}"))
     return error.exit_code
+
+
+def _lines(text: str) -> str:
+    """An error as lines for a terminal, as one may list several places; what follows is indented and passes for no error."""
+    first, *rest = text.split("\n")
+    return "\n".join([terminal(first), *(f"  {terminal(line.strip())}" for line in rest if line.strip())])
 
 
 def _print_json(document: dict[str, Any]) -> None:

@@ -446,3 +446,18 @@ def test_a_report_does_not_say_none_where_its_findings_stand_among_what_is_to_be
     run("migrate", cases / "syntax.c", "-o", tmp_path / "out")
     findings = (tmp_path / "out" / "syntax" / "MIGRATION.md").read_text().partition("## Findings\n")[2].partition("\n## ")[0]
     assert "\nNone.\n" not in findings
+
+
+def test_an_error_of_several_places_has_a_line_for_each(tmp_path: Path) -> None:
+    """What follows the first line is indented, so that no name in it passes for a message of its own."""
+    model = tmp_path / "plan.xmi"
+    said = run("migrate", "docs/examples/line_follower/line_follower.c", "-o", str(tmp_path / "out"))
+    assert said.code == 0, said.err
+    text = (tmp_path / "out" / "models" / "plan.xmi").read_text()
+    model.write_text(text.replace(' name="line_follower"', ' nme="line_follower" bogus="1"', 1))
+    outcome = run("generate", str(model), "-o", str(tmp_path / "again"))
+    lines = outcome.err.splitlines()
+    assert outcome.code == 3
+    assert "\\n" not in outcome.err
+    assert [line for line in lines if not line.startswith("  ")] == lines[:1]
+    assert sum("has no feature" in line for line in lines) == 2

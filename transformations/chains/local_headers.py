@@ -1,9 +1,9 @@
 """Headers of the program's own that lie beside it: they are read with it, stored with it and carried over with it.
 
-Found are those that a source file, or such a header, includes and that no platform provides; where they are looked for is
-what a C compiler does: beside the including file, then in the folders given. A header that lies there under the name of one of
-the platform's is the program's own where its sources define most of the functions that the platform's declares, as those of a
-library do; else it is a copy of the platform's.
+Found are those that a source file, or such a header, includes and that no platform provides, files with code (`.c`) too; where
+they are looked for is what a C compiler does: beside the including file, then in the folders given. A header that lies there
+under the name of one of the platform's is the program's own where its sources define most of the functions that the platform's
+declares, as those of a library do; else it is a copy of the platform's.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.queries.source_text import HEADERS
+from robosmi.transformations.queries.source_text import INCLUDED
 
 OUTSIDE = "RS113"
 """The rule of a header that is taken from outside of a program's folders."""
@@ -38,7 +38,7 @@ def with_headers(paths: Sequence[Path], include_dirs: Sequence[Path], api: ApiIn
     defined: set[str] | None = None
     for path in found:  # grows while it is walked
         for name in _included(path):
-            if not name.lower().endswith(HEADERS):
+            if not name.lower().endswith(INCLUDED):
                 continue
             place = next((p for p in (folder / name for folder in (path.parent, *include_dirs)) if p.is_file()), None)
             if place is not None and os.path.realpath(place) not in seen and place.name not in names:

@@ -19,7 +19,7 @@ from robosmi.transformations.queries.own_headers import headers_of_types, undecl
 from robosmi.transformations.queries.plan import keeps_main, target_of
 from robosmi.transformations.queries.plan_adapters import rest_levels
 from robosmi.transformations.queries.signature_text import declare
-from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, is_header
+from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, header_file, is_header
 from robosmi.transformations.queries.text_changes import decision_of
 from robosmi.transformations.queries.width_types import retyped
 
@@ -28,7 +28,7 @@ def file_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
     """What a unit's file is called in the sketch."""
     own = str(unit.path.rpartition("/")[2])
     if is_header(unit):
-        return own
+        return header_file(own)
     target = target_of(plan)
     if main_of(unit) is not None:
         return f"{plan.name}{target.fileSuffix}"

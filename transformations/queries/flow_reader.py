@@ -19,7 +19,7 @@ from robosmi.transformations.queries.initialisers import leaves, members_given, 
 from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
 from robosmi.transformations.queries.number_names import holder_of
 from robosmi.transformations.queries.pin_uses import pin_number
-from robosmi.transformations.queries.pointers import gives_access, moved_pointer, pointed_functions
+from robosmi.transformations.queries.pointers import gives_access, moved_pointer, pointed_functions, takes_number
 from robosmi.transformations.queries.value_flows import Flows, PinArgument, PortPlace
 from robosmi.typed import distinct
 
@@ -316,7 +316,7 @@ class FlowReader:
             for position, argument in enumerate(arguments):
                 self._give(("through a pointer", position), argument)
             for name, pin in self.pointed.values():
-                if pin.position < len(arguments):
+                if pin.position < len(arguments) and takes_number(call, pin.position):
                     self.flows.keep(self.value(arguments[pin.position]), f"it is given through a pointer (line {call.line})")
                     self._pin(name, pin, call, view)
             return

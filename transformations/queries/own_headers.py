@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
-from robosmi.transformations.queries.source_text import is_header
+from robosmi.transformations.queries.source_text import header_file, is_header
 
 
 def file_of(include: ccode.Include) -> ccode.SourceUnit:
@@ -17,13 +17,11 @@ def file_of(include: ccode.Include) -> ccode.SourceUnit:
 
 
 def own_header(include: ccode.Include) -> str:
-    """File name of the program's own header that an include means, empty where it was not carried over."""
+    """File name in the sketch of the program's own header that an include means, empty where it was not carried over."""
     wanted = str(include.header.replace("\\", "/").rpartition("/")[2])
     program = file_of(include).program
-    return next(
-        (wanted for u in (program.units if program is not None else ()) if is_header(u) and u.path.rpartition("/")[2] == wanted),
-        "",
-    )
+    units = [u for u in (program.units if program is not None else ()) if u.path.rpartition("/")[2] == wanted]
+    return header_file(wanted) if any(is_header(u) for u in units) else ""
 
 
 def unit_of(element: ccode.Located) -> ccode.SourceUnit:
@@ -36,7 +34,7 @@ def unit_of(element: ccode.Located) -> ccode.SourceUnit:
 def included(unit: ccode.SourceUnit) -> list[ccode.SourceUnit]:
     """The program's own headers that a unit includes, those that they include too."""
     program = unit.program
-    headers = {u.path.rpartition("/")[2]: u for u in (program.units if program is not None else ()) if is_header(u)}
+    headers = {_in_sketch(u): u for u in (program.units if program is not None else ()) if is_header(u)}
     found: dict[int, ccode.SourceUnit] = {}
     pending = [unit]
     while pending:
@@ -48,13 +46,19 @@ def included(unit: ccode.SourceUnit) -> list[ccode.SourceUnit]:
     return list(found.values())
 
 
+def _in_sketch(header: ccode.SourceUnit) -> str:
+    return header_file(header.path.rpartition("/")[2])
+
+
 def undeclared(unit: ccode.SourceUnit) -> list[ccode.Function]:
     """The functions of other files that a unit calls and declares nowhere, as old C allows; by their first calls."""
     declared = {d.name for u in (unit, *included(unit)) for d in u.declarations if isinstance(d, ccode.Function)}
     found: dict[str, ccode.Function] = {}
     for call in sorted(all_of_kind(unit, ccode.Call), key=lambda c: int(c.startOffset)):
         callee = call.callee
-        if callee is None or not callee.definition or callee.name in declared or unit_of(callee) is unit:
+        if callee is None or not callee.definition or callee.name in declared:
+            continue
+        if ancestor_of_kind(callee, ccode.SourceUnit) in (None, unit):  # None: a header defines it that was not carried over
             continue
         found.setdefault(str(callee.name), callee)
     return list(found.values())
@@ -84,7 +88,7 @@ def headers_of_types(functions: Iterable[ccode.Function], unit: ccode.SourceUnit
     seen = {id(header) for header in included(unit)}
     uses = (use for f in functions for use in (f.returnType, *(p.valueType for p in f.parameters)) if use is not None)
     units = (unit_of(use.declaration) for use in uses if use.declaration is not None and use.declaration.startOffset)
-    return sorted({u.path.rpartition("/")[2] for u in units if is_header(u) and id(u) not in seen})
+    return sorted({_in_sketch(u) for u in units if is_header(u) and id(u) not in seen})
 
 
 def own_macro(unit: ccode.SourceUnit | None, name: str) -> ccode.Macro | None:

@@ -7,19 +7,21 @@ from collections.abc import Sequence
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.expression_type import type_of
 from robosmi.transformations.queries.names import named_type
+from robosmi.transformations.queries.signature_text import split
 
 
 def pointed_functions(
     views: Sequence[CodeView],
 ) -> tuple[list[tuple[ccode.NameReference, CodeView]], list[tuple[ccode.NameReference, CodeView]]]:
-    """The uses as a value of functions with pins: of the platform's, and of the program's own with any parameter."""
+    """The uses as a value of functions with pins: the platform's, and the program's own with a parameter that may be one."""
     platform, own = [], []
     for view in views:
         for reference in view.of_kind(ccode.NameReference):
             target = reference.target
-            if isinstance(target, ccode.Function) and target.definition and len(target.parameters):
-                own.append((reference, view))
+            if isinstance(target, ccode.Function) and target.definition:
+                own += [(reference, view)] if any(_is_number(each) for each in target.parameters) else []
             elif isinstance(target, ccode.ExternalSymbol | ccode.Function | None) and not view.defined(str(reference.name)):
                 name = str(reference.name)
                 entry = view.resolve(name)
@@ -28,6 +30,23 @@ def pointed_functions(
                 if facts is not None and facts.parameters:
                     platform.append((reference, view))
     return platform, own
+
+
+def _is_number(parameter: ccode.Parameter) -> bool:
+    """Whether a parameter may be a pin: `void *` of a cog's code or a callback is none."""
+    use = parameter.valueType
+    return use is None or not (use.pointerDepth or use.arrayDims)
+
+
+def takes_number(call: ccode.Call, position: int) -> bool:
+    """Whether what a call calls through a pointer may take a number at a place; True where nothing says what it takes."""
+    called = call.calleeExpression
+    while isinstance(called, ccode.Index) or (isinstance(called, ccode.Unary) and str(called.operator) == "*"):
+        called = called.array if isinstance(called, ccode.Index) else called.operand
+    kind = type_of(called, {})
+    _, pointer, behind = kind.base.partition("(*") if kind is not None else ("", "", "")
+    taken = split(behind.partition(")")[2].strip()[1:-1]) if pointer else []
+    return position >= len(taken) or not set("*[") & set(taken[position])
 
 
 def gives_access(expression: Element | None) -> bool:

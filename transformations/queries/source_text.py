@@ -18,9 +18,26 @@ from robosmi.transformations.queries.text_changes import decision_of, effective
 HEADERS = (".h", ".hh", ".hpp")
 
 
+INCLUDED = (*HEADERS, ".c", ".cc", ".cpp")
+"""Endings of the files that a program's `#include` may name as its own: people include `.c` files, too."""
+
+
 def is_header(unit: ccode.SourceUnit) -> bool:
-    """Whether a unit is a header of the program's own, which the others include."""
-    return unit.path.lower().endswith(HEADERS)
+    """Whether a unit is a header of the program's own: by its name, or as another unit includes it."""
+    return unit.path.lower().endswith(HEADERS) or _is_included(unit)
+
+
+def _is_included(unit: ccode.SourceUnit) -> bool:
+    """Whether another unit of the program includes this one, which has no main."""
+    others = [u for u in unit.program.units if u is not unit] if unit.program is not None else []
+    name = unit.path.rpartition("/")[2]
+    named = any(i.header.replace("\\", "/").rpartition("/")[2] == name for u in others for i in u.includes)
+    return named and not any(isinstance(d, ccode.Function) and d.name == "main" and d.definition for d in unit.declarations)
+
+
+def header_file(name: str) -> str:
+    """What a header of the program's own is called in a sketch, whose compiler takes each `.c` file there for itself."""
+    return name if name.lower().endswith(HEADERS) else f"{name.replace('.', '_')}.h"
 
 
 @dataclass(frozen=True)

@@ -39,7 +39,10 @@ class Linker:
         self.externals: dict[tuple[str, str], ccode.Declaration] = {}
         self.own_functions: list[dict[str, ccode.Function]] = [_functions(d) for d in declarations]
         self.own_types = [_types(c) for c in contexts]
-        self._header_values = _values_of_headers(contexts, declarations)
+        read = {os.path.abspath(p) for c in contexts for p in c.parsed.inclusions[1:]}
+        self._shared = [c.source.path.lower().endswith(HEADERS) or os.path.abspath(c.source.path) in read for c in contexts]
+        """Whether each unit is a header: by its name, or as another unit includes it."""
+        self._header_values = _values_of_headers(self._shared, declarations)
         self._numbers = {os.path.abspath(context.source.path): number for number, context in enumerate(contexts)}
         self._headers_read: dict[tuple[int, int], int | None] = {}
         """Unit and a file that the parser read with it -> the unit that this file is, if it is one."""
@@ -93,7 +96,18 @@ class Linker:
             function = functions.get(name)
             if function is not None and function.definition and function.storage.name != "staticStorage":
                 return function
-        return own
+        if own is not None and own.storage.name != "staticStorage":
+            return own
+        return self._static_of_header(name) or own
+
+    def _static_of_header(self, name: str) -> ccode.Function | None:
+        """The static function of that name in the only header that defines one: a header that is included later may call it."""
+        found = [
+            functions[name]
+            for number, functions in enumerate(self.own_functions)
+            if self._shared[number] and name in functions and functions[name].definition
+        ]
+        return found[0] if len(found) == 1 else None
 
     def _of_unit(self, number: int, context: UnitContext, cursor: Cursor | None, name: str) -> ccode.Function | None:
         """The function of that name in the header among the units where the parser found it: a static one is seen so alone."""
@@ -201,7 +215,7 @@ class Linker:
     def _own_type(self, number: int, name: str, use: ccode.TypeUse, language: str) -> ccode.Declaration | None:
         """The type that a unit, or else a header among the units, declares under that name: by a tag or by a typedef."""
         tag = not _TAGS.isdisjoint(use.spelling.split())
-        headers = (t for t, c in zip(self.own_types, self.contexts, strict=True) if c.source.path.lower().endswith(HEADERS))
+        headers = (t for t, shared in zip(self.own_types, self._shared, strict=True) if shared)
         for types in (self.own_types[number], *headers):
             found = types.get((name, tag)) or (types.get((name, True)) if language == "C++" else None)
             if found is not None:
@@ -218,13 +232,12 @@ def _functions(declarations: Iterable[ccode.Declaration]) -> dict[str, ccode.Fun
 
 
 def _values_of_headers(
-    contexts: Iterable[UnitContext], declarations: Iterable[Iterable[ccode.Declaration]]
+    shared: Iterable[bool], declarations: Iterable[Iterable[ccode.Declaration]]
 ) -> dict[str, ccode.Declaration]:
     """Variables and enumerators that headers among the units declare, by name; a variable's definition before others."""
     found: dict[str, ccode.Declaration] = {}
     defined: dict[str, ccode.Declaration] = {}
-    for context, declared in zip(contexts, declarations, strict=True):
-        header = context.source.path.lower().endswith(HEADERS)
+    for header, declared in zip(shared, declarations, strict=True):
         for each in declared:
             if isinstance(each, ccode.Variable) and each.name:
                 if header:

@@ -18,6 +18,7 @@
 //#   fidelity: the pin of a port of the source; no pin when the port is not wired; what is negative stays
 //#   ram: 32
 inline int32_t port(int32_t number) {
+  if (!__builtin_constant_p(number)) asm("" : "+r"(number));  // what has no value (1/0) is compared, too
   return number < 0 ? number : number < 32 ? port_pins[number] : 255;
 }
 
@@ -161,7 +162,7 @@ struct PortRegister {
 //#   fidelity: the output latches of the whole program; on the Propeller each cog has its own. Bits change one after the other:
 //#   fidelity: all in some 280 us, one with |=, &= or ^= in some 40 us
 //#   limit: ports that are not wired keep no bit: 0 is read
-//#   stack: 29 16
+//#   stack: 32 16
 const PortRegister OUTA = {false};
 
 //# register DIRA
@@ -169,19 +170,19 @@ const PortRegister OUTA = {false};
 //#   fidelity: the directions of the whole program; on the Propeller each cog has its own. Bits change one after the other:
 //#   fidelity: all in some 280 us, one with |=, &= or ^= in some 40 us
 //#   limit: ports that are not wired keep no bit: 0 is read
-//#   stack: 28 16
+//#   stack: 32 16
 const PortRegister DIRA = {true};
 
 //# register _OUTA
 //#   needs: PortRegister OUTA
 //#   fidelity: as OUTA
-//#   stack: 29 16
+//#   stack: 32 16
 static const PortRegister &_OUTA = OUTA;
 
 //# register _DIRA
 //#   needs: PortRegister DIRA
 //#   fidelity: as DIRA
-//#   stack: 28 16
+//#   stack: 32 16
 static const PortRegister &_DIRA = DIRA;
 
 //# adapter waitpeq

@@ -61,6 +61,7 @@ static inline void clock_wait(uint32_t milliseconds) {
 //#   fidelity: the pin of a port of the source; no pin when the port is not wired; what is negative stays
 //#   ram: 32
 static inline int32_t port(int32_t number) {
+  if (!__builtin_constant_p(number)) asm("" : "+r"(number));  // what has no value (1/0) is compared, too
   return number < 0 ? number : number < 32 ? port_pins[number] : 255;
 }
 

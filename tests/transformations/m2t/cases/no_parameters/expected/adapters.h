@@ -42,6 +42,7 @@ const uint8_t port_pins[32] = {
 
 // The pin of a port of propeller, which the program has as a number; what is negative stays.
 inline int32_t port(int32_t number) {
+  if (!__builtin_constant_p(number)) asm("" : "+r"(number));  // what has no value (1/0) is compared, too
   return number < 0 ? number : number < 32 ? port_pins[number] : 255;
 }
 

@@ -1,0 +1,10 @@
+#include "simpletools.h"
+#include "lamp.h"
+#include "dance.c"
+
+int main() {
+  while (1) {
+    dance();
+    blink(7);
+  }
+}
