@@ -1,4 +1,4 @@
-"""The figures of the readers of drawings: an Arduino Uno and 500 parts, each wired, for each form of Wokwi, EAGLE and KiCad.
+"""The figures of the readers of drawings: a Uno and 500 parts, each wired, for Fritzing and each form of Wokwi, EAGLE, KiCad.
 
 `make bench`. Each figure is the best and the median of several readings in this process, in processor time; beside it stands
 its ratio to a bare parse of the same text (`json`, `lxml`, `sexpdata`, splitting into lines), which tells more than seconds on
@@ -56,6 +56,32 @@ def in_kicad(folder: Path) -> Path:
     return kicad.schematic(folder / "robot.kicad_sch", kicad.uno(), *lamps, *labels, *wires, *named)
 
 
+def in_fritzing(folder: Path) -> Path:
+    """A sketch with lamps on all pins: a Uno, wires, and lamps."""
+    layer = 'layer="breadboard"'
+
+    def instance(kind: str, index: int, ends: list[tuple[str, int, str]]) -> str:
+        connectors = "".join(
+            f'<connector connectorId="{own}" {layer}><connects>'
+            f'<connect connectorId="{there}" modelIndex="{other}" {layer}/></connects></connector>'
+            for own, other, there in ends
+        )
+        return (
+            f'<instance moduleIdRef="{kind}" modelIndex="{index}" path=""><title>{kind}{index}</title><views>'
+            f"<breadboardView {layer}><connectors>{connectors}</connectors></breadboardView></views></instance>"
+        )
+
+    pins = [f"connector{51 + n % 14}" for n in range(PARTS)]  # D0 to D13
+    parts = [instance("arduino_Uno_Rev3(fix)", 1, [(pin, 1000 + n, "connector0") for n, pin in enumerate(pins)])]
+    for n, pin in enumerate(pins):
+        wire, lamp = 1000 + n, 2000 + n
+        parts.append(instance("WireModuleID", wire, [("connector0", 1, pin), ("connector1", lamp, "connector1")]))
+        parts.append(instance("5mmColorLEDModuleID", lamp, [("connector1", wire, "connector1")]))
+    path = folder / "robot.fz"
+    path.write_text(f'<module fritzingVersion="0.9.6b"><instances>{"".join(parts)}</instances></module>')
+    return path
+
+
 def netlist(folder: Path) -> Path:
     """A netlist with lamps on all pins."""
     parts = ['(comp (ref "A1") (value "Arduino_UNO_R3") (libsource (lib "MCU_Module") (part "Arduino_UNO_R3")))']
@@ -92,6 +118,7 @@ def legacy(folder: Path) -> Path:
 
 
 FORMS: list[tuple[str, str, Callable[[Path], Path], Callable[[bytes], object]]] = [
+    ("Fritzing .fz", "fritzing", in_fritzing, etree.fromstring),
     ("Wokwi diagram.json", "wokwi", wokwi, json.loads),
     ("EAGLE .sch", "eagle", in_eagle, etree.fromstring),
     ("KiCad .kicad_sch", "kicad", in_kicad, lambda data: sexpdata.loads(data.decode())),

@@ -8,7 +8,8 @@ from __future__ import annotations
 import csv
 import os
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from itertools import combinations
 from pathlib import Path
 
 import pytest
@@ -68,7 +69,29 @@ def told_and_meant(
     return told, meant
 
 
-def check_figures(tool: str, suffix: str, judged: Callable[[Path], tuple[set[tuple[str, ...]], set[tuple[str, ...]]]]) -> None:
+def all_told_and_meant(
+    circuit: hw.Circuit, on_board: Mapping[Pad, frozenset[Pad]], reference: Callable[[str], str] = str
+) -> tuple[set[tuple[str, ...]], set[tuple[str, ...]]]:
+    """(part, connector, part, connector) for each two connectors of any parts that are joined: told by a reader, and meant.
+
+    Only connectors that the made board has on a net are judged, of parts whose reference no other part has. Arguments as in
+    `told_and_meant`.
+    """
+    counts = Counter(reference(part.title) for part in circuit.components)
+    owners = {id(c): reference(part.title) for part in circuit.components for c in part.connectors}
+    judged = {(owners[id(c)], c.connectorId) for part in circuit.components for c in part.connectors} & on_board.keys()
+    judged = {end for end in judged if counts[end[0]] == 1}
+
+    def pairs(nets: Iterable[Iterable[Pad]]) -> set[tuple[str, ...]]:
+        return {(*one, *other) for ends in nets for one, other in combinations(sorted(judged & {*ends}), 2)}
+
+    told = pairs([(owners[id(c)], c.connectorId) for c in net.connectors] for net in circuit.nets)
+    return told, pairs(set(on_board.values()))
+
+
+def check_figures(
+    tool: str, suffix: str, judged: Callable[[Path], tuple[set[tuple[str, ...]], set[tuple[str, ...]]]], what: str
+) -> None:
     """Hold precision and recall over all drawings whose board lies beside them and is not stale; print the counts."""
     counts: Counter[str] = Counter()
     wrong = []
@@ -79,7 +102,9 @@ def check_figures(tool: str, suffix: str, judged: Callable[[Path], tuple[set[tup
         counts.update(right=len(told & meant), told=len(told), meant=len(meant), drawings=bool(meant))
         if told != meant:
             wrong.append(f"{row['repository']} {row['path']}: {sorted(told ^ meant)}")
-    print(f"{tool}: {counts['drawings']} drawings, {counts['told']} told, {counts['meant']} meant, {counts['right']} right")
+    print(
+        f"{tool}, {what}: {counts['drawings']} drawings, {counts['told']} told, {counts['meant']} meant, {counts['right']} right"
+    )
     assert counts["meant"] > 0
     assert counts["right"] >= 0.99 * counts["told"], wrong
     assert counts["right"] >= 0.99 * counts["meant"], wrong

@@ -15,7 +15,7 @@ from pathlib import Path
 from lxml import etree
 
 from robosmi.transformations.t2m.eagle import read_circuit
-from tests.corpus.drawn_boards import check_all_read, check_figures, told_and_meant
+from tests.corpus.drawn_boards import all_told_and_meant, check_all_read, check_figures, told_and_meant
 
 
 def of_board(schematic: Path) -> dict[tuple[str, str], frozenset[tuple[str, str]]]:
@@ -62,7 +62,11 @@ def parsed(path: Path) -> etree._Element:
 
 
 def test_the_pins_of_the_boards_are_those_that_eagle_gave_them() -> None:
-    check_figures("EAGLE", ".brd", lambda path: told_and_meant(read_circuit(path)[0], of_board(path)))
+    check_figures("EAGLE", ".brd", lambda path: told_and_meant(read_circuit(path)[0], of_board(path)), "pins of boards")
+
+
+def test_all_parts_are_joined_as_eagle_joined_them() -> None:
+    check_figures("EAGLE", ".brd", lambda path: all_told_and_meant(read_circuit(path)[0], of_board(path)), "all parts")
 
 
 def test_every_drawing_is_read() -> None:

@@ -16,7 +16,7 @@ from typing import Any
 import sexpdata
 
 from robosmi.transformations.t2m.kicad import read_circuit
-from tests.corpus.drawn_boards import check_all_read, check_figures, told_and_meant
+from tests.corpus.drawn_boards import all_told_and_meant, check_all_read, check_figures, told_and_meant
 
 
 def lists(found: list[Any], *heads: str) -> Iterator[list[Any]]:
@@ -43,12 +43,23 @@ def pads(board: Path) -> dict[tuple[str, str], frozenset[tuple[str, str]]]:
     return {pad: frozenset(found) for found in nets.values() for pad in found}
 
 
+def sheetless(title: str) -> str:
+    """The board's name of a part, of its title in the drawing."""
+    return title.rpartition("/")[2]
+
+
 def test_the_pins_of_the_boards_are_those_that_kicad_gave_them() -> None:
     def judged(path: Path) -> tuple[set[tuple[str, ...]], set[tuple[str, ...]]]:
-        made = pads(path.with_suffix(".kicad_pcb"))
-        return told_and_meant(read_circuit(path)[0], made, lambda title: title.rpartition("/")[2])
+        return told_and_meant(read_circuit(path)[0], pads(path.with_suffix(".kicad_pcb")), sheetless)
 
-    check_figures("KiCad", ".kicad_pcb", judged)
+    check_figures("KiCad", ".kicad_pcb", judged, "pins of boards")
+
+
+def test_all_parts_are_joined_as_kicad_joined_them() -> None:
+    def judged(path: Path) -> tuple[set[tuple[str, ...]], set[tuple[str, ...]]]:
+        return all_told_and_meant(read_circuit(path)[0], pads(path.with_suffix(".kicad_pcb")), sheetless)
+
+    check_figures("KiCad", ".kicad_pcb", judged, "all parts")
 
 
 def test_every_drawing_is_read() -> None:

@@ -107,6 +107,7 @@ class _Making:
             for end in net.ends:
                 self.used.setdefault(end.component, {}).setdefault(end.connector, []).append(net.name)
         self.chips: dict[str, tuple[str, int]] = {}
+        self.boards: dict[tuple[str, ...], DrawnBoard | None] = {}
         self.known: dict[str, tuple[str, KnownPart]] = {part.identity: self._known(part) for part in drawn.parts}
         if (odd := next((end for net in drawn.nets for end in net.ends if end.component not in self.known), None)) is not None:
             guess = did_you_mean(odd.component, self.known)
@@ -180,10 +181,13 @@ class _Making:
 
     def _board(self, part: SchematicPart) -> DrawnBoard | None:
         texts = (part.value, part.symbol)  # a library called `arduino` has other parts too
-        if (told := drawn_board(part.listed_as or part.symbol, self.builder.tool, self.project)) is not None:
-            return told
         pins = part.pins if part.defined else {pin: pin for pin in self.used.get(part.identity, ())}
-        if (board := drawn_symbol(texts, pins, self.project, least=LEAST_PINS if part.defined else 0)) is not None:
+        alike = (part.listed_as, *texts, str(part.defined), *(text for pin in pins.items() for text in pin))
+        if alike not in self.boards:
+            told = drawn_board(part.listed_as or part.symbol, self.builder.tool, self.project)
+            least = LEAST_PINS if part.defined else 0
+            self.boards[alike] = told if told is not None else drawn_symbol(texts, pins, self.project, least=least)
+        if (board := self.boards[alike]) is not None:
             return board
         if not (chip := self._chip(part)):
             return None
