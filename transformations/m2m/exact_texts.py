@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.designated_lists import positional
 from robosmi.transformations.m2m.list_values import UnknownList, constants_of, index_value, members_of
 from robosmi.transformations.m2m.text_change import Change
@@ -31,7 +32,7 @@ def exact_texts(view: CodeView, data: bytes, functions: Mapping[str, FunctionTyp
             yield Change(literal, "replace", _listed(text), "the array has no room for the zero byte of its text")
 
 
-def without_zero(view: CodeView, data: bytes) -> Iterator[tuple[ccode.StringLiteral, bool]]:
+def without_zero(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Expression, bool]]:
     """The texts of a unit that have as many characters as their array has elements, and whether they can be written otherwise."""
     for variable in view.of_kind(ccode.Variable):
         if variable.initializer is None or variable.valueType is None:
@@ -53,12 +54,13 @@ def _sizes(use: ccode.TypeUse) -> list[str]:
 
 def _within(
     value: ccode.Expression, use: ccode.TypeUse, sizes: Sequence[str], constants: Mapping[str, int]
-) -> Iterator[ccode.StringLiteral]:
+) -> Iterator[ccode.Expression]:
     kind = of_use(use)
     if kind is None or kind.depth > kind.dimensions:
         return
-    if isinstance(value, ccode.StringLiteral):
-        if len(sizes) == 1 and kind.base.endswith("char") and _known(sizes[0], constants) == len(characters(value.text)):
+    text = _text(value)
+    if text:
+        if len(sizes) == 1 and kind.base.endswith("char") and _known(sizes[0], constants) == len(characters(text)):
             yield value
     elif isinstance(value, ccode.InitializerList):
         inside = [each for element in value.elements if (each := value_in(element)) is not None]
@@ -69,7 +71,7 @@ def _within(
         yield from _members(value, kind, constants)
 
 
-def _members(given: ccode.InitializerList, kind: ValueType, constants: Mapping[str, int]) -> Iterator[ccode.StringLiteral]:
+def _members(given: ccode.InitializerList, kind: ValueType, constants: Mapping[str, int]) -> Iterator[ccode.Expression]:
     """The texts for the members of a structure, which come in their order or say their member."""
     members = members_of(kind)
     places = {str(member.name): place for place, member in enumerate(members)}
@@ -82,6 +84,21 @@ def _members(given: ccode.InitializerList, kind: ValueType, constants: Mapping[s
         if value is not None and use is not None:
             yield from _within(value, use, _sizes(use), constants)
         place += 1
+
+
+def _text(value: ccode.Expression) -> str:
+    """The text that a value is, as it is written, also where a macro of the program stands for it; empty for any other value."""
+    if isinstance(value, ccode.StringLiteral):
+        return str(value.text)
+    unit = ancestor_of_kind(value, ccode.SourceUnit) if isinstance(value, ccode.NameReference) and value.target is None else None
+    units = unit.program.units if unit is not None and unit.program is not None else ()
+    bodies = (
+        str(m.body or "")
+        for each in units
+        for m in each.macros
+        if isinstance(value, ccode.NameReference) and m.name == value.name
+    )
+    return next((body for body in bodies if body.startswith('"') and body.endswith('"')), "")
 
 
 def _known(size: str, constants: Mapping[str, int]) -> int | None:

@@ -283,7 +283,7 @@ def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
-    """Text that is no C: it is carried over as it is, so what is made does not compile before a person has mended it."""
+    """Text that is no C, or no C++ where the target wants that: it is carried over, and a person has to mend it."""
     for finding in plan.findings:
         if finding.rule == "RS101":
             yield Task(
@@ -292,6 +292,17 @@ def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
                 message=f"mend the source, which is no C here and was carried over as it is ({finding.message})",
                 effort="small",
                 fix=f"correct the source and migrate it again, or correct the {called(plan)}",
+                path=finding.path,
+                line=finding.line,
+                column=finding.column,
+            )
+        elif finding.rule == "RS312":
+            yield Task(
+                rule="RS504",
+                severity=Level.warning,
+                message=f"write otherwise what a compiler of the target may refuse: {finding.message}",
+                effort="small",
+                fix=finding.fix,
                 path=finding.path,
                 line=finding.line,
                 column=finding.column,

@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import robosmi
+from robosmi.transformations.m2t.first_screen import written
+from robosmi.transformations.queries.work import Work
 
 PROGRAM = Path(__file__).parent / "refused_forms" / "refused_forms.c"
 
@@ -12,6 +14,10 @@ PROGRAM = Path(__file__).parent / "refused_forms" / "refused_forms.c"
 def test_each_form_that_cpp_refuses_is_told_where_it_stands_and_no_other() -> None:
     lines = PROGRAM.read_text(encoding="utf-8").splitlines()
     told = {number for number, line in enumerate(lines, 1) if line.endswith("// told")}
-    found = [finding for finding in robosmi.plan_migration([PROGRAM]).plan.findings if finding.rule == "RS312"]
+    plan = robosmi.plan_migration([PROGRAM]).plan
+    found = [finding for finding in plan.findings if finding.rule == "RS312"]
     assert {finding.line for finding in found} == told
     assert [finding for finding in found if not finding.fix] == []
+    work = Work(plan)
+    assert [task.line for task in plan.tasks if task.rule == "RS504"] == [finding.line for finding in found]
+    assert written(work).startswith(f"{len(work.write)} of {len(work.write)} left")

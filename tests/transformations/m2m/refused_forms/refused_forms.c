@@ -30,3 +30,14 @@ int main(void) {
   printf("%d %d\n", KIND(n) + group + p.x, table[0](1) + (rows == 0));
   return 0;
 }
+#define NAME "four"
+char filled[4] = NAME;  // told
+typedef int taker();  // told
+typedef int (*asker)();
+int one(int a) { return a; }
+int two(int a, int b) { return a + b; }
+int none(void) { return 0; }
+taker *takers[2] = { one, two };
+asker ask = none;
+void early(int) __attribute__((constructor));  // told
+void late_enough(void);
