@@ -195,7 +195,9 @@ def needs_in_words(needs: BoardNeeds) -> str:
         said.append(f"at most {build.stackBytes} bytes of stack")
     elif known.limit:
         ram = f"{known.total} of {known.limit} bytes of RAM and {known.depth}" if needs.build is None else f"{known.depth} bytes"
-        said.append(f"about {ram} of stack")
+        lines = ", ".join(map(str, known.unfollowed))
+        without = f" without what is called through pointers (line {lines})" if known.unfollowed else ""
+        said.append(f"about {ram} of stack{without}")
     if known.stacks:
         said.append(f"{known.stacks} of {known.limit} bytes of RAM for the stacks of what ran on other cores")
     if needs.loop is not None:

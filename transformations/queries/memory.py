@@ -21,7 +21,7 @@ from robosmi.transformations.queries.lasting_variables import Share, lasting_var
 from robosmi.transformations.queries.memory_texts import bytes_of_initial_values, bytes_of_texts
 from robosmi.transformations.queries.plan import platform_of
 from robosmi.transformations.queries.plan_adapters import closure, emitted, setup_statements
-from robosmi.transformations.queries.stack_depth import depth
+from robosmi.transformations.queries.stack_depth import depth, unfollowed
 from robosmi.transformations.queries.type_sizes import on_target
 
 _SERIAL = "Serial"
@@ -49,6 +49,7 @@ class Memory(NamedTuple):
         depth: bytes of stack that main takes at most, beside all these.
         unknown: names of variables whose size the models do not tell.
         limit: bytes that the board has, 0 where that is not known.
+        unfollowed: lines of calls through pointers that `depth` does not contain, since nothing tells what they reach.
     """
 
     variables: tuple[Share, ...]
@@ -58,6 +59,7 @@ class Memory(NamedTuple):
     depth: int
     unknown: tuple[str, ...]
     limit: int
+    unfollowed: tuple[int, ...] = ()
 
     @property
     def of_variables(self) -> int:
@@ -79,6 +81,7 @@ class Memory(NamedTuple):
         return {
             "estimated_bytes": self.total, "variables": self.of_variables, "texts": self.texts, "adapters": self.of_adapters,
             "stacks": self.stacks, "stack_depth": self.depth, "ram_bytes": self.limit, "unknown": list(self.unknown),
+            "unfollowed_calls": list(self.unfollowed),
             "largest": [{"name": s.name, "bytes": s.bytes, "line": s.line or None} for s in self.variables[:_LISTED]],
         }  # fmt: skip
 
@@ -109,6 +112,7 @@ def memory(plan: migration.MigrationPlan) -> Memory:
         depth(plan, code, pieces, serial=serial),
         tuple(unknown),
         int(chip.ramBytes) if chip is not None else 0,
+        unfollowed(code),
     )
 
 

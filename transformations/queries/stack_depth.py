@@ -18,6 +18,8 @@ from robosmi.transformations.queries.cooperation import local_bytes, waits
 from robosmi.transformations.queries.interrupt_stack import HandlerBytes, upon_each_other
 from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.plan_adapters import closure, emitted
+from robosmi.transformations.queries.pointed_calls import pointed_calls
+from robosmi.typed import distinct
 
 START = 2
 """Bytes of stack that lead to main: the address that it would return to."""
@@ -50,6 +52,7 @@ class _Program:
         self._pieces |= {str(use.name): use.adapter for use in plan.symbolUses if use.adapter is not None}
         self._variadic = {str(use.name) for use in plan.adapterUses if use.variadic}
         self._live = {id(element) for element in code.elements} - code.answers.keys()
+        self._pointed = pointed_calls(code.elements)
         self._places = Counter(str(e.calleeName) for e in code.elements if isinstance(e, ccode.Call) and id(e) in self._live)
         giving = [piece for piece in emitted(plan) if piece.name == YIELD] if plan.concurrency is not None else []
         self.turns = max((_bytes(piece, 1) for piece in giving), default=0)
@@ -61,6 +64,7 @@ class _Program:
         names = [each for each in all_of_kind(function.body, ccode.NameReference) if id(each) in self._live]
         variables = [each for each in all_of_kind(function.body, ccode.Variable) if id(each) in self._live]
         own = [call.callee for call in calls if call.callee is not None and call.callee.body is not None]
+        own += [function for call in calls for function in self._pointed.get(id(call), ())]
         others = [self._call(call) for call in calls if call.callee is None or call.callee.body is None]
         others += [self._use(str(each.name), 2) for each in names]
         return Taken(_frame(variables), own, max(others, default=0))
@@ -102,6 +106,13 @@ def depth(plan: migration.MigrationPlan, code: CompiledCode, pieces: Iterable[pl
     mains = [main for unit in (plan.program.units if plan.program is not None else ()) if (main := main_of(unit)) is not None]
     deepest = max((deepest_chain(main, program.taken_by, FRAME) for main in mains), default=0)
     return START + max(deepest, program.turns) + interrupt_bytes(pieces, serial=serial)
+
+
+def unfollowed(code: CompiledCode) -> tuple[int, ...]:
+    """The lines of calls through pointers of which the models do not tell what they reach, so that `depth` has none of it."""
+    pointed = pointed_calls(code.elements)
+    calls = [each for each in code.elements if isinstance(each, ccode.Call) and not pointed.get(id(each), [each])]
+    return tuple(distinct(int(call.line) for call in calls))
 
 
 def _bytes(piece: platform.Adapter, places: int) -> int:
