@@ -104,6 +104,9 @@ def _merge(
         if digest(there) != known.get(name):
             return
         last = there  # made before there was a record, and nobody has changed it
+    elif there is not None and there == last == kept.files[name]:
+        kept.merged |= {name, copy}  # nobody has changed it, and it is made as it was
+        return
     exact = "\r" in text
     base = read(last, as_it_is=exact, errors=_AS_BYTES).text if last is not None else None
     form = read(there, as_it_is=exact, errors=_AS_BYTES) if there is not None else FileText("")

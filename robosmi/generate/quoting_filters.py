@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from robosmi.functions import Function
 
 
+_KNOWN, _SHORT = 1 << 14, 200
+"""So many quoted texts are kept for each place, none longer than that."""
 NOTHING = "nothing"
 """What a template declares whose values are all made for it, and quoted where they are made."""
 
@@ -104,13 +106,24 @@ def _marked(place: str, function: Callable[[str], str]) -> Callable[[Any], Quote
 
 def _printed(place: str, function: Callable[[str], str]) -> Callable[[Any], str]:
     markup = place.startswith("html")
+    known: dict[str, str] = {}  # most values stand in a text more than once, or in the next one as well
+
+    def kept(text: str) -> str:
+        quoted = known.get(text)
+        if quoted is None:
+            if len(text) > _SHORT:
+                return function(text)
+            if len(known) >= _KNOWN:
+                known.clear()
+            quoted = known[text] = function(text)
+        return quoted
 
     def quote(value: Any) -> str:
         if isinstance(value, Quoted) and value.place in ("", place):
             return str.__str__(value)
         if isinstance(value, Undefined) or (markup and isinstance(value, Markup)):
             return str.__str__(str(value))
-        text = function(as_string(value))
+        text = kept(as_string(value))
         return Quoted(text, place) if place == "csv" else text  # whose line breaks are the cell's: nothing is put behind them
 
     return quote

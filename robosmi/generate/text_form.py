@@ -67,7 +67,9 @@ def read(data: bytes, *, as_it_is: bool = False, errors: str = "strict") -> File
     text = data[len(codecs.BOM_UTF8) if marked else 0 :].decode("utf-8", errors)
     if as_it_is:
         return FileText(text, marked)
-    return FileText(_END.sub("\n", text) if "\r" in text else text, marked, tuple(_END.findall(text)))
+    if "\r" not in text:
+        return FileText(text, marked, ("\n",) * text.count("\n"))
+    return FileText(_END.sub("\n", text), marked, tuple(_END.findall(text)))
 
 
 def same_text(one: bytes, other: bytes | None) -> bool:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from robosmi.errors import did_you_mean
 from robosmi.model.ecore import DynamicEObject
 from robosmi.model.features import class_in, class_names
-from robosmi.model.lean import AttributeValue, ContainedValue, ReferenceValue, collection, holder
+from robosmi.model.lean import BARE, AttributeValue, ContainedValue, ReferenceValue, collection, holder
 from robosmi.model.pyecore_internals import CONTAINER, CONTAINING_FEATURE, IDENTITY, add_silently, key_of
 from robosmi.model.xmi_document import Document, PackageOf, Problem
 from robosmi.model.xmi_plan import (
@@ -180,7 +180,8 @@ class Builder:
         if entry.kind == VALUE:
             if entry.key in slots:
                 self.here(f"{owner}.{entry.feature.name} takes one value, not two")
-            slots[entry.key] = holder(AttributeValue, element, entry.feature, value)
+            lies_bare = entry.bare and value.__class__ in BARE
+            slots[entry.key] = value if lies_bare else holder(AttributeValue, element, entry.feature, value)
             if entry.is_id and text:
                 self.identify(text, element)
             return

@@ -17,7 +17,7 @@ from robosmi.errors import did_you_mean
 from robosmi.model.datatypes import ECORE_URI
 from robosmi.model.ecore import DynamicEObject
 from robosmi.model.features import class_in
-from robosmi.model.lean import AttributeValue, ReferenceValue, collection, holder
+from robosmi.model.lean import BARE, AttributeValue, ReferenceValue, collection, holder
 from robosmi.model.pyecore_internals import CONTAINER, CONTAINING_FEATURE, key_of
 from robosmi.model.xmi_builder import XMI_NAMESPACES, Builder
 from robosmi.model.xmi_document import Document, ForeignRoot, PackageOf, Problem, UnknownEncoding, Unreadable
@@ -159,7 +159,8 @@ class _Parser(Builder):
                     except ValueError as error:
                         self.problem(parser.CurrentLineNumber, f"{plan.name}.{name}: {error}")
                         continue
-                    child_slots[attribute.key] = holder(AttributeValue, child, attribute.feature, value)
+                    lies_bare = attribute.bare and value.__class__ in BARE
+                    child_slots[attribute.key] = value if lies_bare else holder(AttributeValue, child, attribute.feature, value)
                     if attribute.is_id:
                         self.identify(text, child)
                 elif what == REFERENCE:

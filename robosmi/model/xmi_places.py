@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Sequence
 from functools import lru_cache
 from pathlib import PurePosixPath
 from typing import Any
@@ -42,7 +42,7 @@ class XmiPlaces:
         models: file name, relative to a common folder -> roots.
     """
 
-    def __init__(self, models: Mapping[str, list[Any]]) -> None:
+    def __init__(self, models: Mapping[str, Sequence[EObject]]) -> None:
         self._known: dict[int, tuple[str, str]] = {}
         self.roots: dict[int, str] = {}
         self._ids: dict[Any, Any] = {}
@@ -57,6 +57,11 @@ class XmiPlaces:
                     )
                 self.roots[id(root)] = name
                 self._known[id(root)] = (name, f"/{index}" if len(roots) > 1 else "/")
+
+    def keep(self, files: Collection[str]) -> None:
+        """Forget the places in all files but these, whose elements have not moved when the models are written again."""
+        roots = {key: place for key, place in self._known.items() if key in self.roots}
+        self._known = roots | {key: place for key, place in self._known.items() if place[0] in files}
 
     def find(self, target: Any) -> tuple[str, str]:
         """File and fragment of an element; the file is empty for what has a URI of its own, which is then the fragment.

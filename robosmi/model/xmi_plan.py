@@ -31,6 +31,7 @@ class FeatureEntry:
         many: whether it takes more than one value.
         convert: text -> value, or None if the text is the value.
         is_id: whether the value identifies the element.
+        bare: whether plain values lie bare in the element, as a constructor puts them there.
         declared: the EClass that contained or referred elements must have.
         plan: the plan of `declared`, once it was needed.
         accepted: plans and Python classes already seen to conform to `declared`.
@@ -38,7 +39,7 @@ class FeatureEntry:
         message: why the name is refused.
     """
 
-    __slots__ = ("accepted", "back", "convert", "declared", "feature", "is_id", "key", "kind", "many", "message", "plan")
+    __slots__ = ("accepted", "back", "bare", "convert", "declared", "feature", "is_id", "key", "kind", "many", "message", "plan")
 
     def __init__(self, kind: int, feature: EStructuralFeature | None = None, message: str = "") -> None:
         self.kind = kind
@@ -48,6 +49,7 @@ class FeatureEntry:
         self.many = feature is not None and feature.many
         self.convert: FromText | None = None
         self.is_id = False
+        self.bare = False
         self.declared: EClass = ecore.EObject.eClass
         self.plan: ClassPlan | None = None
         self.accepted: set[type | ClassPlan] = set()
@@ -73,18 +75,20 @@ class ClassPlan:
         cls: the Python class of its elements.
         name: its name.
         abstract: whether it has no elements of its own.
+        fixed: whether its features never change, so that they may be read and kept the short way.
         entries: name in a file -> what to do.
         bounds: key, name, lower and upper bound of the features whose number of values is limited.
         refused: why no element of the class can be read, or None.
     """
 
-    __slots__ = ("abstract", "bounds", "cls", "eclass", "entries", "name", "refused")
+    __slots__ = ("abstract", "bounds", "cls", "eclass", "entries", "fixed", "name", "refused")
 
     def __init__(self, eclass: EClass) -> None:
         self.eclass = eclass
         self.cls = eclass.python_class
         self.name = str(eclass.name)
         self.abstract = features.is_abstract(eclass)
+        self.fixed = lean.features_fixed(self.cls)
         self.entries: dict[str, FeatureEntry] = {f"{XMI}}}id": FeatureEntry(XMI_ID)}
         self.bounds: list[tuple[str, str, int, int]] = []
         self.refused: str | None = None
@@ -116,11 +120,14 @@ class ClassPlan:
         entry = FeatureEntry(VALUES if feature.many else VALUE, feature)
         entry.convert = datatypes.from_text(kind)
         entry.is_id = bool(feature.iD)
+        entry.bare = self.fixed and lean.bare(feature)
         return entry
 
     def _reference(self, feature: EStructuralFeature, kind: EClass) -> FeatureEntry:
         if feature.derived and (feature.many or not is_stored(feature)):
             return FeatureEntry(REFUSED, feature, f"{self.name}.{feature.name} is computed, not stored")
+        if self.fixed:
+            lean.quick(feature)
         back = features.opposite(feature)
         if back is not None and back.containment:
             return FeatureEntry(IGNORED, feature)  # the containment itself says it

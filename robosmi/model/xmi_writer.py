@@ -1,9 +1,8 @@
 """Models to XMI text, byte for byte as Eclipse EMF writes them (OMG XMI 2.0 as in EMF's XMIResourceImpl and XMLSaveImpl).
 
-pyecore's own writer truncates a file when it fails, drops references that have no place and decorates every child with
-a type. Here all models of a set are turned into bytes, and nothing is written to disk: that is `files`' job. References
-between the models of a set become relative URIs; a reference to anything else but a metamodel is an error. Where elements
-are is `xmi_places`' part, how a class is written is in its layout.
+pyecore's own writer truncates a file when it fails, drops references that have no place and decorates every child with a type.
+Here all models of a set are turned into bytes, and nothing is written to disk: that is `files`' job. References between the
+models of a set become relative URIs; a reference to anything else but a metamodel is an error.
 """
 
 from __future__ import annotations
@@ -31,12 +30,13 @@ if TYPE_CHECKING:
 _PIECES = 20_000  # texts that are joined at a time, so that a large model is not held as millions of small texts
 
 
-def to_xmi(models: Mapping[str, Root], wanted: Iterable[str] | None = None) -> dict[str, bytes]:
+def to_xmi(models: Mapping[str, Root], wanted: Iterable[str] | None = None, places: XmiPlaces | None = None) -> dict[str, bytes]:
     """The bytes of a set of models that refer to each other.
 
     Args:
         models: relative file name -> root element, or a list of root elements; the names are those that references use.
         wanted: the names whose bytes are wanted; all if None.
+        places: where the elements of these models are, as far as that was found before; nothing may have moved since.
 
     Returns:
         The wanted names -> UTF-8 text of an XMI file.
@@ -46,13 +46,13 @@ def to_xmi(models: Mapping[str, Root], wanted: Iterable[str] | None = None) -> d
             cannot, a value is not of its feature's type or too many, an id is used twice, or an element contains itself.
     """
     roots = {name: _roots(given) for name, given in models.items()}
-    places = XmiPlaces(roots)
     with collector_at_rest():
-        return {name: _Writer(name, roots[name], places).write() for name in (models if wanted is None else wanted)}
+        found, names = places or XmiPlaces(roots), models if wanted is None else wanted
+        return {name: _Writer(name, roots[name], found).write() for name in names}
 
 
 def _roots(given: Root) -> list[EObject]:
-    roots = list(given) if isinstance(given, Sequence) else [given]
+    roots = given if isinstance(given, Sequence) else [given]
     return [as_package(root) if isinstance(root, ModuleType) else root for root in roots]
 
 

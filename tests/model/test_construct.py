@@ -14,7 +14,9 @@ import robosmi
 from robosmi.metamodels import ccode, hardware
 from robosmi.model import lean
 from robosmi.model.changes import Recording
+from robosmi.model.metamodels import built_in
 from robosmi.model.strict import FeatureValueError
+from robosmi.model.xmi_reader import read_documents
 from robosmi.model.xmi_writer import to_xmi
 
 
@@ -197,6 +199,24 @@ def test_a_value_given_to_the_constructor_behaves_as_one_set_later() -> None:
     del_name: Any = macro
     del del_name.name
     assert del_name.name != "OFF"
+
+
+def test_a_value_read_from_a_file_lies_bare_and_behaves_as_one_set_later(tmp_path: Path) -> None:
+    file = tmp_path / "macro.xmi"
+    file.write_bytes(to_xmi({file.name: ccode.Macro(name="ON", functionLike=True, line=3)})[file.name])
+    (macro,) = read_documents(file, built_in())[file].roots
+    assert isinstance(macro, ccode.Macro)
+    assert [macro.__dict__[key] for key in ("name", "functionLike", "line")] == ["ON", True, 3]
+    assert [macro.eIsSet(name) for name in ("name", "line", "column")] == [True, True, False]
+    seen: list[Any] = []
+    observer: Any = type("Observer", (EObserver,), {"notifyChanged": lambda self, change: seen.append((change.old, change.new))})
+    observer(macro)
+    with Recording() as recording:
+        macro.name = "OFF"
+        macro.line = 4
+    assert seen == [("ON", "OFF"), (3, 4)]
+    recording.undo()
+    assert (macro.name, macro.line) == ("ON", 3)
 
 
 def test_an_undone_change_gives_back_what_the_constructor_got() -> None:

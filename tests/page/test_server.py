@@ -164,6 +164,16 @@ def test_what_is_said_of_a_choice_that_is_open_again(server: PageServer, out: Pa
     ]
 
 
+@pytest.mark.parametrize(("why", "said"), [("", ""), ("seen on the board", ": seen on the board")])
+def test_who_chose_is_said_once(why: str, said: str, out: Path) -> None:
+    page = PlanPage(out)
+    answer = page.act("choose", {"id": "port:eye", "value": "D4", "why": why, "plan": page.now()})
+    assert answer["state"] == "saved", answer["message"]
+    assert re.search(rf"Now <strong>D4</strong>, chosen by you on [-\w:]+{said}</p>", page.sections["decide"])
+    texts = (*page.sections.values(), PlanPage(out).document(live=False, nonce="n"), (out / "blink" / "MIGRATION.md").read_text())
+    assert not [text for text in texts if "chosen by a person" in text]
+
+
 @pytest.mark.skipif(os.name == "nt", reason="links need rights there")
 def test_a_link_in_the_folder_leads_to_no_text_from_elsewhere(out: Path, tmp_path: Path) -> None:
     (tmp_path / "secret").write_text("the secret")
@@ -262,6 +272,9 @@ def test_choices_of_one_page_make_the_folder_that_choices_of_many_make(out: Path
             about = {"id": "port:eye", "value": value, "why": f"try {at}", "plan": each.now()}
             assert each.act("choose", about)["state"] == "saved"
         assert plain(out) == plain(copy)
+        fresh = PlanPage(out)
+        fresh.document(live=True, nonce="n")
+        assert fresh.sections == page.sections
     (out / "models" / "code.xmi").write_bytes((out / "models" / "code.xmi").read_bytes() + b"\n")
     answer = page.act("choose", {"id": "port:eye", "value": "D4", "plan": page.now()})
     assert (answer["state"], "digest" in answer["message"]) == ("refused", True)

@@ -64,9 +64,9 @@ def _recorded(to_xmi: Write) -> Write:
     last: dict[str, tuple[Any, bytes]] = {}  # what was written last: name -> its roots, and the text
 
     @functools.wraps(to_xmi)
-    def write(models: Mapping[str, Any], wanted: Iterable[str] | None = None) -> dict[str, bytes]:
+    def write(models: Mapping[str, Any], wanted: Iterable[str] | None = None, places: Any = None) -> dict[str, bytes]:
         names = None if wanted is None else list(wanted)
-        written = to_xmi(models, names)
+        written = to_xmi(models, names, places)
         folder = os.environ.get(FOLDER)
         if folder and os.path.isdir(folder):
             known = {n: text for n, (roots, text) in last.items() if n not in written and roots is models.get(n)}

@@ -240,8 +240,8 @@ def decide(plan: migration.MigrationPlan, choice: Choice, value: str, why: str =
     decision.confidence = 1.0 if value else 0.0
     decision.chosenAt = datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%SZ") if value else ""
     decision.evidence.clear()
-    if value:
-        decision.evidence.append(why or "chosen by a person")
+    if value and why:
+        decision.evidence.append(why)
     if isinstance(decision, migration.PortBinding) and decision.pin is not None:
         _release(plan, decision)
 

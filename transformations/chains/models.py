@@ -19,6 +19,7 @@ from robosmi.errors import SourceError
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model.files import digest, within
 from robosmi.model.metamodels import built_in
+from robosmi.model.xmi_places import XmiPlaces
 from robosmi.model.xmi_writer import to_xmi
 
 PLAN, CODE, HARDWARE, PLATFORM = "plan.xmi", "code.xmi", "hardware.xmi", "platform.xmi"
@@ -50,6 +51,7 @@ class MigrationModels:
     places: dict[str, str] = field(default_factory=dict)
     notes: list[Finding] = field(default_factory=list)
     settled: bool = False
+    _places: XmiPlaces | None = None
 
     def _repr_html_(self) -> str:
         from robosmi.model.show import element_html  # for notebooks only
@@ -68,7 +70,12 @@ class MigrationModels:
         roots = {CODE: self.program, PLATFORM: self.repository}
         if self.circuit is not None:
             roots[HARDWARE] = self.circuit
-        written = to_xmi({**roots, PLAN: self.plan}, [name for name in roots if name not in unchanged])
+        every = {**roots, PLAN: self.plan}
+        places = self._places
+        if places is None or places.roots != {id(root): name for name, root in every.items()}:
+            places = XmiPlaces({name: [root] for name, root in every.items()})
+        places.keep(unchanged)
+        written = to_xmi(every, [name for name in roots if name not in unchanged], places)
         stored = {name: written[name] if name in written else unchanged[name] for name in roots}
         kinds = {CODE: "code", HARDWARE: "hardware", PLATFORM: "platform"}
         known = {i.path: i for i in self.plan.inputs}
@@ -78,7 +85,10 @@ class MigrationModels:
                     known[name] = migration.Input(path=name, kind=kind, digest="0" * 64, origin=name)
                     self.plan.inputs.append(known[name])
                 known[name].digest = digest(stored[name])
-        return {**stored, **to_xmi({**roots, PLAN: self.plan}, [PLAN]), **self.files}
+        files = {**stored, **to_xmi(every, [PLAN], places), **self.files}
+        places.keep(unchanged)
+        self._places = places
+        return files
 
 
 def load_models(path: Path) -> MigrationModels:

@@ -6,7 +6,7 @@ it is served, is `robosmi.report.page_server`'s business.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -41,6 +41,10 @@ SECTIONS = {
 }  # fmt: skip
 """The sections in their order, and what they are called."""
 REPORT = "MIGRATION.md"
+Row = tuple[str, str, str, str]
+"""What is shown of a finding, or of a line of code."""
+Rows = tuple[str, tuple[Row, ...]]
+"""Rows that a browser lays out together, behind the name of their section."""
 _CODE = (".ino", ".h", ".cpp", ".c")
 _POLICY = "default-src 'none'; img-src data:; style-src 'nonce-{nonce}'; script-src 'nonce-{nonce}'; base-uri 'none'"
 _LONGEST = 300
@@ -64,6 +68,7 @@ class PlanPage:
         self.plan, self.sections, self.facts = "", dict[str, str](), dict[str, Any]()
         self._held: MigrationModels | None = None
         self._templates = Gen(templates=_built_in())
+        self._shown, self._rows = dict[Rows, str](), dict[Rows, str]()
 
     def now(self) -> str:
         """The digest of the plan as it is stored now; empty where there is none."""
@@ -197,8 +202,13 @@ class PlanPage:
             "verdict": page_sections.verdict(plan, picture, models.places),
             "history": page_sections.history(plan),
         }
+        self._shown, self._rows = self._rows, {}
         self.sections = {
-            name: str(self._templates.text("section.html.j2", name=name, live=live, output=str(self.output), **given))
+            name: str(
+                self._templates.text(
+                    "section.html.j2", name=name, live=live, output=str(self.output), written=self._written, **given
+                )
+            )
             for name, given in values.items()
         }
         left, total, work = len(open_choices(plan)), len(choices(plan)), Work(plan)
@@ -211,6 +221,13 @@ class PlanPage:
             "progress": f"{made}; {ready}.",
         }  # fmt: skip
         self.plan = self.now()
+
+    def _written(self, name: str, rows: Sequence[Row]) -> str:
+        """Rows of a section as HTML: as they were written for the page that was shown, where they are the same."""
+        key = name, tuple(rows)
+        text = self._shown.get(key) or str(self._templates.text("rows.html.j2", name=name, rows=rows))
+        self._rows[key] = text
+        return text
 
     def _take_ticks(self, plan: migration.MigrationPlan) -> None:
         """Let what is ticked in the report as it now stands count as done, also where no run has seen it yet."""
@@ -266,7 +283,7 @@ def _told(error: RobosmiError) -> str:
 
 def _built_in() -> dict[str, str]:
     """The templates of this package alone: none of the folder that the page is about is ever run."""
-    return {name: _text(name) for name in ("page.html.j2", "section.html.j2")}
+    return {name: _text(name) for name in ("page.html.j2", "section.html.j2", "rows.html.j2")}
 
 
 def _head(live: bool, nonce: str) -> str:

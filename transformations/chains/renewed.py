@@ -24,11 +24,24 @@ def renew_findings(plan: migration.MigrationPlan, words: bool = True) -> None:
     rules = plan_rules() | {
         constraint.id for module in ((ports, by_words) if words else (ports,)) for constraint in module.declared()
     }
-    before = [f for f in plan.findings if f.rule != "RS327" or not ports_of_runs_bound(plan)]
-    at = next((number for number, finding in enumerate(before) if finding.rule in rules), len(before))
+    unbound = ports_of_runs_bound(plan)
+    there = [(finding, str(finding.rule)) for finding in plan.findings]
+    obsolete = [finding for finding, rule in there if rule in rules or (unbound and rule == "RS327")]
+    kept = [rule in rules for finding, rule in there if not (unbound and rule == "RS327")]
+    at = kept.index(True) if True in kept else len(kept)
     stored = {str(entry.path): str(entry.path) for entry in plan.inputs}
     model = EmfModel(plan, name="plan")
     new = plan_findings(plan, [*plan_faults(plan, model), *port_faults(plan, words, model)], stored)
-    kept = [[f for f in some if f.rule not in rules] for some in (before[:at], before[at:])]
-    plan.findings.clear()
-    plan.findings.extend([*kept[0], *new, *kept[1]])
+    together = kept.count(True) == len(obsolete) and all(kept[at + number] for number in range(len(obsolete)))
+    if together and [_says(finding) for finding in obsolete] == [_says(finding) for finding in new]:
+        return  # among thousands of others, taking them out and putting them back takes long
+    for finding in obsolete:
+        plan.findings.remove(finding)
+    for number, finding in enumerate(new):
+        plan.findings.insert(at + number, finding)
+
+
+def _says(finding: migration.PlanFinding) -> tuple[object, ...]:
+    """All that `plan_findings` gives a finding."""
+    about = [id(element) for element in finding.elements]
+    return finding.rule, finding.severity, finding.message, finding.fix, finding.path, finding.line, finding.column, about

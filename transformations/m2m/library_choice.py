@@ -194,7 +194,7 @@ def _decide(
     by, why = migration.ChosenBy.nobody, ""
     name = said
     if said:
-        by, why = migration.ChosenBy.person, "chosen by flag or project file"
+        by, why = migration.ChosenBy.person, "by flag or in the project file"
     elif earlier := chosen_from_history(query.part_id, query.title, _OfTarget(history, models)):
         name, by, why = earlier, migration.ChosenBy.history, "chosen for this part before"
     elif 0 < recommendation.confidence >= sure:

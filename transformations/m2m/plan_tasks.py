@@ -117,7 +117,7 @@ def _settle(decision: migration.Decision, choice: str) -> None:
         decision.chosenBy = migration.ChosenBy.person if choice else migration.ChosenBy.nobody
         decision.evidence.clear()
         if choice:
-            decision.evidence.append("chosen in the stored plan")
+            decision.evidence.append("in the stored plan")
         decision.open = not choice
 
 

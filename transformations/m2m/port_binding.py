@@ -218,7 +218,7 @@ def _take(binding: migration.PortBinding, said: str, connections: Sequence[migra
         binding.connection, binding.pin = _chosen(said, connections, board)
         binding.choice = binding.connection.name if binding.connection is not None else said
     binding.open, binding.confidence, binding.chosenBy = False, 1.0, migration.ChosenBy.person
-    binding.evidence.append("chosen by flag or project file")
+    binding.evidence.append("by flag or in the project file")
 
 
 def bind_by_hand(

@@ -72,7 +72,7 @@ def explain(decision: migration.Decision, said: Said | None) -> None:
     """Let a decision of a person keep why and when it was made, where the stored plan has chosen the same."""
     if said is not None and said.value == decision.choice and decision.chosenBy is migration.ChosenBy.person:
         decision.chosenAt = said.at
-        if said.why:
+        if said.why or said.at:  # one that is made without a reason has none
             decision.evidence.clear()
             decision.evidence.extend(said.why)
 

@@ -290,7 +290,8 @@ _SAYS_HOW = frozenset({"RS503", "RS504", "RS511"})
 
 def task_place(plan: migration.MigrationPlan, task: migration.PlanTask) -> str:
     """Where a task or finding is: the line, with the file's name where there is more than one file; empty for no place."""
-    alone = plan.program is not None and len(plan.program.units) == 1 and task.path == plan.program.units[0].path
-    if alone and task.line:
-        return f"line {task.line}"
-    return f"{task.path.rpartition('/')[2]}{f':{task.line}' if task.line else ''}" if task.path else ""
+    path, line = str(task.path), task.line
+    if not path or not line:
+        return path.rpartition("/")[2]
+    alone = plan.program is not None and len(plan.program.units) == 1 and path == plan.program.units[0].path
+    return f"line {line}" if alone else f"{path.rpartition('/')[2]}:{line}"

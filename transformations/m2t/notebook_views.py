@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from robosmi.metamodels import hardware, migration
 from robosmi.report.notebook import bar, picture, quoted, table
 from robosmi.transformations.m2t.circuit_picture import svg
+from robosmi.transformations.queries.choices import reason
 from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.plan import call_sites, open_choices, ports_by_pin
 
@@ -40,14 +41,11 @@ def _parts(plan: migration.MigrationPlan) -> Iterator[str]:
     if plan.circuit is not None:
         yield picture(svg(plan.circuit, (), ports_by_pin(plan)), f"the wiring of {plan.name}")
     pins = {port: pin for pin, ports in ports_by_pin(plan).items() for port in ports}
-    ports = [
-        [quoted(b.name), quoted(pins.get(str(b.name), "")), *_decision(b), quoted("; ".join(b.evidence))]
-        for b in plan.portBindings
-    ]
+    ports = [[quoted(b.name), quoted(pins.get(str(b.name), "")), *_decision(b), quoted(reason(b))] for b in plan.portBindings]
     if ports:
         yield table(("port", "pin", "bound to", "chosen by", "why"), ports)
     libraries = [
-        [quoted(c.component.title if c.component is not None else ""), *_decision(c), quoted("; ".join(c.evidence))]
+        [quoted(c.component.title if c.component is not None else ""), *_decision(c), quoted(reason(c))]
         for c in plan.libraryChoices
     ]
     if libraries:

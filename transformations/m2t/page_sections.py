@@ -16,9 +16,9 @@ from robosmi.metamodels import migration, platform
 from robosmi.query import Q
 from robosmi.transformations.m2t.circuit_picture import svg
 from robosmi.transformations.m2t.first_screen import Counted, counted, first_screen, task_place
-from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO, by_severity
+from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO
 from robosmi.transformations.queries.answers import answer
-from robosmi.transformations.queries.choices import Choice, OfferedChoice, Option, choices, offered_choices
+from robosmi.transformations.queries.choices import Choice, OfferedChoice, Option, choices, offered_choices, reason
 from robosmi.transformations.queries.connector_names import told_names
 from robosmi.transformations.queries.plan import said
 from robosmi.transformations.queries.source_lines import line_of
@@ -166,12 +166,18 @@ def _stub(text: str, name: str) -> list[str]:
 
 def check(plan: migration.MigrationPlan, notes: Sequence[Finding], places: dict[str, str]) -> dict[str, Any]:
     """The findings by severity, the worst first, and what is to be seen on the bench, component by component."""
-    found = [f for f in said(Q(by_severity(plan.findings)), places) if f.rule not in VERDICT_RULES]
-    groups = []
-    for level, title in SEVERITIES.items():
-        mine = [finding_row(f) for f in (*notes, *found) if f.severity.name == level]
-        if mine:
-            groups.append({"title": title, "level": level, "total": len(mine), "chunks": chunked(mine)})
+    rows: dict[str, list[tuple[str, str, str, str]]] = {level: [] for level in SEVERITIES}
+    for note in notes:
+        rows[note.severity.name].append(finding_row(note))
+    for finding in plan.findings:
+        row = _row(finding, places)
+        if row[0] not in VERDICT_RULES:
+            rows[str(finding.severity.name)].append(row)
+    groups = [
+        {"title": title, "level": level, "total": len(rows[level]), "chunks": chunked(rows[level])}
+        for level, title in SEVERITIES.items()
+        if rows[level]
+    ]
     bench = [
         {
             "message": str(t.message),
@@ -194,6 +200,15 @@ def finding_row(finding: Finding) -> tuple[str, str, str, str]:
     place = finding.location
     where = f"{place.path.rpartition('/')[2]}{f':{place.line}' if place.line else ''}" if place is not None else ""
     return finding.rule, finding.message, where, finding.fix or ""
+
+
+def _row(finding: migration.PlanFinding, places: Mapping[str, str]) -> tuple[str, str, str, str]:
+    """A finding of a plan as it is shown; of thousands, what else it says is not looked up."""
+    path, where = str(finding.path), ""
+    if path:
+        line = finding.line
+        where = f"{places.get(path, path).rpartition('/')[2]}{f':{line}' if line else ''}"
+    return str(finding.rule), str(finding.message), where, str(finding.fix or "")
 
 
 def chunked(rows: Sequence[Any]) -> list[Sequence[Any]]:
@@ -241,7 +256,7 @@ def history(plan: migration.MigrationPlan) -> dict[str, Any]:
             WHO[d.chosenBy.name],
             c.subject,
             str(d.choice),
-            "; ".join(d.evidence),
+            reason(d),
         )
         for c, d in made
     ]

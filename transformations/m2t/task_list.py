@@ -13,6 +13,7 @@ from robosmi.data_text import Json
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, task_place
+from robosmi.transformations.queries.choices import reason
 from robosmi.transformations.queries.connector_names import told_names
 from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.plan import called
@@ -92,7 +93,9 @@ PICTURE = "verification.svg"
 
 def by_severity(findings: Iterable[migration.PlanFinding]) -> list[migration.PlanFinding]:
     """Findings, the worst first, those of one severity in their order."""
-    return sorted(findings, key=lambda f: -int(f.severity.value))
+    level = migration.SeverityLevel
+    order = {each: -int(each.value) for each in (level.info, level.warning, level.error)}
+    return sorted(findings, key=lambda f: order[f.severity])
 
 
 _TASKS = {"RS101": "RS504", "RS312": "RS504", "RS103": "RS503", "RS107": "RS503", "RS109": "RS501"}
@@ -109,12 +112,13 @@ def _is_task(finding: migration.PlanFinding, plan: migration.MigrationPlan) -> b
 
 
 def _said(task: migration.PlanTask, plan: migration.MigrationPlan) -> dict[str, Json]:
+    severity = task.severity
     return {
         "message": task.message,
         "rule": task.rule,
         "place": task_place(plan, task),
-        "fix": task.fix if task.severity is not migration.SeverityLevel.info else "",
-        "severity": task.severity.name,
+        "fix": task.fix if severity is not migration.SeverityLevel.info else "",
+        "severity": severity.name,
     }
 
 
@@ -146,7 +150,7 @@ def _port(binding: migration.PortBinding) -> dict[str, str]:
         "what": binding.what,
         "choice": binding.choice,
         "by": WHO[binding.chosenBy.name],
-        "why": "; ".join(binding.evidence),
+        "why": reason(binding),
     }
 
 

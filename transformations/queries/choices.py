@@ -112,11 +112,16 @@ def offered_choices(plan: migration.MigrationPlan) -> list[OfferedChoice]:
             chosen=None if choice.decision.open else choice.decision.choice,
             by=choice.decision.chosenBy.name,
             at=choice.decision.chosenAt or None,
-            why="; ".join(choice.decision.evidence),
+            why=reason(choice.decision),
         )
         for choice in choices(plan)
     ]
     return made + [_role(component) for component in unclear_components(plan)]
+
+
+def reason(decision: migration.Decision) -> str:
+    """Why a decision was made as it was; empty where a person gave no reason, which plans of earlier versions have in words."""
+    return "; ".join(str(each) for each in decision.evidence if each != "chosen by a person")
 
 
 def choices_json(plan: migration.MigrationPlan) -> list[dict[str, Json]]:
@@ -142,7 +147,7 @@ def _role(component: hardware.Component) -> OfferedChoice:
         chosen=component.role.name if given else hardware.Role.Input.name,
         by=migration.ChosenBy.person.name if given else migration.ChosenBy.defaultValue.name,
         at=None,
-        why=GIVEN if given else "what it does is unknown; it is taken as something that is read",
+        why="" if given else "what it does is unknown; it is taken as something that is read",
     )
 
 
@@ -163,7 +168,7 @@ def _options(plan: migration.MigrationPlan, decision: migration.Decision) -> Ite
         ranked.append((NO_LIBRARY, 0.0, "it needs no library"))
     chosen = "" if decision.open else str(decision.choice)
     if chosen and all(value != chosen for value, _, _ in ranked):
-        ranked.insert(0, (chosen, float(decision.confidence), "; ".join(decision.evidence)))
+        ranked.insert(0, (chosen, float(decision.confidence), reason(decision)))
     yield from (Option(value, score, why) for value, score, why in ranked)
 
 

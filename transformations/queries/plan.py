@@ -228,11 +228,12 @@ def said(entries: Q[migration.PlanTask], places: dict[str, str]) -> list[Finding
     """
     result: list[Finding] = []
     for entry in entries:
+        about = len(entry.elements) > 0
         location = _place(entry, places)
         kind = Finding if isinstance(entry, migration.PlanFinding) else Task
         evidence: dict[str, Any] = {"effort": entry.effort} if entry.effort else {}
         evidence |= {"done": True} if entry.done else {}
-        if isinstance(entry, migration.PlanFinding):
+        if about and isinstance(entry, migration.PlanFinding):
             evidence |= next(({"component": e.title, "model_index": e.elementId} for e in _components(entry)), {})
             if len(located := _located(entry)) > 1 and not has_flow(entry):
                 evidence["places"] = [[e.line, e.column, e.endLine, e.endColumn] for e in located]
@@ -244,8 +245,8 @@ def said(entries: Q[migration.PlanTask], places: dict[str, str]) -> list[Finding
                 location,
                 fix=entry.fix or None,
                 evidence=evidence,
-                steps=steps_of(entry, places),
-                edits=edits_of(entry, places),
+                steps=steps_of(entry, places) if about else (),
+                edits=edits_of(entry, places) if about else (),
             )
         )
     return result

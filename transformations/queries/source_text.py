@@ -72,7 +72,9 @@ class SourceText:
         self.data = data
         given = [c for c in changes if c.unit is unit]
         self.changes = effective(given)
-        self._starts = [change.startOffset for change in self.changes]
+        self._placed = _placed(self.changes)
+        self._starts = [start for start, *_ in self._placed]
+        self._encoding = unit.encoding or "utf-8"
         self._given = sorted(enumerate(given), key=lambda pair: pair[1].startOffset)
         self._comments: list[ccode.Comment] = sorted(unit.comments, key=lambda comment: comment.startOffset)
         self._comment_starts = [comment.startOffset for comment in self._comments]
@@ -83,7 +85,7 @@ class SourceText:
         first = bisect_left(self._given, start, key=lambda pair: pair[1].startOffset)
         last = bisect_right(self._given, end, key=lambda pair: pair[1].startOffset)
         others = [c for _, c in sorted(self._given[first:last], key=lambda pair: pair[0]) if decision_of(c) is not without]
-        return self._applied(effective([*copy.changes, *(c for c in others if c.endOffset <= end)]), start, end)[0]
+        return self._applied(_placed(effective([*copy.changes, *(c for c in others if c.endOffset <= end)])), start, end)[0]
 
     def line_start(self, offset: int) -> int:
         """Offset of the first byte of the line."""
@@ -109,23 +111,23 @@ class SourceText:
 
     def slice(self, start: int, end: int) -> tuple[str, tuple[migration.TextChange, ...]]:
         """The text of a range with changes applied, line ends as line feeds, and the changes that took part."""
-        within = self.changes[bisect_left(self._starts, start) : bisect_right(self._starts, end)]
+        within = self._placed[bisect_left(self._starts, start) : bisect_right(self._starts, end)]
         return self._applied(within, start, end)
 
     def _applied(
-        self, changes: Iterable[migration.TextChange], start: int, end: int
+        self, changes: Iterable[tuple[int, int, str, migration.TextChange]], start: int, end: int
     ) -> tuple[str, tuple[migration.TextChange, ...]]:
         parts: list[str] = []
         applied: list[migration.TextChange] = []
         position = start
-        for change in changes:
-            if change.endOffset > end:
+        for begins, ends, new, change in changes:
+            if ends > end:
                 continue
-            inserted = change.startOffset == change.endOffset == end
+            inserted = begins == ends == end
             if inserted and start < end < len(self.data) and self.data[end - 1 : end] == b"\n":
                 continue  # an insertion at a border of lines belongs to the line that it begins
-            parts += [self._decode(position, change.startOffset), change.replacement]
-            position = change.endOffset
+            parts += [self._decode(position, begins), new]
+            position = ends
             applied.append(change)
         parts.append(self._decode(position, end))
         return "".join(parts), tuple(applied)
@@ -135,7 +137,7 @@ class SourceText:
         return self._comments[bisect_left(self._comment_starts, start) : bisect_left(self._comment_starts, end)]
 
     def _decode(self, start: int, end: int) -> str:
-        text = self.data[start:end].decode(self.unit.encoding or "utf-8", errors="replace")
+        text = self.data[start:end].decode(self._encoding, errors="replace")
         return text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
 
     def pieces(self, start: int, end: int, elements: Iterable[ccode.Located]) -> Iterator[Piece]:
@@ -147,12 +149,13 @@ class SourceText:
         """
         position = start
         waiting: list[ccode.Located] = []
-        ordered = sorted((e for e in elements if start <= e.startOffset < end), key=lambda e: e.startOffset)
-        for index, element in enumerate(ordered):
+        begun = [(at, element) for element in elements if start <= (at := int(element.startOffset)) < end]
+        begun.sort(key=lambda pair: pair[0])
+        followed = [at for at, _ in begun[1:]]
+        for index, (at, element) in enumerate(begun):
             waiting.append(element)
-            cut = min(self.line_end(max(element.endOffset - 1, element.startOffset)), end)
-            following = ordered[index + 1] if index + 1 < len(ordered) else None
-            if following is not None and following.startOffset < cut:
+            cut = min(self.line_end(max(element.endOffset - 1, at)), end)
+            if index < len(followed) and followed[index] < cut:
                 continue
             yield self._piece(position, cut, waiting)
             position, waiting = cut, []
@@ -162,6 +165,11 @@ class SourceText:
     def _piece(self, start: int, end: int, elements: list[ccode.Located]) -> Piece:
         text, applied = self.slice(start, end)
         return Piece(text, start, end, tuple(elements), applied)
+
+
+def _placed(changes: Iterable[migration.TextChange]) -> list[tuple[int, int, str, migration.TextChange]]:
+    """Changes behind where they begin and end, and what they put there."""
+    return [(change.startOffset, change.endOffset, change.replacement, change) for change in changes]
 
 
 _LABEL = re.compile(r"\s*(?!default\b)[A-Za-z_]\w*\s*:(?!:)")

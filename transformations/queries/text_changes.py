@@ -38,38 +38,53 @@ def effective(changes: Iterable[migration.TextChange]) -> list[migration.TextCha
     Of insertions at one place the first stand outside: what opens a parenthesis comes in the order given, what closes one
     (a text that begins with it) in the reverse order and before all others.
     """
-    kept: list[migration.TextChange] = []
-    order = sorted((_path(c), c.startOffset, -c.endOffset, number, c) for number, c in enumerate(changes))
+    kept: list[_Placed] = []
     reach, unit = -1, ""
-    inserted: list[migration.TextChange] = []
-    for path, start, minus_end, _, change in order:
+    inserted: list[_Placed] = []
+    for placed in _in_order(changes):
+        path, start, minus_end, _, _ = placed
         if path != unit:
             reach, unit = -1, path
         if start == -minus_end:
-            inserted.append(change)
+            inserted.append(placed)
         elif start >= reach:
-            kept.append(change)
+            kept.append(placed)
             reach = -minus_end
-    closing = [c for c in inserted if c.replacement.startswith(")")]
-    placed = [*reversed(closing), *(c for c in inserted if not c.replacement.startswith(")"))]
-    placed.sort(key=lambda c: (_path(c), c.startOffset))
-    return sorted([*kept, *_outside(placed, kept)], key=lambda c: (_path(c), c.startOffset, c.endOffset))
+    if inserted:
+        closing = [each for each in inserted if each[4].replacement.startswith(")")]
+        others = [each for each in inserted if not each[4].replacement.startswith(")")]
+        kept += _outside(sorted([*reversed(closing), *others], key=lambda each: each[:2]), list(kept))
+        kept.sort(key=lambda each: (each[0], each[1], -each[2]))
+    return [change for *_, change in kept]
 
 
-def _outside(inserted: list[migration.TextChange], kept: list[migration.TextChange]) -> list[migration.TextChange]:
+_Placed = tuple[str, int, int, int, migration.TextChange]
+"""A change behind the path of its unit, where it begins, minus where it ends, and its number."""
+
+
+def _in_order(changes: Iterable[migration.TextChange]) -> list[_Placed]:
+    """Changes in text order, the longest of those that begin at one place first, and of equal ones in the order given."""
+    paths: dict[int, str] = {}
+    found: list[_Placed] = []
+    for number, change in enumerate(changes):
+        unit = change.unit
+        path = paths.get(id(unit))
+        if path is None:
+            path = paths[id(unit)] = str(unit.path) if unit is not None else ""
+        found.append((path, change.startOffset, -change.endOffset, number, change))
+    return sorted(found)
+
+
+def _outside(inserted: list[_Placed], kept: list[_Placed]) -> list[_Placed]:
     """Insertions that do not stand inside a range that is replaced; both in text order."""
-    found: list[migration.TextChange] = []
+    found: list[_Placed] = []
     ranges = iter(kept)
     current = next(ranges, None)
-    for change in inserted:
-        place = (_path(change), change.startOffset)
-        while current is not None and (_path(current), current.endOffset) <= place:
+    for each in inserted:
+        place = each[:2]
+        while current is not None and (current[0], -current[2]) <= place:
             current = next(ranges, None)
-        inside = current is not None and current.unit is change.unit and current.startOffset < change.startOffset
+        inside = current is not None and current[4].unit is each[4].unit and current[1] < each[1]
         if not inside:
-            found.append(change)
+            found.append(each)
     return found
-
-
-def _path(change: migration.TextChange) -> str:
-    return str(change.unit.path) if change.unit is not None else ""
