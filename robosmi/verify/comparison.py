@@ -109,19 +109,24 @@ class ClosedLoop:
     Attributes:
         since_ms: when the first such motion begins.
         ms: by how much one of them may end earlier or later.
+        rests: whether the channel tells when nothing is driven: how long that lasts hangs on the program's own waits alone.
     """
 
     since_ms: float
     ms: float
+    rests: bool = False
 
     def loosened(self, source: Sequence[ActivityEvent], allowed: Sequence[EventTolerance]) -> list[EventTolerance]:
         """The tolerances with what a single end may take, from the first motion on."""
         return [
-            EventTolerance(each.time_ms + self.ms, each.duration_ms + self.ms, each.parts)
+            EventTolerance(each.time_ms + self.ms, each.duration_ms + self._lasts_ms(source[at]), each.parts)
             if source[at].at_us / 1000 >= self.since_ms
             else each
             for at, each in enumerate(allowed)
         ]
+
+    def _lasts_ms(self, event: ActivityEvent) -> float:
+        return 2 * _FRAME_MS if self.rests and event.value == (0,) else self.ms
 
 
 def tolerances(source: Sequence[ActivityEvent], varied: Sequence[Sequence[ActivityEvent]]) -> list[EventTolerance] | None:
@@ -229,6 +234,8 @@ def _racy(
     if itself is None:
         return found
     own = [event for event in source if event.at_us / 1000 < itself.at_ms]
+    while own and any(each is not None and alike(own[-1], each) for each in (itself.nominal, itself.varied)):
+        own.pop()  # how often it says so in a row is what differs
     before = aligned(own, target)
     mine = own[before.own] if before.own < len(own) else None
     theirs = target[before.other] if before.other < len(target) else None

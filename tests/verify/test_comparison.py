@@ -188,3 +188,22 @@ def test_what_waits_for_a_wheel_may_end_as_much_later_as_its_last_step_takes(
 ) -> None:
     late = changed(changed(BLINK, 1, 500 + late_ms), 2, 1500 + late_ms)
     assert compare("x", events(BLINK), events(late), [events(BLINK)], 4000, ClosedLoop(since_ms, 370)).status == status
+
+
+def counted(lines: int, last: str) -> list[ActivityEvent]:
+    said = ["begin", *["no"] * lines, last]
+    return [ActivityEvent(1000.0 + at * 2_000_000.0 / lines, LINE, (each,)) for at, each in enumerate(said)]
+
+
+@pytest.mark.parametrize(
+    ("target", "status"),
+    [
+        (counted(90, "90"), "racy"),
+        (counted(120, "120"), "racy"),
+        ([ActivityEvent(1000.0, LINE, ("start",)), *counted(90, "90")[1:]], "different"),
+    ],
+)
+def test_how_often_a_source_says_the_same_in_a_row_is_not_sure_where_its_runs_differ_in_it(
+    target: list[ActivityEvent], status: str
+) -> None:
+    assert compare("console", counted(100, "100"), target, [counted(96, "96"), counted(104, "104")], 4000).status == status

@@ -15,6 +15,7 @@ from robosmi.transformations.verification.original_side import (
     CONSOLE_CHANNEL,
     DRIVEN,
     SETTLED,
+    STANDING,
     SourceRuns,
     channel_events,
     compared,
@@ -64,7 +65,7 @@ def judged(
         compared(name, seen, [_until(events, horizon_ms) for events in target[name]], horizon_ms, runs.loop)
         for name, seen in runs.channels.items()
     )
-    found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith(DRIVEN))
+    found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith((DRIVEN, STANDING)))
     found = tuple(_racy_text(each) if _is_mixed(each, runs, trace) else each for each in found)
     found = tuple(_sure(each) for each in found)
     if one_thread and all(c.status != DIFFERENT for c in found):
@@ -94,7 +95,7 @@ def _in_order(
     target: Mapping[str, Sequence[list[ActivityEvent]]],
 ) -> tuple[ChannelComparison, ...]:
     """The channels, of which one is different if two of them do near things in the other order."""
-    same = [c.channel for c in found if c.status == SAME]
+    same = [c.channel for c in found if c.status == SAME and not c.channel.endswith(STANDING)]
     changes_ms = [float(at_ms) for settings in scenario.signals.values() for points in settings.values() for at_ms, _ in points]
     disorder = first_disorder(
         {name: runs.channels[name][0] for name in same},

@@ -13,7 +13,7 @@ from typing import Any
 
 from robosmi.transformations.verification.played_devices import devices_at, played
 from robosmi.transformations.verification.port_devices import BoundPort, device_facts
-from robosmi.verify.activity import IDLE, LINE, SIGHTS, WAVE, ActivityEvent, activity, console_lines, merged, text_lines
+from robosmi.verify.activity import IDLE, LEVEL, LINE, SIGHTS, WAVE, ActivityEvent, activity, console_lines, merged, text_lines
 from robosmi.verify.comparison import NOT_EXERCISED, RACY, SAME, ChannelComparison, ClosedLoop, compare
 from robosmi.verify.driven_lines import held_levels
 from robosmi.verify.original_build import OriginalProgram
@@ -27,12 +27,18 @@ from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace
 CONSOLE_CHANNEL = "console"
 DRIVEN = ", as it is driven"
 """Behind the name of a port at which a device is: the channel of what the program does to it."""
+STANDING = " standing"
+"""Behind the names of the wheels that a program waits for: the channel of when none of them is driven."""
 Place = tuple[str | int, ...]
 """File and line of a line of the source, file, line and number of a branch, or `channel` and the name of a channel."""
 SETTLED = ("running", "finished")
 """Status of a run that came to its end by itself."""
 LIMITS = ("time limit", "output limit")
 """Status of a run that was given up."""
+
+_STANDS_US, _SURELY_US = 150_000.0, 250_000.0
+"""Wheels without a pulse for less than the first time are still on their way: the library rests for 120 ms between two steps.
+Below the second one another run may find them there, too."""
 
 _LINE_PART = 0.025
 """Serial lines may be off by so much: an AVR at 16 MHz is 2.1 % too fast at 115200 baud."""
@@ -108,7 +114,27 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
         if title:
             title = f"{title} {facts.get('tells_as', '')}".rstrip()
             found[title] = [_told(trace, number, facts, measures)]
+    if wheels := [port for port in ports if port.loop_ms and port.compared and "servo" in port.pin.split()]:
+        pins = [port.target if target else port.source for port in wheels]
+        found[f"{' and '.join(port.title for port in wheels)}{STANDING}"] = [_standing(trace, pins)]
     found[CONSOLE_CHANNEL] = [console_lines(trace, measures)]
+    return found
+
+
+def _standing(trace: PinTrace, pins: Sequence[str]) -> list[ActivityEvent]:
+    """When wheels are driven (1) and when none of them is (0), by the pulses at their pins."""
+    found = [IDLE]
+    end_us = 0.0
+    for pulse in sorted(pulse for pin in pins for pulse in pulses_of(trace, pin)):
+        pause_us = pulse.begin - end_us
+        if len(found) == 1 or pause_us > _STANDS_US:
+            barely = len(found) > 1 and pause_us < _SURELY_US
+            if len(found) > 1:
+                found.append(ActivityEvent(end_us, LEVEL, (0,), barely=barely))
+            found.append(ActivityEvent(pulse.begin, LEVEL, (1,), barely=barely))
+        end_us = max(end_us, pulse.end)
+    if len(found) > 1 and trace.simulated_us - end_us > _SURELY_US:
+        found.append(ActivityEvent(end_us, LEVEL, (0,)))
     return found
 
 
@@ -157,6 +183,8 @@ def compared(
         loop: how the program waits for what it drives, if it does.
     """
     found = []
+    if loop is not None and channel.endswith(STANDING):
+        loop = replace(loop, rests=True)
     pairs = list(zip(source, target, strict=True))
     clear = [pair for pair in pairs if not any(event.unclear for events in pair[0] for event in events)]
     for (own, *varied), theirs in clear[:1] or pairs:
@@ -220,10 +248,10 @@ def run_varied(
 
 
 def _loop(trace: PinTrace, ports: Sequence[BoundPort]) -> ClosedLoop | None:
-    """How a program waits for the wheels that it drives, from the first mark of their way on."""
-    closed = {number: ports[device.ports[0]].loop_ms for number, device in enumerate(devices_at(ports, target=False))}
-    seen = [event for event in trace.device_events if closed.get(event.device)]
-    return ClosedLoop(min(e.at_us for e in seen) / 1000, max(closed[e.device] for e in seen)) if seen else None
+    """How a program waits for the wheels that it drives, from the first pulse for one of them on."""
+    wheels = [port for port in ports if port.loop_ms and "servo" in port.pin.split()]
+    driven = [pulse.begin for port in wheels for pulse in pulses_of(trace, port.source)]
+    return ClosedLoop(min(driven) / 1000, max(port.loop_ms for port in wheels)) if driven else None
 
 
 def _by_channel(seen: Sequence[Mapping[str, list[list[ActivityEvent]]]]) -> dict[str, list[list[list[ActivityEvent]]]]:
