@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 from robosmi.metamodels import ccode
 from robosmi.transformations.chains.program import ProgramFiles, StoredProgram
 from robosmi.transformations.knowledge.platform_api import ApiIndex
@@ -11,6 +13,7 @@ from robosmi.transformations.m2m.renaming import RENAME
 from robosmi.transformations.m2m.widths import Widened, retype_decisions, widenings
 from robosmi.transformations.queries.expansion import macros_of
 from robosmi.transformations.queries.numbers import Machine
+from robosmi.transformations.t2m.c_source.included_before import included_before
 from robosmi.transformations.t2m.c_source.typed import typed_unit
 
 FIX, KEEP = "fix", "keep"
@@ -42,6 +45,7 @@ def widened(
     macros = macros_of(units, program.copies)
     adapted = {use.name for use in dependence.adapters}
     given = {copy: path for path, copy in program.places.items()}
+    real = {os.path.realpath(copy): os.path.abspath(path) for copy, path in given.items()}
     folders, defines = [str(d) for d in files.include_dirs], list(files.defines)
     typed = {
         unit.path: typed_unit(
@@ -55,6 +59,7 @@ def widened(
             defines,
             adapted,
             target.wider_names,
+            [real[each] for each in included_before(str(unit.path), units) if each in real],
         )
         for unit in units
     }

@@ -42,23 +42,37 @@ class Call:
         api: its platform.
         include_dirs: folders with headers.
         defines: macros from outside.
+        before: paths of headers that stand before the text in the file that includes it.
 
     Attributes:
         path: the text's, absolute.
         names: all names in the headers that the text reaches; None where it reaches others than our own.
     """
 
-    def __init__(self, source: ReadSource, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str]) -> None:
+    def __init__(
+        self,
+        source: ReadSource,
+        api: ApiIndex,
+        include_dirs: Sequence[str],
+        defines: Sequence[str],
+        before: Sequence[str] = (),
+    ) -> None:
         self.path = os.path.abspath(source.path)
         self._source, self._api = source, api
         self._given = arguments(api, source.language, include_dirs, defines)
+        for header in before:
+            self._given += ["-include", header]
         self._folders = Folders(include_dirs)
         self._files: list[clang.UnsavedFile] = []
         self._reached: Reached | None = None
-        self._beginning = beginning(source, api, self._given, self._folders)
+        self._beginning = beginning(source, api, self._given, self._folders) if not before else None
         self.names: frozenset[str] | None = None
         own = os.path.dirname(self.path)
-        if not include_dirs and not any(os.path.exists(os.path.join(own, name)) for name in included(source.parsed) if name):
+        if (
+            not include_dirs
+            and not before
+            and not any(os.path.exists(os.path.join(own, name)) for name in included(source.parsed) if name)
+        ):
             headers = standard_headers(api, source.parsed)
             self.names = frozenset[str]().union(*(names_in(header) for header in headers.values()))
             self._files = unsaved(headers)

@@ -93,9 +93,11 @@ class Parsed:
             self.unit = 0
 
 
-def parse(source: ReadSource, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str]) -> Parsed | None:
+def parse(
+    source: ReadSource, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str], before: Sequence[str] = ()
+) -> Parsed | None:
     """Parse a text, again with declarations for what it does not declare; None when the parser gave up."""
-    return _parse(source, api, defines, Call(source, api, include_dirs, defines))
+    return _parse(source, api, defines, Call(source, api, include_dirs, defines, before))
 
 
 def _parse(source: ReadSource, api: ApiIndex, defines: Sequence[str], call: Call) -> Parsed | None:

@@ -21,6 +21,7 @@ from robosmi.transformations.t2m.c_source import checks, coverage, declarations,
 from robosmi.transformations.t2m.c_source.circles import circles
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.grammar import BUILDERS
+from robosmi.transformations.t2m.c_source.included_before import included_before
 from robosmi.transformations.t2m.c_source.linking import Linker
 from robosmi.transformations.t2m.c_source.parsing import parse
 from robosmi.transformations.t2m.c_source.source import read_source
@@ -30,6 +31,7 @@ from robosmi.typed import distinct
 PathLike = str | os.PathLike[str]
 
 
+_LOST = frozenset({"RS101", "RS102"})
 MOST_FILES = 400
 """Source files of one program: the parser takes 0.9 MB for each, however small, and what is linked is held until the end."""
 
@@ -102,6 +104,7 @@ def _units(files: Sequence[Compiled], api: ApiIndex, contexts: list[UnitContext]
     for file in files:
         try:
             units.append(_unit(file.path, api, file.include_dirs, file.defines, contexts))
+            _again_behind_others(file, api, contexts, units)
         except SourceError as error:
             if file.given or (file is files[-1] and not units):
                 raise
@@ -110,6 +113,24 @@ def _units(files: Sequence[Compiled], api: ApiIndex, contexts: list[UnitContext]
             place = error.location or Location(file.path)
             left_out.append(Finding("RS112", Severity.warning, f"left out: {error.message}", place, fix=error.fix))
     return units, left_out
+
+
+def _again_behind_others(file: Compiled, api: ApiIndex, contexts: list[UnitContext], units: list[ccode.SourceUnit]) -> None:
+    """Read the last file again behind the headers that are included before it, where that loses less of its text."""
+    lost = _lost(contexts[-1])
+    before = included_before(file.path, units[:-1]) if lost else []
+    if not before:
+        return
+    others: list[UnitContext] = []
+    unit = _unit(file.path, api, file.include_dirs, file.defines, others, before)
+    if _lost(others[-1]) < lost:
+        units[-1], contexts[-1], others[-1] = unit, others[-1], contexts[-1]
+    _close(others)
+
+
+def _lost(context: UnitContext) -> int:
+    """How much of a text the parser could not read."""
+    return len([finding for finding in context.findings if finding.rule in _LOST])
 
 
 def _close(contexts: Iterable[UnitContext]) -> None:
@@ -136,10 +157,15 @@ def read_unit(
 
 
 def _unit(
-    path: PathLike, api: ApiIndex, folders: Sequence[str], defines: Sequence[str], contexts: list[UnitContext]
+    path: PathLike,
+    api: ApiIndex,
+    folders: Sequence[str],
+    defines: Sequence[str],
+    contexts: list[UnitContext],
+    before: Sequence[str] = (),
 ) -> ccode.SourceUnit:
     source = read_source(path)
-    parsed = parse(source, api, folders, defines)
+    parsed = parse(source, api, folders, defines, before)
     if parsed is None:
         raise SourceError(
             "the C parser gave up on this file", location=Location(source.path), fix="check that it is C source text"

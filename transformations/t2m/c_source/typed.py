@@ -90,6 +90,7 @@ def typed_unit(
     defines: Sequence[str] = (),
     platform: Collection[str] = (),
     wider: Collection[str] = (),
+    before: Sequence[str] = (),
 ) -> list[TypedExpression]:
     """What a unit declares and does, with types.
 
@@ -103,12 +104,16 @@ def typed_unit(
         include_dirs, defines: as the program was read.
         platform: names of functions that adapters replace.
         wider: names of standard types that are written as wider ones.
+        before: paths of headers that stand before the unit in the file that includes it.
     """
     expanded = expanded_unit(unit, data, macros)
     source = ReadSource(path, expanded.data, expanded.data, "UTF-8", "", len(expanded.data))
     source._lines = [0]
     source.tokens = tokens(expanded.data)
     parsed = parse(source, api, include_dirs, defines)
+    if parsed is not None and before and any(d.offset >= 0 and not d.about_missing for d in parsed.diagnostics):
+        parsed.close()
+        parsed = parse(source, api, include_dirs, defines, before)
     if parsed is None:
         return []
     try:
