@@ -35,3 +35,18 @@ void loop() {}
     settings = {"humidity": [[0, 65.2]], "celsius": [[0, 35.1]]}
     trace = uno.run(program, ALL, 900, [DeviceUse("dht22", {"signal": "D7"}, settings)])
     assert [int(each) for each in trace.text.split()] == pytest.approx([65, 65], abs=2)
+
+
+@proves("dht22.h/dht22_read")
+def bits_are_right_whichever_edges_an_interrupt_hides(uno: Uno) -> None:
+    program = """
+ISR(TIMER2_COMPA_vect) { delayMicroseconds(25); }
+void setup() { Serial.begin(115200); TCCR2A = _BV(WGM21); TCCR2B = _BV(CS22); OCR2A = 241; TIMSK2 = _BV(OCIE2A);
+  dht22_set_timeout_ignore(7, 1);
+  for (int turn = 0; turn < 30; turn++) { Serial.print(dht22_read(7) + 0); Serial.print(' '); Serial.print(dht22_getTemp(0));
+    Serial.print(' '); Serial.println(dht22_getHumidity()); } }
+void loop() {}
+"""
+    settings = {"humidity": [[0, 40]], "celsius": [[0, 21]]}
+    trace = uno.run(program, ALL, 2500, [DeviceUse("dht22", {"signal": "D7"}, settings)])
+    assert trace.text.splitlines() == ["1 210 400"] * 30

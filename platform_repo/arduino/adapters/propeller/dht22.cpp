@@ -44,10 +44,10 @@ inline void dht22_set_timeout_ignore(int32_t dht_pin, char ignore_timeout) {
 //#   needs: dht22_celsius dht22_humidity dht22_hasty simpletools.h/Io simpletools.h/TimedInput
 //#   pin: dht_pin digital both
 //#   fidelity: 1 when the checksum is right, which it never is below 0 degrees, as there; waits for half a second after the last reading, and listens for 47 ms, as there
-//#   fidelity: an edge within an interrupt is taken for its middle: bits are right beside interrupts of up to 40 us
+//#   fidelity: an edge within an interrupt is taken for its middle, and one that an interrupt hides is known by the period: bits are right beside interrupts of up to 40 us
 //#   limit: other cogs wait for 6 ms
 //#   ram: 128
-//#   stack: 43 20
+//#   stack: 40 20
 inline char dht22_read(int32_t dht_pin) {
   static uint32_t last[32];
   Io io(dht_pin);
@@ -68,9 +68,13 @@ inline char dht22_read(int32_t dht_pin) {
       uint32_t now = micros();
       if (low && high) {
         uint32_t edge = looked + (now - looked) / 2;  // an interrupt may lie between two looks
-        if (edges >= 2) bytes[(edges - 2) >> 3] = bytes[(edges - 2) >> 3] << 1 | (edge - before > 98);
+        uint32_t period = edge - before;
         before = edge;
-        edges++;
+        for (bool hidden = edges >= 2 && edges < 41 && period > 136;; hidden = false, period = 76) {  // two: an interrupt hid a 0's edge
+          if (edges >= 2) bytes[(edges - 2) >> 3] = bytes[(edges - 2) >> 3] << 1 | (period > (hidden ? 174 : 98));
+          edges++;
+          if (!hidden) break;
+        }
       }
       looked = now;
       low = !high;
