@@ -135,9 +135,9 @@ def project_in(path: Path, text: str) -> Project:
 def _project(path: Path, text: str, data: dict[str, Any]) -> Project:
     folder = path.parent
     _known(path, data, _TABLES, "table")
-    migrate = _table(path, data, "migrate")
+    migrate = _table(path, data, "migrate", text)
     _known(path, migrate, _MIGRATE, "key in [migrate]")
-    severity = _table(path, data, "severity")
+    severity = _table(path, data, "severity", text)
     for rule, level in severity.items():
         if level not in LEVELS:
             raise _wrong(
@@ -150,9 +150,9 @@ def _project(path: Path, text: str, data: dict[str, Any]) -> Project:
         hardware=(folder / migrate["hardware"]) if "hardware" in migrate else None,
         target=migrate.get("target"),
         source_platform=migrate.get("source_platform"),
-        libraries=_table(path, data, "libraries"),
-        bind=_bind(path, data),
-        roles=_table(path, data, "roles"),
+        libraries=_table(path, data, "libraries", text),
+        bind=_bind(path, data, text),
+        roles=_table(path, data, "roles", text),
         servos=_servos(path, data, text),
         severity=severity,
         accept=tuple(_accepted(path, entry) for entry in _list_of_tables(path, data, "accept")),
@@ -160,21 +160,25 @@ def _project(path: Path, text: str, data: dict[str, Any]) -> Project:
     )
 
 
-def _table(path: Path, data: dict[str, Any], name: str) -> dict[str, str]:
-    table = data.get(name, {})
-    if not isinstance(table, dict) or not all(isinstance(v, str) for v in table.values()):
-        raise _wrong(path, f"[{name}] must hold texts only", 'write NAME = "VALUE"')
+def _table(path: Path, data: dict[str, Any], name: str, text: str) -> dict[str, str]:
+    table: dict[str, str] = data.get(name, {})
+    wrong = next((key for key, value in table.items() if not isinstance(value, str)), None) if isinstance(table, dict) else ""
+    if wrong is not None:
+        line = _line_of(name, wrong, text) or _line_of(name, wrong.partition(".")[0], text) if wrong else None
+        which = f", and '{wrong}' is none" if wrong else ""
+        message = f"[{name}] must hold texts only{which}"
+        raise SourceError(message, location=Location(str(path), line), fix=f'write {wrong or "NAME"} = "VALUE"')
     return table
 
 
-def _bind(path: Path, data: dict[str, Any]) -> dict[str, str]:
+def _bind(path: Path, data: dict[str, Any], text: str) -> dict[str, str]:
     """[bind], in which TOML takes a key with a point in it, such as a role of a library, for a table."""
     table = data.get("bind", {})
     if isinstance(table, dict):
         inner = {key: value for key, value in table.items() if isinstance(value, dict)}
         flat = {f"{key}.{name}": value for key, values in inner.items() for name, value in values.items()}
         data = {**data, "bind": {**{key: value for key, value in table.items() if key not in inner}, **flat}}
-    return _table(path, data, "bind")
+    return _table(path, data, "bind", text)
 
 
 def _servos(path: Path, data: dict[str, Any], text: str) -> dict[str, ServoTrim]:

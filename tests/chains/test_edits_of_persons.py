@@ -272,3 +272,27 @@ def test_an_include_that_nothing_needs_goes_with_its_component(arm: tuple[Path, 
     run("migrate", program, "-o", out)
     assert "Servo.h" not in sketch.read_text()
     assert "int count;" in sketch.read_text()
+
+
+def test_a_placeholder_that_was_given_a_meaning_is_done(tmp_path: Path) -> None:
+    """What stands is compared with what is made: another declaration, a macro, or the same value without the words TODO."""
+    program, output = tmp_path / "turn.c", tmp_path / "out"
+    program.write_text('#include "simpletools.h"\nint main() { print("%d %d %d", FIRST_OF_ALL, SECOND_OF_ALL, LAST_OF_ALL); }\n')
+    header = output / "turn" / "adapters.h"
+
+    def left() -> list[str]:
+        plan = robosmi.migrate([program], output).models.plan
+        return [t.message.split("'")[1] for t in plan.tasks if t.rule == "RS502" and not t.done]
+
+    assert left() == ["FIRST_OF_ALL", "LAST_OF_ALL", "SECOND_OF_ALL"]
+    text = header.read_text()
+    lines = {name: next(line for line in text.splitlines() if f" {name} = " in line) for name in left()}
+    text = text.replace(lines["FIRST_OF_ALL"], "#define FIRST_OF_ALL 7")
+    text = text.replace(lines["LAST_OF_ALL"], lines["LAST_OF_ALL"].partition("  //")[0])
+    header.write_text(text)
+    assert left() == ["SECOND_OF_ALL"]
+    assert "- [x] give the placeholder of 'FIRST_OF_ALL' its meaning" in (output / "turn" / "MIGRATION.md").read_text()
+    assert "#define FIRST_OF_ALL 7" in header.read_text()
+    before = tree(output)
+    assert left() == ["SECOND_OF_ALL"]
+    assert tree(output) == before

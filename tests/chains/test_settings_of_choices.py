@@ -90,7 +90,7 @@ def test_where_it_is_read_only_the_choice_stays_in_the_plan_and_that_is_said(
         ("[bind\n", "line 1"),
         ("[binds]\n", "'binds' is no table"),
         ('bind = "D9"\n', "[bind]"),
-        ("[bind]\neye = 3\n", "[bind] must hold texts only"),
+        ("[bind]\neye = 3\n", "[bind] must hold texts only, and 'eye' is none"),
         ("\xff", "cannot be read"),
     ],
 )

@@ -266,6 +266,23 @@ def test_a_body_that_does_not_compile_is_not_saved(project: Path) -> None:
     assert run("adapters", "save", project / "out", "--as", "project").code == 0
 
 
+@pytest.mark.needs_tool
+def test_a_body_that_needs_the_sketch_keeps_no_other_from_being_saved(project: Path) -> None:
+    require_tools("avr-gcc", "avr-g++", "arduino-core-avr")
+    migrated(project)
+    write_body(project)
+    write_body(project, "s3_setVolume", "tilt_of(Volume);")
+    outcome = run("adapters", "save", project / "out", "--as", "project", "--json")
+    assert outcome.code == 1
+    assert [row["function"] for row in outcome.document["result"]["adapters"]] == ["s3_ping"]
+    (finding,) = outcome.document["findings"]
+    assert (finding["rule"], finding["severity"]) == ("RS528", "error")
+    assert "the body of 's3_setVolume' does not compile alone: 'tilt_of' was not declared" in finding["message"]
+    text = (project / "adapters" / "s3.cpp").read_text()
+    assert "//# adapter s3_ping\n" in text
+    assert "s3_setVolume" not in text
+
+
 def test_nothing_to_save_and_no_project_say_so(project: Path) -> None:
     migrated(project)
     outcome = run("adapters", "save", project / "out", "--json")
@@ -382,3 +399,17 @@ def test_a_declared_pin_of_an_adapter_is_a_port_of_the_program(begin: str, call:
     assert not re.search(r"(glow_pulses|setpin|f)\(9|stick\s*=\s*9", sketch.read_text())
     assert run(*given, "--bind", "P9=D4").code == 0
     assert re.search(r"\((lampWriteP1|port\(9\))|stick\s*=\s*lampWriteP1", sketch.read_text())
+
+
+def test_a_library_that_an_adapter_declares_and_does_not_include_is_refused(project: Path) -> None:
+    (project / "glow.h").write_text("int glow_pulses(int pin, int count);\n")
+    (project / "adapters").mkdir()
+    adapter = project / "adapters" / "glow.cpp"
+    adapter.write_text(GLOW.replace("//#   kind:", "//#   library: NewPing\n//#   kind:", 1))
+    (project / "stick.c").write_text('#include "simpletools.h"\n#include "glow.h"\nint main() { glow_pulses(9, 3); }\n')
+    outcome = run("migrate", project / "stick.c", "-o", project / "out")
+    assert outcome.code == 3
+    assert "'glow_pulses' declares the library 'NewPing', and its text includes no header of it" in outcome.err
+    assert not (project / "out").exists()
+    adapter.write_text(f"\ufeff{GLOW}", encoding="utf-8")  # as some editors write it
+    assert run("migrate", project / "stick.c", "-o", project / "out").code == 0

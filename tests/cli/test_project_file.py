@@ -15,7 +15,7 @@ from tests.running import run, tree
         ("[migrate\n", "line 1"),
         ("[migrat]\n", "'migrat' is no table (did you mean 'migrate'?)"),
         ('[migrate]\ntarge = "uno"\n', "'targe' is no key in [migrate] (did you mean 'target'?)"),
-        ("[migrate]\ntarget = 3\n", "[migrate] must hold texts only"),
+        ("[migrate]\ntarget = 3\n", ":2: [migrate] must hold texts only, and 'target' is none"),
         ('migrate = "uno"\n', "[migrate] must hold texts only"),
         ('[severity]\nRS310 = "eror"\n', "RS310 = 'eror' is no level (did you mean 'error'?)"),
         ('[[accept]]\nrule = "RS310"\n', "[[accept]] needs the texts rule, element and reason"),

@@ -7,7 +7,7 @@ project file or among the user's data, where later migrations find it before the
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -15,7 +15,7 @@ from typing import Any
 from robosmi import inputs
 from robosmi.data_text import Json
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import SourceError, UsageError, did_you_mean
+from robosmi.errors import PlatformDataError, SourceError, UsageError, did_you_mean
 from robosmi.generate.places import Places, free_name
 from robosmi.generate.text_form import read
 from robosmi.metamodels import migration, platform
@@ -23,7 +23,7 @@ from robosmi.model.files import write_atomic
 from robosmi.project import FILE_NAME, defaults, load_project
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.chains.models import stored_models
-from robosmi.transformations.chains.own_adapters import check_saved
+from robosmi.transformations.chains.own_adapters import fault_of_saved
 from robosmi.transformations.knowledge.adapter_checks import parameters_of
 from robosmi.transformations.knowledge.adapter_files import DIRECTIONS, MARK, AdapterPiece, adapter_file
 from robosmi.transformations.knowledge.adapter_index import ENDING_OF, AdapterIndex, adapter_index, own_folders
@@ -175,7 +175,7 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
     names = [f"{sketch}/{path.name}" for path in _sources(output / sketch)]
     texts = [read(places.read(name) or b"").text for name in names]
     found = {name: (body, text) for text in reversed(texts) for name, body in bodies(text).items() if not body.open}
-    told, files = AdaptersTold(), dict[Path, str]()
+    told, wanted = AdaptersTold(), dict[tuple[str, str], migration.AdapterUse]()
     for use in plan.adapterUses:
         name = str(use.targetName or use.name)
         if use.adapter is not None or name not in found:
@@ -185,18 +185,28 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
             message = f"'{use.name}' is no function of a known header, so no adapter file can be for it"
             told.findings.append(Finding("RS528", Severity.warning, message, Location(str(output)), fix="keep it in the program"))
             continue
-        path = folder / f"{str(header.name).removesuffix('.h')}{ending}"
-        _refuse_links(path, whose)
-        before = files[path] if path in files else _existing(path, str(header.name))
-        files[path] = _with_piece(path, before, use, *found[name], plan)
-        told.adapters.append(
-            {"function": str(use.name), "header": str(header.name), "kind": RELATIONS["semantic"], "source": whose,
-             "status": "filled", "limits": []}
-        )  # fmt: skip
-    for path, text in files.items():
-        adapter_file(path, text)
-    if files:
-        check_saved(files, {(str(row["header"]), str(row["function"])) for row in told.adapters}, folder, plan, output)
+        wanted[str(header.name), str(use.name)] = use
+    files = _files(wanted, found, folder, ending, whose, plan)
+    while files and (fault := fault_of_saved(files, wanted.keys(), folder, plan)) is not None:
+        header_name, function, said = fault
+        message, place = f"the body of '{function}' does not compile alone: {said}", Location(str(output))
+        del wanted[header_name, function]
+        if not wanted:
+            raise PlatformDataError(message, location=place, fix="correct it in the sketch, or keep it there: nothing was saved")
+        fix = "correct it in the sketch and save again, or keep it there: it was not saved"
+        told.findings.append(Finding("RS528", Severity.error, message, place, fix=fix))
+        files = _files(wanted, found, folder, ending, whose, plan)
+    told.adapters += [
+        {
+            "function": function,
+            "header": header_name,
+            "kind": RELATIONS["semantic"],
+            "source": whose,
+            "status": "filled",
+            "limits": [],
+        }
+        for header_name, function in wanted
+    ]
     for path, text in files.items():
         _refuse_links(path, whose)
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -214,6 +224,35 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
             Finding("RS528", Severity.info, message, Location(str(output)), fix="write one in adapters.h, then save")
         )
     return told
+
+
+def _files(
+    wanted: Mapping[tuple[str, str], migration.AdapterUse],
+    found: Mapping[str, tuple[Body, str]],
+    folder: Path,
+    ending: str,
+    whose: str,
+    plan: migration.MigrationPlan,
+) -> dict[Path, str]:
+    """The adapter files as they are with some bodies in them.
+
+    Args:
+        wanted: header and function of each -> its use in the plan.
+        found: name in the sketch -> its body, and the text that has it.
+        folder: where the files go.
+        ending: of their names.
+        whose: `user` or `project`.
+        plan: the plan of the program.
+    """
+    files: dict[Path, str] = {}
+    for (header, _), use in wanted.items():
+        path = folder / f"{header.removesuffix('.h')}{ending}"
+        _refuse_links(path, whose)
+        before = files[path] if path in files else _existing(path, header)
+        files[path] = _with_piece(path, before, use, *found[str(use.targetName or use.name)], plan)
+    for path, text in files.items():
+        adapter_file(path, text)
+    return files
 
 
 def _pins(use: migration.AdapterUse, body: Body, plan: migration.MigrationPlan) -> list[str]:

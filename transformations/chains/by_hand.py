@@ -6,6 +6,7 @@ is called no more stays in its file, switched off, with a word about it; so neit
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
@@ -18,7 +19,16 @@ from robosmi.metamodels import migration
 from robosmi.transformations.chains.kept_includes import needed_still, without_includes
 from robosmi.transformations.m2m.plan_tasks import settle_tasks
 from robosmi.transformations.queries.plan import target_of
-from robosmi.transformations.queries.written_bodies import AS_BYTES, Body, bodies, task_key, ticks, with_ticks, written
+from robosmi.transformations.queries.written_bodies import (
+    AS_BYTES,
+    VALUE_TODO,
+    Body,
+    bodies,
+    task_key,
+    ticks,
+    with_ticks,
+    written,
+)
 
 REPORT = "MIGRATION.md"
 _CODE = (".h", ".ino", ".cpp", ".c")
@@ -31,12 +41,14 @@ class ByHand:
 
     Attributes:
         names: the functions whose bodies they have written.
+        values: the names whose placeholders they have given a meaning.
         done: the tasks that they have ticked, by what they are about.
         includes: the headers that nothing made needs any more and that they use, with the names that they use of each.
         findings: what became of bodies that are called no more, and of such headers.
     """
 
     names: set[str] = field(default_factory=set)
+    values: set[str] = field(default_factory=set)
     done: set[tuple[str, ...]] = field(default_factory=set)
     includes: dict[str, list[str]] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)
@@ -106,11 +118,22 @@ def by_hand(plan: migration.MigrationPlan, places: Places, made: Mapping[str, st
             found.done |= {tick.key for tick in ticks(there) if tick.done}
         elif PurePosixPath(name).suffix in _CODE and there:
             found.names |= written(there, text, last).keys()
+            found.values |= {str(symbol.name) for symbol in plan.symbolUses if _given(symbol, there, text)}
             code[name] = last, there, text
     found.includes = needed_still(code, str(target_of(plan).name))
     for use in plan.adapterUses:
         use.written = use.adapter is None and (use.targetName or use.name) in found.names
     settle_tasks(plan)
     for task in (*plan.tasks, *plan.checks):
-        task.done = task_key(task.rule, task.message) in found.done
+        given = any(isinstance(e, migration.SymbolUse) and e.name in found.values for e in task.elements)
+        task.done = given or task_key(task.rule, task.message) in found.done
     return found
+
+
+def _given(symbol: migration.SymbolUse, there: str, made: str) -> bool:
+    """Whether a placeholder that is made stands no more as it is made, and its name does: a person has given it a meaning."""
+    if symbol.status is not migration.AdapterStatus.todo:
+        return False
+    shown = str(symbol.placeholder).rpartition("\n")[2]
+    lines = {line for line in made.split("\n") if line.startswith(shown) and VALUE_TODO in line}
+    return bool(lines) and lines.isdisjoint(there.split("\n")) and re.search(rf"\b{re.escape(symbol.name)}\b", there) is not None

@@ -185,7 +185,7 @@ def produce(
         hand = by_hand(
             plan, places, {file.name: file.after or "" for file in made.files}, Record(places.folder, LAST, manifest.files)
         )
-        if hand.names or hand.done:
+        if hand.names or hand.done or hand.values:
             made = generator(plan, models.files)
         texts = {file.name: file.after or "" for file in made.files}
         kept = keep_texts(places, LAST, texts, manifest.files, hand.base)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 import tempfile
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from pathlib import Path
 
 from robosmi import inputs
@@ -57,9 +57,10 @@ def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platfo
         board: its board.
 
     Raises:
-        PlatformDataError: one does not compile, at its place in its file.
+        PlatformDataError: one does not compile, at its place in its file, or declares a library of which it includes nothing.
     """
     own = [piece for piece in choice.chosen_pieces if choice.index.kept_by(piece) != BUILT_IN]
+    _check_libraries(own, choice)
     if not own or target.language not in _PROGRAMS:
         return
     fault = first_fault(own, choice.pieces, choice.mcu, target, board)
@@ -70,6 +71,23 @@ def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platfo
             location=finding.location,
             fix=_fix(finding.message, piece, choice.pieces),
         )
+
+
+def _check_libraries(own: Iterable[AdapterPiece], choice: AdapterChoice) -> None:
+    """Refuse a library that a piece declares and of which neither it nor what it needs includes a header.
+
+    Raises:
+        PlatformDataError: at the piece; the sketch would ask for a library that nothing in it uses.
+    """
+    for piece in own:
+        needed = choice.pieces.needed([(piece.header, piece.name)], choice.mcu).pieces if piece.libraries else ()
+        for name in piece.libraries:
+            if not any(each.includes for each in needed if name in each.libraries):
+                raise PlatformDataError(
+                    f"'{piece.name}' declares the library '{name}', and its text includes no header of it",
+                    location=piece.location,
+                    fix=f"add `{MARK}   include: <HEADER.h>` to its markers, or take `library: {name}` out; nothing was written",
+                )
 
 
 def first_fault(
@@ -100,9 +118,9 @@ def first_fault(
     return None
 
 
-def check_saved(
-    files: Mapping[Path, str], saved: Collection[tuple[str, str]], folder: Path, plan: migration.MigrationPlan, output: Path
-) -> None:
+def fault_of_saved(
+    files: Mapping[Path, str], saved: Collection[tuple[str, str]], folder: Path, plan: migration.MigrationPlan
+) -> tuple[str, str, str] | None:
     """Compile bodies of a person before they are kept for later programs.
 
     Args:
@@ -110,17 +128,16 @@ def check_saved(
         saved: header and function of each body.
         folder: where they go; other files that are there may be needed.
         plan: the plan of the program that the bodies were written in.
-        output: its folder.
 
-    Raises:
-        PlatformDataError: one does not compile.
+    Returns:
+        Header and function of the first body that does not compile, and what the compiler says; None where all do.
     """
     assert plan.board is not None
     assert plan.source is not None
     assert plan.targetDescription is not None
     target = target_facts(str(plan.targetDescription.name))
     if target.language not in _PROGRAMS:
-        return
+        return None
     with tempfile.TemporaryDirectory() as place:
         copy = Path(place) / OWN
         for path in adapter_paths(folder) if folder.is_dir() else ():
@@ -133,12 +150,7 @@ def check_saved(
         own = [piece for piece in here if piece.kind == "adapter" and (piece.header, piece.name) in saved]
         mcu = str(plan.board.microcontroller.name) if plan.board.microcontroller is not None else ""
         fault = first_fault(own, known, mcu, target, plan.board)
-    if fault is not None:
-        piece, finding = fault
-        raise PlatformDataError(
-            f"the body of '{piece.name}' does not compile alone: {finding.message}", location=Location(str(output)),
-            fix="correct it in the sketch, or keep it there: nothing was saved",
-        )  # fmt: skip
+    return (fault[0].header, fault[0].name, fault[1].message) if fault is not None else None
 
 
 def _put(path: Path, text: str) -> None:

@@ -224,7 +224,7 @@ def adapter_file(path: Path, text: str) -> AdapterFile:
     """
     made = AdapterFile()
     pieces = made.pieces
-    pieces += _pieces(path, text.split("\n"), made)
+    pieces += _pieces(path, text.removeprefix("\ufeff").split("\n"), made)  # some editors write a mark
     if not made.header:
         raise _wrong(Location(str(path)), "the header of the source platform is not named", f"begin with `{MARK} header NAME`")
     seen: set[tuple[str, str, str]] = set()

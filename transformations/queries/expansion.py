@@ -21,8 +21,10 @@ REST = "__VA_ARGS__"
 """What stands for the arguments that a macro with `...` is given besides the named ones."""
 MOST_TOKENS_OF_A_NUMBER = 2_000
 """Tokens of a short text, such as what a macro gives for a number."""
-DEEPEST = 100
+DEEPEST = 400
 """Macros within macros; a use that needs more is left as it is."""
+_DEEP = 100
+"""Macros within macros from which on a token counts more than once, as its way back takes room."""
 
 
 class TextPlace(NamedTuple):
@@ -260,7 +262,7 @@ class Expanded:
             piece = pieces[number]
             macro = self._meant(piece.text, offset) if piece.kind == "name" and piece.text not in hidden else None
             used = self._call(pieces, number, macro) if macro is not None else None
-            self._left -= 1
+            self._left -= 1 + len(piece.path) // _DEEP
             if self._left < 0:
                 return None
             if macro is None or used is None:

@@ -14,6 +14,8 @@ from robosmi.transformations.knowledge.lexer import Token, tokens
 
 TODO = "TODO: complete method"
 """What a body that is still to be written says in a comment."""
+VALUE_TODO = "TODO: complete symbol"
+"""What a placeholder of a value that is still to be given says in a comment."""
 _NOT_SUPPORTED = "not supported"
 _NOTHING = re.compile(r"\{ (?:\( void \) \w+ ; )*(?:return [^;]*; )?\}\Z")
 """The code of a body that does nothing."""
