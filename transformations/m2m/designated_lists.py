@@ -62,7 +62,7 @@ def _list(
     fields = members_of(kind)
     made: list[tuple[int, int, str]] = []
     inner: list[tuple[int, int, str]] = []
-    position, gaps = 0, False
+    position, gaps, texts = 0, False, False
     for each in values:
         last = place = position
         if each.designator:
@@ -75,12 +75,14 @@ def _list(
         if each.value and each.value[0][3] == "{":
             within = of_use(fields[place].valueType) if place < len(fields) else element_type(kind)
             inner += _list(each.value, within, constants, data)
+        member = fields[place].valueType if place < len(fields) else None
+        texts |= member is not None and bool(member.arrayDims) and each.value[0][3].startswith('"')
         position = last + 1
     union = is_union(kind)
     if union and made and len(values) > 1:
         raise UnknownList
-    if made and fields and (union or not gaps):
-        return inner  # the target's compilers know members of unions by their names
+    if made and fields and (union or not (gaps or texts)):
+        return inner  # the target's compilers know members of unions by their names, but none whose value is a text
     return [*made, *inner]
 
 

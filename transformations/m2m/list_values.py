@@ -120,17 +120,19 @@ def named_places(designator: Sequence[Token]) -> list[str]:
 
 
 def index_value(text: str, constants: Mapping[str, int]) -> int:
-    """The value of an index: numbers and names of numbers, added and subtracted.
+    """The value of an index: numbers, names of numbers and characters, added and subtracted.
 
     Raises:
         UnknownList: it has something else in it.
     """
     total, sign = 0, 1
-    for word in text.replace("+", " + ").replace("-", " - ").split():
+    spread = text if "'" in text else text.replace("+", " + ").replace("-", " - ")
+    for word in spread.split():
         if word in "+-":
             sign = 1 if word == "+" else -1
             continue
-        value = constants.get(word, _integer(word) if word[0].isdigit() else None)
+        plain = len(word) == 3 and word[0] == word[2] == "'" and word[1] != "\\"
+        value = ord(word[1]) if plain else constants.get(word, _integer(word) if word[0].isdigit() else None)
         if value is None:
             raise UnknownList
         total, sign = total + sign * value, 1

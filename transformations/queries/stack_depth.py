@@ -35,6 +35,8 @@ REGISTERS = 16
 """Bytes of a function's variables that are in registers, which the bytes of its call count."""
 CALL = 12
 """Bytes of a call of an adapter that nobody has measured."""
+_NO_CODE = (platform.PieceKind.constant, platform.PieceKind.dataType)
+"""Kinds of pieces that are no code, so that naming one takes nothing."""
 YIELD = "yield"
 """The piece with which a coroutine lets others get on."""
 
@@ -77,7 +79,7 @@ class _Program:
 
     def _use(self, name: str, places: int) -> int:
         piece = self._pieces.get(name)
-        if piece is None:
+        if piece is None or piece.pieceKind in _NO_CODE:
             return 0
         more = self.turns and waits(piece) and all(each.name != YIELD for each in closure([piece]))
         return _bytes(piece, places) + (self.turns if more else 0)

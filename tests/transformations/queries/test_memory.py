@@ -107,6 +107,15 @@ def test_the_stack_that_a_simulator_sees_is_nearly_the_one_estimated(tmp_path: P
     assert memory(made.models.plan).depth == pytest.approx(seen, abs=60)
 
 
+def test_the_name_of_a_constant_takes_no_stack(tmp_path: Path) -> None:
+    depths = []
+    for value in ("SMALL", "0"):
+        program = tmp_path / f"text_{value}.c"
+        program.write_text(f'#include "badgetools.h"\nint main(void) {{ badge_setup(); text_size({value}); }}\n')
+        depths.append(memory(plan_migration([program]).plan).depth)
+    assert depths[0] == depths[1]
+
+
 def test_loops_within_loops_take_no_time_to_look_at(tmp_path: Path) -> None:
     program = tmp_path / "nested.c"
     loops = "".join(f"for (int i{n} = 0; i{n} < 3; i{n}++) " for n in range(25))
