@@ -22,6 +22,7 @@ from typing import Any, NamedTuple
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import InternalError, MissingToolError, RuleError, UsageError, did_you_mean
+from robosmi.typed import distinct
 
 ENTRY_POINTS = "robosmi.transformations"
 BUILT_IN = "robosmi.transformations:registry"
@@ -149,7 +150,7 @@ class Registry:
     def targets(self, kind: str, name: str) -> list[str]:
         """`module:attribute` of everything of that kind and name, in the order in which it was offered."""
         first = self.entries.get(kind, {}).get(name)
-        return [] if first is None else list(dict.fromkeys([first, *self.more.get((kind, name), ())]))
+        return [] if first is None else distinct([first, *self.more.get((kind, name), ())])
 
     def provider(self, module: str) -> str:
         """The distribution whose plug-in has that module (`package.module`); empty for what is built in."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 
 from robosmi.chain.steps import GIVEN, Step, relative
@@ -12,7 +11,6 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, did_you_mean
 
 
-@dataclass
 class Dependencies:
     """A directed graph: what is read -> step -> what is made.
 
@@ -21,8 +19,9 @@ class Dependencies:
         before: the same names -> what they depend on, each with whether it only holds them back (a validation).
     """
 
-    kinds: dict[str, str] = field(default_factory=dict)
-    before: dict[str, dict[str, bool]] = field(default_factory=dict)
+    def __init__(self) -> None:
+        self.kinds: dict[str, str] = {}
+        self.before: dict[str, dict[str, bool]] = {}
 
     def node(self, name: str) -> None:
         """Add `step NAME`, `model NAME` or `file PATH`; nothing changes where it is there."""

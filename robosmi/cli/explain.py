@@ -6,6 +6,7 @@ import argparse
 from typing import TYPE_CHECKING
 
 from robosmi.report import Report
+from robosmi.typed import distinct
 
 if TYPE_CHECKING:
     from robosmi.cli.options import Options
@@ -22,7 +23,7 @@ def run(arguments: argparse.Namespace) -> Report:
 
     report = Report("explain")
     known = finding_rules()
-    asked = list(dict.fromkeys(rule_called(word, known).id for word in arguments.rules))
+    asked = distinct(rule_called(word, known).id for word in arguments.rules)
     report.result = {"rules": [known[rule].to_json() | {"page": page(known[rule])} for rule in asked or known]}
     for rule in asked:
         report.lines += [*([""] if report.lines else []), *terminal_page(known[rule])]

@@ -15,6 +15,7 @@ from itertools import pairwise
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.generate.regions import CONTROLLED, PROTECTED, CommentStyle, Parts, Region, partition, styles_in
 from robosmi.generate.three_way import Chunk, by_words, chunks, stretch
+from robosmi.typed import distinct, matches
 
 YOURS, BASE, MIDDLE, GENERATED = "<<<<<<< yours\n", "||||||| last generated\n", "=======\n", ">>>>>>> generated\n"
 
@@ -59,7 +60,7 @@ def keep(
         return Kept(generated, [gone] if base is not None else [])
     if existing == generated:
         return Kept(existing)
-    all_styles = list(dict.fromkeys([*styles, *styles_in(base or "")]))
+    all_styles = distinct([*styles, *styles_in(base or "")])
     merge = _Merge(path, _ended(base) if base is not None else None, _ended(existing), _ended(generated), all_styles)
     kept = merge.result(before_conflicts)
     if not _ends_with_a_break(base, existing, generated):
@@ -242,7 +243,7 @@ class _Line:
 
 
 def _lines(text: str) -> list[str]:
-    return re.findall(r"[^\n]*\n|[^\n]+", text)
+    return matches(r"[^\n]*\n|[^\n]+", text)
 
 
 def _whole(lines: Sequence[str]) -> list[str]:

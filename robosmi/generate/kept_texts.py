@@ -6,7 +6,6 @@ The caller writes them, with whatever else it makes, in one commit. The record o
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 
 from robosmi.diagnostics import Finding, Location, Severity
@@ -22,7 +21,6 @@ _AS_BYTES = "surrogateescape"
 """Bytes that are no UTF-8, in a comment of another encoding perhaps, go through a merge unchanged."""
 
 
-@dataclass
 class KeptTexts:
     """What becomes of the files.
 
@@ -36,13 +34,14 @@ class KeptTexts:
         findings: what was kept, and what a person has to look at.
     """
 
-    files: dict[str, bytes] = field(default_factory=dict)
-    records: dict[str, bytes] = field(default_factory=dict)
-    old: dict[str, bytes] = field(default_factory=dict)
-    merged: set[str] = field(default_factory=set)
-    obsolete: set[str] = field(default_factory=set)
-    orphans: set[str] = field(default_factory=set)
-    findings: list[Finding] = field(default_factory=list)
+    def __init__(self) -> None:
+        self.files: dict[str, bytes] = {}
+        self.records: dict[str, bytes] = {}
+        self.old: dict[str, bytes] = {}
+        self.merged: set[str] = set()
+        self.obsolete: set[str] = set()
+        self.orphans: set[str] = set()
+        self.findings: list[Finding] = []
 
 
 Seen = Callable[[str, str, str, str, Path], tuple[str, str]]

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from robosmi.generate import data_places
+from robosmi.typed import matches
 
 State = TypeVar("State")
 NOWHERE = ""
@@ -172,7 +173,7 @@ def _html_place(state: tuple[str, str]) -> str:
 def _dot(state: tuple[str, int], text: str) -> tuple[str, int]:
     """Where (`code`, `string`, `label` or `attribute`), and how deep in `<` `>` of a label."""
     where, depth = state
-    for letter in re.findall(r"\\.|[<>\"]|--|->", text):
+    for letter in matches(r"\\.|[<>\"]|--|->", text):
         if letter == '"':
             where = {"code": "string", "string": "code", "label": "attribute", "attribute": "label"}[where]
         elif letter in "<>" and where in ("code", "label"):

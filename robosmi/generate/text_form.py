@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from robosmi.generate.three_way import line_map
 from robosmi.model.files import digest
+from robosmi.typed import matches
 
 _END = re.compile(r"\r\n|\r|\n")
 
@@ -69,7 +70,7 @@ def read(data: bytes, *, as_it_is: bool = False, errors: str = "strict") -> File
         return FileText(text, marked)
     if "\r" not in text:
         return FileText(text, marked, ("\n",) * text.count("\n"))
-    return FileText(_END.sub("\n", text), marked, tuple(_END.findall(text)))
+    return FileText(_END.sub("\n", text), marked, tuple(matches(_END, text)))
 
 
 def same_text(one: bytes, other: bytes | None) -> bool:

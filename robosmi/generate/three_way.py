@@ -19,6 +19,8 @@ from dataclasses import dataclass
 from difflib import SequenceMatcher
 from typing import TypeVar
 
+from robosmi.typed import matches
+
 T = TypeVar("T")
 Span = tuple[int, int]
 Blocks = Callable[[Sequence[str], Sequence[str]], list[tuple[int, int, int]]]
@@ -95,7 +97,7 @@ def by_words(base: Sequence[str], ours: Sequence[str], theirs: Sequence[str]) ->
 
 
 def _line_by_words(base: str, ours: str, theirs: str) -> str | None:
-    before, mine, made = (_WORDS.findall(text) for text in (base, ours, theirs))
+    before, mine, made = (matches(_WORDS, text) for text in (base, ours, theirs))
     if max(len(before), len(mine), len(made)) > _MOST_WORDS:
         return None
     if any(SequenceMatcher(None, before, side, autojunk=False).ratio() < _ALIKE for side in (mine, made)):

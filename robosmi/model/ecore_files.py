@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import os
 import re
-from dataclasses import dataclass, field
 from pathlib import Path
 from urllib.parse import unquote
 
@@ -24,14 +23,14 @@ _PLATFORM = re.compile(r"platform:/(?:resource|plugin)/(.+)")
 _OWN_FILES = {"Ecore.ecore": ECORE, "XMLType.ecore": XML_TYPES}
 
 
-@dataclass(eq=False)
 class EcoreFile:
     """One .ecore file: its root packages, what has an `xmi:id`, and its packages by namespace."""
 
-    path: Path
-    roots: list[EcoreNode]
-    idents: dict[str, EcoreNode] = field(default_factory=dict, repr=False)
-    by_uri: dict[str, EcoreNode] = field(default_factory=dict, repr=False)
+    def __init__(self, path: Path, roots: list[EcoreNode]) -> None:
+        self.path = path
+        self.roots = roots
+        self.idents: dict[str, EcoreNode] = {}
+        self.by_uri: dict[str, EcoreNode] = {}
 
     def find(self, fragment: str, start: EcoreNode | None = None) -> EcoreNode | None:
         """The node at an EMF fragment: `//Class/feature`, `/1/Class`, `//@eClassifiers.2` or an `xmi:id`.

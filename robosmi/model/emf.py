@@ -23,6 +23,7 @@ from robosmi.model.metamodel import Metamodel, Packages, TypedModel
 from robosmi.model.pyecore_internals import own_resource_of, set_own_resource
 from robosmi.model.resource import Home, Watch
 from robosmi.model.structure import contents, root_of, walk
+from robosmi.typed import distinct
 
 if TYPE_CHECKING:
     from robosmi.model.open_files import OpenFiles
@@ -104,7 +105,7 @@ class EmfModel(TypedModel):
             return cls(packages, Metamodel.ecore(), name or file.stem, file)
         if roots is None:
             roots = next(iter(documents.values())).roots
-        packages = [*dict.fromkeys(_outermost(root.eClass.ePackage) for root in roots), *used.epackages]
+        packages = [*distinct(_outermost(root.eClass.ePackage) for root in roots), *used.epackages]
         model = cls(roots, Metamodel(dict.fromkeys(packages)), name or file.stem, file)
         if open_files is not None:
             open_files.add(place, model, documents)

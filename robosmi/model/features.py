@@ -13,6 +13,7 @@ from robosmi.model.datatypes import is_data_type, real
 from robosmi.model.ecore import EClass, EClassifier, EGenericType, EObject, EPackage, EReference, EStructuralFeature, Package
 from robosmi.model.ordering import post_order
 from robosmi.model.pyecore_internals import declared_type_of, set_features_of
+from robosmi.typed import distinct
 
 
 def eclass_of(kind: EClassifier | type | None) -> Any:
@@ -28,7 +29,7 @@ def eclass_of(kind: EClassifier | type | None) -> Any:
 def supertypes(eclass: EClass) -> list[EClass]:
     """The direct supertypes of an EClass, those given by generic types included, each once."""
     generic = [g.eClassifier for g in eclass.eGenericSuperTypes if g.eClassifier is not None]
-    return list(dict.fromkeys(eclass_of(base) for base in [*eclass.eSuperTypes, *generic]))
+    return distinct(eclass_of(base) for base in [*eclass.eSuperTypes, *generic])
 
 
 def all_features(eclass: EClass) -> list[EStructuralFeature]:

@@ -20,6 +20,7 @@ from robosmi.model.driver import Model, ModelElement
 from robosmi.model.files import read_input
 from robosmi.model.strict import FeatureValueError, UnknownFeatureError
 from robosmi.model.xml_guard import read_tree, root_offset
+from robosmi.typed import distinct
 
 _PLAIN = ("tagName", "namespaceURI", "text", "children", "parentNode", "line")
 _TYPED = "abdfis"
@@ -205,7 +206,7 @@ class XmlModel(Model):
     def types(self) -> Iterator[tuple[str, Any]]:
         """`Element`, and a type for each tag that occurs."""
         yield "Element", self._base
-        for tag in dict.fromkeys(_local(element._node.tag) for element in self._everything()):
+        for tag in distinct(_local(element._node.tag) for element in self._everything()):
             yield f"t_{tag}", self._kind(tag)
 
     def find_type(self, name: str) -> Any:

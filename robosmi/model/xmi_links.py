@@ -246,7 +246,7 @@ def _step(element: EObject, step: str) -> EObject | None:
         except (AttributeError, IndexError):
             return None
     if slot is None and (keys := _KEYS.fullmatch(step)):
-        return _by_keys(element, keys[1], dict(_KEY.findall(keys[2])))
+        return _by_keys(element, keys[1], {key[1]: key[2] for key in _KEY.finditer(keys[2])})
     value = target_in(slot) if not index and is_value(slot) else None
     return value if isinstance(value, ecore.EObject) else None
 

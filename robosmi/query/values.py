@@ -16,6 +16,7 @@ from decimal import Decimal
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard, TypeVar, cast
 
 from robosmi.model.ecore import ECollection, EEnumLiteral
+from robosmi.typed import distinct
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -120,7 +121,7 @@ def unique(items: Iterable[V]) -> list[V]:
     classes = {type(x) for x in found}
     if len(classes & _NUMERIC) < 2 and not any(compares_itself(cls) for cls in classes):
         try:
-            return list(dict.fromkeys(found))  # the same answer, ten times faster
+            return distinct(found)  # the same answer, ten times faster
         except TypeError:
             pass
     seen: dict[Hashable, V] = {}

@@ -8,7 +8,6 @@ are scored with these is in `evidence`.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.lexicon import KnownDevice, Lexicon
@@ -32,7 +31,6 @@ Usual = Mapping[str, Sequence[int]]
 """Name of a device (as `words.plain` writes it) -> numbers of the libraries that are usual for it, the most usual first."""
 
 
-@dataclass
 class PartWords:
     """What a part asks for.
 
@@ -46,13 +44,14 @@ class PartWords:
         interface: what the lexicon says of that, or empty.
     """
 
-    words: dict[str, float] = field(default_factory=dict)
-    models: dict[str, float] = field(default_factory=dict)
-    origin: dict[str, str] = field(default_factory=dict)
-    devices: list[Recognised] = field(default_factory=list)
-    usual: dict[int, tuple[float, str]] = field(default_factory=dict)
-    bus: str = ""
-    interface: str = ""
+    def __init__(self, bus: str = "") -> None:
+        self.words: dict[str, float] = {}
+        self.models: dict[str, float] = {}
+        self.origin: dict[str, str] = {}
+        self.devices: list[Recognised] = []
+        self.usual: dict[int, tuple[float, str]] = {}
+        self.bus = bus
+        self.interface = ""
 
 
 def part_words(

@@ -16,6 +16,8 @@ from bisect import bisect_left
 from collections.abc import Sequence
 from typing import NamedTuple, Protocol
 
+from robosmi.typed import distinct, matches
+
 _WORD = re.compile(r"[^\W_]+")
 
 Postings = tuple[Sequence[int], Sequence[int]]
@@ -56,7 +58,7 @@ class Contribution(NamedTuple):
 
 def words(title: str) -> tuple[str, ...]:
     """T: the distinct words of a title in their order; lower case, split at everything but letters and digits."""
-    return tuple(dict.fromkeys(_WORD.findall(title.lower())))
+    return tuple(distinct(matches(_WORD, title.lower())))
 
 
 def tf_weight(tf: int) -> float:

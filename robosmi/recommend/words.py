@@ -12,6 +12,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
+from robosmi.typed import distinct, matches
+
 _CHUNK = re.compile(r"[^\W_]+")
 _CAMEL = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+|[^\W\d_A-Za-z]+")
 _LETTER = re.compile(r"[a-z]")
@@ -44,7 +46,7 @@ class StopWords:
 
 def chunks(text: str) -> list[str]:
     """The runs of letters and digits of a text, as written."""
-    return _CHUNK.findall(text)
+    return matches(_CHUNK, text)
 
 
 @lru_cache(maxsize=65536)
@@ -65,8 +67,8 @@ def parts(chunk: str) -> tuple[str, ...]:
     """
     whole = stem(chunk.lower())
     shortest = 4 if is_model(whole) else 2
-    inner = (stem(piece.lower()) for piece in _CAMEL.findall(chunk) if not piece.isdigit())
-    return tuple(dict.fromkeys([whole, *(piece for piece in inner if len(piece) >= shortest)]))
+    inner = (stem(piece.lower()) for piece in matches(_CAMEL, chunk) if not piece.isdigit())
+    return tuple(distinct([whole, *(piece for piece in inner if len(piece) >= shortest)]))
 
 
 def words(text: str) -> Iterator[str]:

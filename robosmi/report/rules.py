@@ -18,6 +18,7 @@ from robosmi import inputs, resources
 from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import PlatformDataError, UsageError
+from robosmi.typed import distinct
 
 FOLDER = "rules"
 """Where in a folder of platform data the files of rules are."""
@@ -110,7 +111,7 @@ def rule_called(word: str, rules: dict[str, FindingRule]) -> FindingRule:
     if rule := known.get(wanted) or known.get(f"rs{wanted}"):
         return rule
     near = [f"{known[n].id} ({known[n].name})" for n in difflib.get_close_matches(wanted, known, n=3, cutoff=0.6)]
-    near = list(dict.fromkeys(near)) or [f"{r.id} ({r.name})" for r in rules.values() if wanted and wanted in _plain(r.name)][:3]
+    near = distinct(near) or [f"{r.id} ({r.name})" for r in rules.values() if wanted and wanted in _plain(r.name)][:3]
     meant = f"; near are: {', '.join(near)}" if near else ""
     raise UsageError(f"no rule is called '{word}'{meant}", fix="robosmi explain, without a rule, lists all")
 

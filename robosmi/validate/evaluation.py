@@ -15,6 +15,7 @@ from robosmi.model.driver import Model
 from robosmi.query.deep import LEVELS, in_thread
 from robosmi.query.erl import RuleType, called, failed, told
 from robosmi.query.verdicts import guarded, verdict_of
+from robosmi.typed import distinct
 from robosmi.validate.constraint import Constrained, Constraint, Fail
 from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
 
@@ -208,7 +209,7 @@ class Evaluation:
         if (known := state.answer(element)) is not None:
             return known
         if (state, element) in self._asked:
-            circle = ", ".join(dict.fromkeys(s.constraint.name for s, _ in self._asked))
+            circle = ", ".join(distinct(s.constraint.name for s, _ in self._asked))
             raise UsageError(
                 f"constraints ask for each other in a circle: {circle}", fix="remove one of these calls of satisfies"
             )

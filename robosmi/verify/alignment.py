@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from robosmi.typed import matches
 from robosmi.verify.activity import HELD, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.driven_lines import lengths_alike
 from robosmi.verify.servo_widths import tolerated_us
@@ -57,7 +58,7 @@ def _reads_alike(one: str, other: str, off: Sequence[float] = ()) -> bool:
         return True
     if _NUMBER.sub("0", one) != _NUMBER.sub("0", other):
         return False
-    for place, (mine, theirs) in enumerate(zip(_NUMBER.findall(one), _NUMBER.findall(other), strict=True)):
+    for place, (mine, theirs) in enumerate(zip(matches(_NUMBER, one), matches(_NUMBER, other), strict=True)):
         step = 10.0 ** -len(mine.partition(".")[2])
         part = _NUMBERS + (off[place] if place < len(off) else 0.0)
         if abs(float(mine) - float(theirs)) > max(1.001 * step, part * abs(float(mine))):
@@ -70,7 +71,7 @@ def parts_off(one: ActivityEvent, other: ActivityEvent) -> tuple[float, ...]:
     if one.kind == other.kind == WAVE:
         return (_part(float(one.value[0]), float(other.value[0])),)
     if one.kind == other.kind == READING:
-        mine, theirs = (_NUMBER.findall(str(each.value[0])) for each in (one, other))
+        mine, theirs = (matches(_NUMBER, str(each.value[0])) for each in (one, other))
         return tuple(_part(float(mine[at]), float(theirs[at])) for at in range(min(len(mine), len(theirs))))
     return ()
 

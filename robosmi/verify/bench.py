@@ -16,6 +16,7 @@ from typing import Any, ClassVar, TypeVar
 
 from robosmi.errors import UsageError, VerificationError
 from robosmi.plugins import content, registry
+from robosmi.typed import distinct
 from robosmi.verify.simulation import ConsoleByte, DeviceEvent, DeviceUse, PinChange, PinTrace, Wave
 
 Seen = TypeVar("Seen", PinChange, Wave, ConsoleByte, DeviceEvent)
@@ -161,7 +162,7 @@ class Bench(ABC):
             kind: type[Device] = content("device", use.kind)
             device = kind(self, number, use.pins, use.settings)
             self._devices.append(device)
-            for pin in dict.fromkeys(use.pins.values()):
+            for pin in distinct(use.pins.values()):
                 self._at_pin.setdefault(pin, []).append(device)
             if device.address is not None:
                 if device.address in self._on_bus:

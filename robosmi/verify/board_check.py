@@ -18,6 +18,7 @@ from robosmi.data_text import json_of
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import did_you_mean
 from robosmi.model.files import write_atomic
+from robosmi.typed import distinct
 from robosmi.verify import archives
 from robosmi.verify.boards import Board, Claim
 from robosmi.verify.compile_report import OTHER_FACTS
@@ -167,7 +168,7 @@ def _list_findings(board: Board, check: DataTable, installed: Installed) -> Iter
     if not full or not path.is_file():
         return
     text = inputs.read_text(path, inputs.OUTPUT, "utf-8", "replace")
-    entries = dict(re.findall(r"^([\w.]+)=(.*?)\s*$", text, re.MULTILINE))
+    entries = {entry[1]: entry[2] for entry in re.finditer(r"^([\w.]+)=(.*?)\s*$", text, re.MULTILINE)}
     short, _, option = full.removeprefix(prefix).partition(":")
     known = {key.partition(".")[0] for key in entries if key.endswith(".name") and key.count(".") == 1}
     if short not in known:
@@ -197,7 +198,7 @@ def _listed(entries: Mapping[str, str], short: str, option: str, key: str) -> li
         found = [entries[f"{short}.{key}"]]
     else:
         found = [value for name, value in entries.items() if re.fullmatch(rf"{short}\.menu\.\w+\.\w+\.{re.escape(key)}", name)]
-    return [value.removesuffix("L") for value in dict.fromkeys(found) if value]
+    return [value.removesuffix("L") for value in distinct(found) if value]
 
 
 def _place(file: Path | None, beside: str) -> Location | None:

@@ -23,6 +23,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.model.commit import update
+from robosmi.typed import matches
 from robosmi.verify.build_record import FOLDER, BuildRecord, record_at
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.libraries import STAND_IN
@@ -129,7 +130,7 @@ def _named_outside(sketch: Sketch, files: Iterable[str]) -> set[str]:
     named: set[Path] = set()
     for path in (own / name for name in files):
         text = inputs.read_text(path, inputs.OUTPUT, "utf-8", "replace")
-        named |= {(path.parent / header).resolve() for header in _QUOTED.findall(text)}
+        named |= {(path.parent / header).resolve() for header in matches(_QUOTED, text)}
     return {str(path) for path in named if not path.is_relative_to(own) and path.is_file()}
 
 

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, FlowStep, Location, Severity
+from robosmi.typed import distinct
 from robosmi.verify.compile_report import (
     COMPILER_ERROR,
     COMPILER_WARNING,
@@ -114,7 +115,7 @@ def assembler_findings(text: str, patterns: DataTable, files: Iterable[Path]) ->
         patterns: the toolchain's messages.
         files: the sketch's own files.
     """
-    said = list(dict.fromkeys(match["message"].strip() for match in patterns.pattern("assembler").finditer(text)))
+    said = distinct(match["message"].strip() for match in patterns.pattern("assembler").finditer(text))
     if not said:
         return []
     place = _first(patterns.pattern("assembler_word"), files)

@@ -19,6 +19,7 @@ from time import monotonic
 
 from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, MissingToolError, VerificationError
+from robosmi.typed import matches
 from robosmi.verify import archives
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.temporary import temporary_folder
@@ -243,7 +244,7 @@ class _Build:
                 fix="rename it in the program: a header of its platform declares that name" if taken
                 else "name the program's other files and folders of headers; or the model of its platform lacks that name",
             )  # fmt: skip
-        if twice := set(_TWICE.findall(done.stderr)):
+        if twice := set(matches(_TWICE, done.stderr)):
             raise VerificationError(f"the program defines {', '.join(sorted(twice))} more than once", fix="keep one of them")
         raise InternalError(f"'{self.model.compiler.text(role)}' failed: {done.stderr.strip()[-500:]}")
 

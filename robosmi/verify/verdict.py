@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from robosmi.typed import distinct
 from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, SAME, ChannelComparison, FirstDifference
 from robosmi.verify.original_calls import LibraryCall
 from robosmi.verify.scenario import Scenario
@@ -247,7 +248,7 @@ class Verdict:
 
     def all_reasons(self) -> list[str]:
         """Why nothing can be decided, of all scenarios, each once."""
-        return list(dict.fromkeys([*self.reasons, *(s.reason for s in self.scenarios if s.reason)]))
+        return distinct([*self.reasons, *(s.reason for s in self.scenarios if s.reason)])
 
     def lines(self) -> list[str]:
         """What a person reads."""

@@ -31,7 +31,7 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2t.task_list import RELATIONS
 from robosmi.transformations.queries.written_bodies import Body, bodies
-from robosmi.typed import distinct
+from robosmi.typed import distinct, matches
 
 _INCLUDE = re.compile(r"^#include\s+(<[^>]+>|\"[^\"]+\")", re.MULTILINE)
 
@@ -317,7 +317,7 @@ def _with_piece(path: Path, before: str, use: migration.AdapterUse, body: Body, 
     pieces = list(plan.target.adapters) if plan.target is not None else []
     needs = {f"{p.sourceHeader}/{p.name}" for p in pieces if str(p.targetName or p.name) in words and p.name != use.name}
     head += [f"{MARK}   needs: {' '.join(sorted(needs))}"] if needs else []
-    given = _INCLUDE.findall(text[: text.find(body.text)])
+    given = matches(_INCLUDE, text[: text.find(body.text)])
     shipped = {str(header) for piece in pieces for header in piece.includes}
     own = [header for header in distinct(given) if header not in shipped and header.startswith("<") and "Arduino.h" not in header]
     head += [f"{MARK}   include: {' '.join(own)}"] if own else []

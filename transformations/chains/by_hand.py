@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 from robosmi.diagnostics import Finding, Location, Severity
@@ -35,7 +34,6 @@ _CODE = (".h", ".ino", ".cpp", ".c")
 _AWAY = "#if 0  // what you wrote for '{}', which nothing calls any more"
 
 
-@dataclass
 class ByHand:
     """What persons have done in an output folder.
 
@@ -47,11 +45,12 @@ class ByHand:
         findings: what became of bodies that are called no more, and of such headers.
     """
 
-    names: set[str] = field(default_factory=set)
-    values: set[str] = field(default_factory=set)
-    done: set[tuple[str, ...]] = field(default_factory=set)
-    includes: dict[str, list[str]] = field(default_factory=dict)
-    findings: list[Finding] = field(default_factory=list)
+    def __init__(self) -> None:
+        self.names: set[str] = set()
+        self.values: set[str] = set()
+        self.done: set[tuple[str, ...]] = set()
+        self.includes: dict[str, list[str]] = {}
+        self.findings: list[Finding] = []
 
     def base(self, name: str, last: str, there: str, made: str, path: Path) -> tuple[str, str]:
         """The text that was made last and the one that is there, as the merge is to see them.

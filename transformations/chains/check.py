@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -29,12 +28,12 @@ from robosmi.transformations.constraints.electrical_plan import wired
 from robosmi.typed import distinct
 
 
-@dataclass
 class Checked:
     """What was checked, and what was found."""
 
-    models: list[dict[str, Any]] = field(default_factory=list)
-    findings: list[Finding] = field(default_factory=Findings)
+    def __init__(self) -> None:
+        self.models: list[dict[str, Any]] = []
+        self.findings: list[Finding] = Findings()
 
     @property
     def result(self) -> dict[str, Any]:

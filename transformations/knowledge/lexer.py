@@ -11,6 +11,8 @@ import sys
 from collections.abc import Sequence
 from functools import cache
 
+from robosmi.typed import matches
+
 Token = tuple[str, int, int, str]
 """Kind (name, number, string, char, punct, comment, directive), start, end, text. One character is one byte."""
 
@@ -125,7 +127,7 @@ def tokens(data: bytes, limit: int = sys.maxsize) -> list[Token]:
     found: list[Token] = []
     end = 0
     fresh = True  # only at the start of a line does a hash open a directive
-    for piece in _PIECES.findall(text):  # they leave nothing out, so their lengths give their places
+    for piece in matches(_PIECES, text):  # they leave nothing out, so their lengths give their places
         start, end = end, end + len(piece)
         first = piece[0]
         kind = _second_look(piece) if first in _SECOND_LOOK else _KINDS.get(first, "punct")
@@ -153,7 +155,7 @@ def _pieces_of_a_line() -> re.Pattern[str]:  # few programs have a hash within a
 def _in_line(text: str, place: int) -> list[Token]:
     """The tokens from a hash within a line to the line's end."""
     found: list[Token] = []
-    for piece in _pieces_of_a_line().findall(text):
+    for piece in matches(_pieces_of_a_line(), text):
         first = piece[0]
         kind = _second_look(piece) if first in _SECOND_LOOK else _KINDS.get(first, "punct")
         if kind != "space":

@@ -19,6 +19,7 @@ from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
+from robosmi.typed import matches
 from robosmi.verify.tables import DataTable
 
 _LISTS = ("supply", "ground", "idle", "polarity", "control", "bus", "write", "read", "read_chip", "write_chip")
@@ -41,7 +42,7 @@ class Phrases:
         self._whole: dict[str, list[int]] = {}
         self._begin: dict[str, list[int]] = {}
         for phrase, number in phrases:
-            words = " ".join(_WORD.findall(phrase.lower()))
+            words = " ".join(matches(_WORD, phrase.lower()))
             (self._begin if phrase.endswith("*") else self._whole).setdefault(words, []).append(number)
 
     def found(self, text: str) -> Iterator[tuple[int, str]]:
@@ -58,7 +59,7 @@ class Phrases:
 
 
 def _runs(text: str) -> Iterator[str]:
-    words = _WORD.findall(text[:_LONGEST_TEXT].lower())
+    words = matches(_WORD, text[:_LONGEST_TEXT].lower())
     for first in range(len(words)):
         for last in range(first + 1, min(first + _LONGEST, len(words)) + 1):
             yield " ".join(words[first:last])

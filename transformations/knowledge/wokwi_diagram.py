@@ -5,7 +5,7 @@ They are made by `m2m/wokwi_wiring` and written by `m2t/wokwi_project`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,6 @@ class NotDrawn:
     why: str
 
 
-@dataclass(slots=True)
 class WokwiWiring:
     """A diagram before it is text.
 
@@ -39,10 +38,11 @@ class WokwiWiring:
         added: supply and ground wires that the source says nothing about.
     """
 
-    parts: list[DrawnPart] = field(default_factory=list)
-    wires: list[tuple[str, str, str]] = field(default_factory=list)
-    not_drawn: list[NotDrawn] = field(default_factory=list)
-    added: int = 0
+    def __init__(self) -> None:
+        self.parts: list[DrawnPart] = []
+        self.wires: list[tuple[str, str, str]] = []
+        self.not_drawn: list[NotDrawn] = []
+        self.added = 0
 
     def listed(self) -> list[str]:
         """A line about each part that is not drawn."""

@@ -19,7 +19,7 @@ from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.queries.code import CalledFunction, CodeView
 from robosmi.transformations.queries.own_headers import included
 from robosmi.transformations.queries.signature_text import declare, nothing, parameter_type, type_names
-from robosmi.typed import distinct
+from robosmi.typed import distinct, matches
 
 Source = migration.SignatureSource
 _RESERVED = re.compile(r"__(?!builtin_)|_[A-Z]")
@@ -64,7 +64,7 @@ def called_functions(
 def _handed_on(view: CodeView) -> set[str]:
     """Names that a unit uses as values, and those called in bodies of its macros."""
     named = {str(r.name) for r in view.of_kind(ccode.NameReference)}
-    return named.union(*(_CALLED.findall(str(macro.body or "")) for macro in view.unit.macros))
+    return named.union(*(matches(_CALLED, str(macro.body or "")) for macro in view.unit.macros))
 
 
 _CALLED = re.compile(r"([A-Za-z_]\w*)\s*\(")

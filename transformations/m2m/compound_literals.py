@@ -16,6 +16,7 @@ from robosmi.transformations.m2m.text_change import Change
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.tokens import name_tokens
+from robosmi.typed import matches
 
 RULE = "named-literal"
 """The rule of `edit_rules` that names one."""
@@ -49,7 +50,7 @@ def _kept(cast: ccode.Cast, data: bytes) -> ccode.Expression | None:
 
 def size_of(cast: ccode.Cast) -> str:
     """How many elements a literal has that is an array of one dimension, empty for all others."""
-    sizes = re.findall(r"\[(\d+)\]", (cast.target.canonical or "") if cast.target is not None and cast.target.arrayDims else "")
+    sizes = matches(r"\[(\d+)\]", (cast.target.canonical or "") if cast.target is not None and cast.target.arrayDims else "")
     return sizes[0] if len(sizes) == 1 else ""
 
 

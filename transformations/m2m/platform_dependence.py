@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import TypeVar
 
 from robosmi.metamodels import ccode, migration, platform
@@ -61,7 +60,6 @@ TEXT_RULES = LANGUAGE_RULES | {RENAME}
 """Rules that each change a little of an element's text, so that several of them can apply to it."""
 
 
-@dataclass
 class Dependence:
     """The result of the partition, to become part of the plan.
 
@@ -77,15 +75,16 @@ class Dependence:
         concurrency: how code runs that the program starts on other cores.
     """
 
-    dispositions: list[migration.Disposition] = field(default_factory=list)
-    adapters: list[migration.AdapterUse] = field(default_factory=list)
-    symbols: list[migration.SymbolUse] = field(default_factory=list)
-    pieces: list[platform.Adapter] = field(default_factory=list)
-    helpers: list[platform.Adapter] = field(default_factory=list)
-    unserved: list[UnservedHeader] = field(default_factory=list)
-    source: platform.Platform | None = None
-    divisions: list[Division] = field(default_factory=list)
-    concurrency: migration.Concurrency | None = None
+    def __init__(self) -> None:
+        self.dispositions: list[migration.Disposition] = []
+        self.adapters: list[migration.AdapterUse] = []
+        self.symbols: list[migration.SymbolUse] = []
+        self.pieces: list[platform.Adapter] = []
+        self.helpers: list[platform.Adapter] = []
+        self.unserved: list[UnservedHeader] = []
+        self.source: platform.Platform | None = None
+        self.divisions: list[Division] = []
+        self.concurrency: migration.Concurrency | None = None
 
 
 def partition(

@@ -12,6 +12,7 @@ from collections.abc import Collection, Mapping, Sequence
 from typing import NamedTuple
 
 from robosmi.transformations.queries.signature_text import declare
+from robosmi.typed import matches
 
 _QUALIFIERS = re.compile(r"\b(const|volatile|register|restrict|extern|static|inline)\b")
 
@@ -40,7 +41,7 @@ class Signature(NamedTuple):
         Args:
             reserved: names that no parameter may have.
         """
-        taken: set[str] = {word for spelling, _ in self.parameters for word in _WORDS.findall(spelling)}
+        taken: set[str] = {word for spelling, _ in self.parameters for word in matches(_WORDS, spelling)}
         named: list[tuple[str, str]] = []
         for number, (spelling, name) in enumerate(self.parameters, 1):
             if spelling.strip() == "void" and not name:

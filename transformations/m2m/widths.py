@@ -24,7 +24,7 @@ from robosmi.transformations.m2m.width_wants import Want
 from robosmi.transformations.queries.numbers import Machine
 from robosmi.transformations.queries.typed import TypedExpression, deep_calls
 from robosmi.transformations.queries.width_types import retyped, retyped_words
-from robosmi.typed import distinct
+from robosmi.typed import distinct, matches
 
 TYPE = "type"
 """The rule of a change of a declared type."""
@@ -142,7 +142,7 @@ def text_findings(widened: Widened, units: Sequence[ccode.SourceUnit], texts: Ma
 
 def _as_text(macro: ccode.Macro) -> frozenset[int]:
     """Which parameters of a macro its body makes a text of."""
-    words = set(re.findall(r"(?<!#)#\s*([A-Za-z_]\w*)", str(macro.body or ""))) if macro.functionLike else set()
+    words = set(matches(r"(?<!#)#\s*([A-Za-z_]\w*)", str(macro.body or ""))) if macro.functionLike else set()
     return frozenset(number for number, name in enumerate(macro.parameters) if name in words)
 
 

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import hardware
-from robosmi.typed import distinct
+from robosmi.typed import distinct, matches
 
 _ELEMENT = re.compile(r"//@(components|nets)\.(\d+)")
 _QUOTED = re.compile(r"'([^']+)'")
@@ -29,13 +29,13 @@ class Mark:
     colour: str
 
 
-@dataclass(slots=True)
 class Marks:
     """The marks of a picture: by component, by connector, and those of the drawing as a whole."""
 
-    components: dict[hardware.Component, list[Mark]] = field(default_factory=dict)
-    connectors: dict[hardware.Connector, Mark] = field(default_factory=dict)
-    whole: list[Mark] = field(default_factory=list)
+    def __init__(self) -> None:
+        self.components: dict[hardware.Component, list[Mark]] = {}
+        self.connectors: dict[hardware.Connector, Mark] = {}
+        self.whole: list[Mark] = []
 
 
 def marks(circuit: hardware.Circuit, findings: Iterable[Finding]) -> Marks:
@@ -81,7 +81,7 @@ def _components(
         return [circuit.components[int(found[2])]]
     if (component := by_identity.get(str(finding.evidence.get("model_index", "")))) is not None:
         return [component]
-    quoted = [by_title.get(title, []) for title in _QUOTED.findall(finding.message)]
+    quoted = [by_title.get(title, []) for title in matches(_QUOTED, finding.message)]
     return [components[0] for components in quoted if len(components) == 1]
 
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections import Counter, deque
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from textwrap import wrap
 
 from robosmi.diagnostics import Finding
@@ -38,14 +37,14 @@ MOST_LINES = 20
 """Lines that a picture has at most before those between two boxes become one."""
 
 
-@dataclass
 class Picture:
     """What is to be drawn: boxes with rows, links between rows or boxes, and lines of text below."""
 
-    title: str
-    boxes: list[Box] = field(default_factory=list)
-    links: list[DrawnLink] = field(default_factory=list)
-    below: list[str] = field(default_factory=list)
+    def __init__(self, title: str) -> None:
+        self.title = title
+        self.boxes: list[Box] = []
+        self.links: list[DrawnLink] = []
+        self.below: list[str] = []
 
 
 def circuit_picture(

@@ -7,14 +7,12 @@ variant for a microcontroller counts before one for all, one for what the progra
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
 from typing import Protocol
 
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 
 
-@dataclass
 class Needed:
     """What a program needs.
 
@@ -23,8 +21,9 @@ class Needed:
         unserved: (header, name) of what was asked for and cannot be served on this microcontroller -> why not.
     """
 
-    pieces: list[AdapterPiece] = field(default_factory=list)
-    unserved: dict[tuple[str, str], str] = field(default_factory=dict)
+    def __init__(self) -> None:
+        self.pieces: list[AdapterPiece] = []
+        self.unserved: dict[tuple[str, str], str] = {}
 
 
 class PieceSource(Protocol):

@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from robosmi.metamodels import ccode, migration, platform
+from robosmi.typed import matches
 
 _UNUSED = re.compile(r"\(void\)\s*\w+\s*;")
 _BEGINNING = (
@@ -82,7 +83,7 @@ def _parameters(text: str, name: str) -> list[bool]:
     found = re.search(rf"\b{re.escape(name)}\((?P<parameters>[^{{;]*)\)[^{{;]*\{{(?P<body>.*)", text, re.DOTALL)
     if found is None:
         return []
-    body = set(re.findall(r"\w+", _UNUSED.sub("", found["body"])))
+    body = set(matches(r"\w+", _UNUSED.sub("", found["body"])))
     depth, parts = 0, [""]
     for character in found["parameters"]:
         depth += (character == "(") - (character == ")")
@@ -90,4 +91,4 @@ def _parameters(text: str, name: str) -> list[bool]:
             parts.append("")
         else:
             parts[-1] += character
-    return [bool(body & set(re.findall(r"\w+", part))) for part in parts]
+    return [bool(body & set(matches(r"\w+", part))) for part in parts]

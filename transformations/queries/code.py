@@ -22,6 +22,7 @@ from robosmi.transformations.queries.names import name_or_text
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.tokens import names_in
 from robosmi.transformations.queries.values import Values
+from robosmi.typed import matches
 
 T = TypeVar("T")
 _CALLED = re.compile(r"(?<![\w.#>])([A-Za-z_]\w*)\s*\(")
@@ -174,7 +175,7 @@ class CodeView:
         own = self._defined
         for macro in self.own_macros.values():
             parameters = set(macro.parameters)
-            for name in _CALLED.findall(_LITERALS.sub(" ", str(macro.body or ""))):
+            for name in matches(_CALLED, _LITERALS.sub(" ", str(macro.body or ""))):
                 if name not in own and name not in self.own_macros and name not in parameters:
                     entry = self.resolve(name)
                     if entry is not None and entry.callable:

@@ -14,6 +14,7 @@ from typing import NamedTuple
 from robosmi import resources
 from robosmi.metamodels import migration
 from robosmi.project import read_data
+from robosmi.typed import matches
 from robosmi.verify.tables import DataTable
 
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
@@ -71,13 +72,13 @@ def said(texts: Iterable[str]) -> set[str]:
 
 def connector_words(texts: Iterable[str]) -> set[str]:
     """The words of what connectors and parameters are called, single letters too, without `pin`."""
-    words = {word.lower() for text in texts for word in _WORDS.findall(str(text))}
+    words = {word.lower() for text in texts for word in matches(_WORDS, str(text))}
     return words | {inner for word in words if (inner := word.removeprefix("pin").removesuffix("pin"))}
 
 
 def _words_of(name: str, vocabulary: Set[str]) -> set[str]:
     """The words of one name (see `said`)."""
-    words = {w.lower() for w in _WORDS.findall(name) if not w.isdigit() and len(w) > 1}
+    words = {w.lower() for w in matches(_WORDS, name) if not w.isdigit() and len(w) > 1}
     return {part for word in words for part in _apart(word, vocabulary)} - EMPTY_WORDS
 
 

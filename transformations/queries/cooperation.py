@@ -19,6 +19,7 @@ from robosmi.transformations.queries.cores import reached, written
 from robosmi.transformations.queries.main_program import main_function
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.transformations.queries.values import Values
+from robosmi.typed import matches
 
 MOST = 7
 """Cores besides the one of main."""
@@ -217,7 +218,7 @@ def _size(variable: ccode.Variable) -> int:
     if use is None:
         return _UNKNOWN
     count = 1
-    for size in re.findall(r"\[([^\]]*)\]", use.arrayDims or ""):
+    for size in matches(r"\[([^\]]*)\]", use.arrayDims or ""):
         count *= int(size) if size.strip().isdecimal() else _UNKNOWN
     if use.pointerDepth:
         return 2 * count

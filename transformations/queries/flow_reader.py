@@ -21,7 +21,7 @@ from robosmi.transformations.queries.number_names import holder_of
 from robosmi.transformations.queries.pin_uses import pin_number
 from robosmi.transformations.queries.pointers import gives_access, moved_pointer, pointed_functions, takes_number
 from robosmi.transformations.queries.value_flows import Flows, PinArgument, PortPlace
-from robosmi.typed import distinct
+from robosmi.typed import distinct, matches
 
 _WRITTEN = re.compile(rb"[0-9']")
 """What a number or character begins with that stands in the text itself."""
@@ -273,7 +273,7 @@ class FlowReader:
             given = list(leaves(variable.initializer))
             for inner in given:
                 self._give(key, inner)
-            sizes = [int(n) for n in _DIMENSION.findall(str(use.arrayDims or ""))] if use is not None else []
+            sizes = [int(n) for n in matches(_DIMENSION, str(use.arrayDims or ""))] if use is not None else []
             count = 1
             for size in sizes:
                 count *= size

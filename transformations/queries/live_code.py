@@ -6,13 +6,13 @@ which order, is not asked.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.query import all_contents
 from robosmi.transformations.queries.main_function import main_of
+from robosmi.typed import matches
 
 
 def live_in(units: Sequence[ccode.SourceUnit]) -> list[Element]:
@@ -81,4 +81,4 @@ def is_global(variable: ccode.Variable) -> bool:
 def in_macros(units: Iterable[ccode.SourceUnit]) -> set[str]:
     """The words in bodies of macros that are used: what they name is used there, which the model does not follow."""
     macros = [macro for unit in units for macro in unit.macros]
-    return {word for macro in macros if macro.uses for word in re.findall(r"\w+", str(macro.body or ""))}
+    return {word for macro in macros if macro.uses for word in matches(r"\w+", str(macro.body or ""))}

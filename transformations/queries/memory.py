@@ -23,6 +23,7 @@ from robosmi.transformations.queries.plan import platform_of
 from robosmi.transformations.queries.plan_adapters import closure, emitted, setup_statements
 from robosmi.transformations.queries.stack_depth import depth, unfollowed
 from robosmi.transformations.queries.type_sizes import on_target
+from robosmi.typed import matches
 
 _SERIAL = "Serial"
 """The part of the core that has a serial line."""
@@ -151,7 +152,7 @@ def _always_there(pieces: Sequence[platform.Adapter]) -> list[platform.Adapter]:
     while waiting:
         words = set(_words(str(waiting.pop().text)))
         for piece in pieces:
-            if id(piece) not in found and words & set(_DEFINED.findall(str(piece.text))):
+            if id(piece) not in found and words & set(matches(_DEFINED, str(piece.text))):
                 found[id(piece)] = piece
                 waiting.append(piece)
     return list(found.values())

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 from robosmi.metamodels import ccode, platform
 from robosmi.transformations.queries.expression_type import FunctionType, ValueType, of_use, type_of
+from robosmi.typed import matches
 
 _FIXED = re.compile(r"(u?)int(?:_least|_fast)?(8|16|32|64)_t")
 _WORD = re.compile(r"[A-Za-z_]\w*")
@@ -223,12 +224,12 @@ class Numbers:
             text = self.macros.get(one)
             if text is None or any(c in text for c in "\"'.?[{&="):
                 return None
-            constants = _CONSTANT.findall(text)
-            for digits, suffix in constants:
+            for constant in _CONSTANT.finditer(text):
+                digits, suffix = constant[1], constant[2]
                 base = 16 if digits[:2].lower() == "0x" else 2 if digits[:2].lower() == "0b" else 8 if digits[0] == "0" else 10
                 value = int(digits, 10 if digits.strip("0") == "" else base)
                 found = self.machine.common(found, self.machine.constant(value, suffix.lower(), decimal=base == 10))
-            pending += _WORD.findall(_CONSTANT.sub(" ", text))
+            pending += matches(_WORD, _CONSTANT.sub(" ", text))
         return found
 
 

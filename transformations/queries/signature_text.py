@@ -10,6 +10,7 @@ import re
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType
+from robosmi.typed import matches
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _TAGGED = frozenset({"struct", "union", "enum", "const", "volatile"})
@@ -58,9 +59,9 @@ def type_names(spelling: str) -> list[str]:
     ['void', 'struct', 'task', 'int']
     """
     head, _, rest = re.sub(r"\[[^]]*\]", " ", spelling).partition("(")
-    words = _WORD.findall(head)
+    words = matches(_WORD, head)
     for parameter in split(rest.rpartition("(")[2].rstrip(") ")):
-        own = _WORD.findall(parameter)
+        own = matches(_WORD, parameter)
         named = len(own) > 1 and own[-1] not in ARITHMETIC and own[-2] not in _TAGGED
         words += own[:-1] if named else own
     return words

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.queries.block_braces import ends_in_brace
 from robosmi.transformations.queries.text_changes import decision_of, effective
+from robosmi.typed import matches
 
 HEADERS = (".h", ".hh", ".hpp")
 
@@ -198,7 +199,7 @@ _LINES = re.compile(r"[^\n]*\n|[^\n]+")  # a form feed ends no line of C, nor do
 def _lines(text: str, continued: bool = False) -> Iterator[tuple[str, bool]]:
     """The lines of a text, and whether each has to stay as it is; the first may continue a line."""
     directive = False
-    for line in _LINES.findall(text):
+    for line in matches(_LINES, text):
         if not continued:
             directive = line.lstrip().startswith("#")
         yield line, directive or continued
@@ -218,4 +219,4 @@ _WORD = re.compile(rb"[A-Za-z_]\w*")
 
 def words_of(texts: Iterable[bytes]) -> set[str]:
     """All that looks like a name in texts of a program, comments, strings and suffixes of numbers too."""
-    return {word.decode("ascii", errors="replace") for text in texts for word in _WORD.findall(text)}
+    return {word.decode("ascii", errors="replace") for text in texts for word in matches(_WORD, text)}

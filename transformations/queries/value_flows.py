@@ -7,7 +7,6 @@ any key; the number of a set's things never matters.
 from __future__ import annotations
 
 from collections.abc import Hashable
-from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from robosmi.metamodels import ccode
@@ -70,7 +69,6 @@ class PinArgument(NamedTuple):
         return self.parameter.range_with is None and self.parameter.span == 1
 
 
-@dataclass
 class Flow:
     """A set of things that exchange values.
 
@@ -83,12 +81,13 @@ class Flow:
         given: the other expressions and macros whose values come in, each with its file.
     """
 
-    places: list[PortPlace] = field(default_factory=list)
-    arguments: list[PinArgument] = field(default_factory=list)
-    kept: list[str] = field(default_factory=list)
-    computed: bool = False
-    calculated: list[tuple[ccode.SourceUnit, ccode.Located]] = field(default_factory=list)
-    given: list[tuple[ccode.SourceUnit, ccode.Located]] = field(default_factory=list)
+    def __init__(self) -> None:
+        self.places: list[PortPlace] = []
+        self.arguments: list[PinArgument] = []
+        self.kept: list[str] = []
+        self.computed = False
+        self.calculated: list[tuple[ccode.SourceUnit, ccode.Located]] = []
+        self.given: list[tuple[ccode.SourceUnit, ccode.Located]] = []
 
 
 class Flows:

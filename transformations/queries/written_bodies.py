@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from robosmi.transformations.knowledge.lexer import Token, tokens
+from robosmi.typed import matches
 
 TODO = "TODO: complete method"
 """What a body that is still to be written says in a comment."""
@@ -165,7 +166,7 @@ def ticks(report: str) -> list[Tick]:
 def task_key(rule: str, message: str) -> tuple[str, ...]:
     """What a task is about, whatever its place and its counts: the first name in its message, quoted for a report or not."""
     plain = message.replace("\\", "")
-    names = _QUOTED.findall(plain)
+    names = matches(_QUOTED, plain)
     return (rule, names[0]) if names else (rule, re.sub(r"\d+", "", plain.partition(" (")[0]).strip())
 
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 from robosmi import inputs
@@ -22,7 +21,7 @@ from robosmi.transformations.knowledge.api_spelling import tidy
 from robosmi.transformations.knowledge.lexer import TYPE_WORDS, definition_parts, directive_parts, tokens
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import read_unit
-from robosmi.typed import distinct
+from robosmi.typed import distinct, matches
 
 ENDINGS = (".h", ".hh", ".hpp")
 LARGEST = 4_000_000
@@ -33,7 +32,6 @@ _RECORDS = {"structType": "struct", "unionType": "union", "classType": "class"}
 _ADDRESS = re.compile(r"\*\s*\(\s*(?:\(\s*)?[\w\s]*\bvolatile\b[\w\s]*\*")
 
 
-@dataclass
 class ApiFound:
     """What the headers of a folder declare.
 
@@ -44,13 +42,13 @@ class ApiFound:
         missing: headers that are included and are neither in the folder nor standard ones.
     """
 
-    headers: dict[str, HeaderContent] = field(default_factory=dict)
-    paths: dict[str, str] = field(default_factory=dict)
-    skipped: dict[str, str] = field(default_factory=dict)
-    missing: list[str] = field(default_factory=list)
+    def __init__(self) -> None:
+        self.headers: dict[str, HeaderContent] = {}
+        self.paths: dict[str, str] = {}
+        self.skipped: dict[str, str] = {}
+        self.missing: list[str] = []
 
 
-@dataclass
 class _Declared:
     """What one header declares.
 
@@ -59,16 +57,17 @@ class _Declared:
         volatile: variables that are declared so.
     """
 
-    kind: str = ""
-    includes: list[str] = field(default_factory=list)
-    functions: dict[str, list[str]] = field(default_factory=dict)
-    macros: dict[str, int] = field(default_factory=dict)
-    vars: dict[str, str] = field(default_factory=dict)
-    consts: set[str] = field(default_factory=set)
-    types: dict[str, str] = field(default_factory=dict)
-    registers: list[str] = field(default_factory=list)
-    aliases: dict[str, str] = field(default_factory=dict)
-    volatile: list[str] = field(default_factory=list)
+    def __init__(self) -> None:
+        self.kind = ""
+        self.includes: list[str] = []
+        self.functions: dict[str, list[str]] = {}
+        self.macros: dict[str, int] = {}
+        self.vars: dict[str, str] = {}
+        self.consts: set[str] = set()
+        self.types: dict[str, str] = {}
+        self.registers: list[str] = []
+        self.aliases: dict[str, str] = {}
+        self.volatile: list[str] = []
 
     def content(self, registers: Collection[str]) -> HeaderContent:
         """The header's entry, with those registers that it declares; what is empty is left out."""
@@ -177,7 +176,7 @@ def _names(folder: Path, files: Iterable[Path], found: ApiFound) -> dict[str, li
             if path.suffix.lower() in ENDINGS:
                 found.skipped[str(path)] = (error.strerror if isinstance(error, OSError) else None) or str(error)
             continue
-        written.update(os.path.normpath(n.decode("latin-1")).replace("\\", "/") for n in _INCLUDE.findall(data))
+        written.update(os.path.normpath(n.decode("latin-1")).replace("\\", "/") for n in matches(_INCLUDE, data))
         if path.suffix.lower() in ENDINGS:
             headers.append(path)
     if len(headers) > MOST:

@@ -96,21 +96,21 @@ def search(
     return _fewest(made.found, made.reached_by, known)
 
 
-@dataclass
 class _Search:
     """The state of a search: what was found, what is reached, and for how long nothing new was."""
 
-    program: OriginalProgram
-    ports: Sequence[BoundPort]
-    seen: set[Place]
-    until: float
-    horizon: float = 0.0
-    fruitless: int = 0
-    found: FoundScenarios = field(default_factory=FoundScenarios)
-    reached_by: list[frozenset[Place]] = field(default_factory=list)
-    only_racy: set[Place] = field(default_factory=set)
-    retried: int = 0
-    at_rest: dict[str, list[str]] = field(default_factory=dict)
+    def __init__(self, program: OriginalProgram, ports: Sequence[BoundPort], seen: set[Place], until: float) -> None:
+        self.program = program
+        self.ports = ports
+        self.seen = seen
+        self.until = until
+        self.horizon = 0.0
+        self.fruitless = 0
+        self.found = FoundScenarios()
+        self.reached_by: list[frozenset[Place]] = []
+        self.only_racy: set[Place] = set()
+        self.retried = 0
+        self.at_rest: dict[str, list[str]] = {}
 
     def try_signals(self, signals: Mapping[str, Mapping[str, Points]], also: frozenset[Place] = frozenset()) -> frozenset[Place]:
         """Run a scenario, keep it if it reaches what no other does and is not racy; what it reaches, and `also`."""

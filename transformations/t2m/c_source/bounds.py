@@ -19,6 +19,7 @@ from robosmi.transformations.knowledge.lexer import Token, definition_parts, dir
 from robosmi.transformations.knowledge.lexer import tokens as tokenise
 from robosmi.transformations.t2m.c_source.mending import Edit
 from robosmi.transformations.t2m.c_source.repeats import MOST_DECLARED, repeats
+from robosmi.typed import matches
 
 MAX_BRACKETS = 180
 """Brackets within brackets; libclang gives up the file at 256."""
@@ -78,7 +79,7 @@ def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Edit]:
 def shallow(data: bytes) -> bool:
     """Whether the bytes alone show that nothing nests too deep."""
     depth = 0
-    for bracket in _BRACKETS.findall(data) if sum(data.count(bracket) for bracket in (b"(", b"[", b"{")) >= MAX_BRACKETS else ():
+    for bracket in matches(_BRACKETS, data) if sum(data.count(bracket) for bracket in (b"(", b"[", b"{")) >= MAX_BRACKETS else ():
         depth += 1 if bracket in b"([{" else -1
         if depth >= MAX_BRACKETS:
             return False

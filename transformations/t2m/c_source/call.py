@@ -28,6 +28,7 @@ from robosmi.transformations.t2m.c_source.mending import Edit, Scratch
 from robosmi.transformations.t2m.c_source.precompiled import beginning, forget
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import ReadSource
+from robosmi.typed import matches
 
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _WITHOUT_OWN_MACROS = "-undef"
@@ -81,7 +82,7 @@ class Call:
     def parse(self, scratch: Scratch, prelude: Prelude) -> int | None:
         """A unit of a copy of the text; None when the parser gave up."""
         text = prelude.text()
-        words = frozenset(_WORD.findall(text))
+        words = frozenset(matches(_WORD, text))
         if scratch.edits or (self._beginning is not None and not self._beginning.macros.isdisjoint(words)):
             self.leave()  # an edit may lie in what is parsed already, and a macro would change what is declared
         given, data, start = [*self._given, "-include", PRELUDE], scratch.data, self._beginning
@@ -150,8 +151,8 @@ class Call:
         words = {text for kind, _, _, text in self._source.tokens if kind == "name"}
         for kind, _, _, text in self._source.tokens:
             if kind == "directive":
-                words.update(_WORD.findall(text))
-        words.update(word for argument in self._given if argument.startswith("-D") for word in _WORD.findall(argument[2:]))
+                words.update(matches(_WORD, text))
+        words.update(word for argument in self._given if argument.startswith("-D") for word in matches(_WORD, argument[2:]))
         return bool(own) and own.isdisjoint(words) and own.isdisjoint(names)
 
 

@@ -20,6 +20,7 @@ from robosmi.errors import SourceError
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.t2m.c_source.bounds import LARGEST, cuts, shallow
 from robosmi.transformations.t2m.c_source.mending import Scratch
+from robosmi.typed import matches
 
 MOST = 1000
 """Headers of one file that are looked through."""
@@ -88,7 +89,7 @@ def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = (
         known: headers that were looked through before, with all that they include.
     """
     root = os.path.abspath(path)
-    files = {root: _File(root, len(data), _Content(data, tuple(INCLUDED.findall(data)), guarded(data)))}
+    files = {root: _File(root, len(data), _Content(data, tuple(matches(INCLUDED, data)), guarded(data)))}
     keys: dict[str, str] = {}  # of places, which `..` spells in many ways
     pending = [root]
     while pending:
@@ -203,7 +204,7 @@ def _content(path: str, changed: int, size: int, regular: bool) -> _Content:
         return _Content(b"", (), True)
     try:
         data = inputs.read_bytes(path, inputs.SOURCE)
-        included, once = tuple(INCLUDED.findall(data)), guarded(data)
+        included, once = tuple(matches(INCLUDED, data)), guarded(data)
         if shallow(data):
             return _Content(None, included, once)
         edits = cuts(path, data, tokens(data))

@@ -8,7 +8,7 @@ function that is not void. A guess is a guess: the linkage says so.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import cursor_kinds, type_kinds
@@ -34,14 +34,14 @@ class CallSite:
     node: Node | None
 
 
-@dataclass
 class Inferred:
     """What the calls say of a function."""
 
-    name: str
-    returns: str = "void"
-    types: list[str] = field(default_factory=list)
-    variadic: bool = False
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.returns = "void"
+        self.types: list[str] = []
+        self.variadic = False
 
     def signature(self) -> str:
         """Return type, name and parameter types."""

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
 
 from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, TYPE_WORDS, Token
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.standard_names import STANDARD_NAMES
+from robosmi.typed import matches
 
 _UNKNOWN = [
     re.compile(r"^unknown type name '(?P<name>\w+)'"),
@@ -30,7 +30,6 @@ MEMBERS, STREAM = "robosmi_members", "robosmi_stream"
 """Types that we make up for objects that nothing declares."""
 
 
-@dataclass
 class Prelude:
     """Names to declare and how.
 
@@ -47,17 +46,18 @@ class Prelude:
         in_std: name of the namespace std -> its declaration.
     """
 
-    platform: ApiIndex
-    cxx: bool = False
-    types: dict[str, bool] = field(default_factory=dict)
-    values: dict[str, str] = field(default_factory=dict)
-    macros: set[str] = field(default_factory=set)
-    standard: dict[str, str] = field(default_factory=dict)
-    functions: dict[str, str] = field(default_factory=dict)
-    members: dict[str, str] = field(default_factory=dict)
-    always: list[str] = field(default_factory=list)
-    in_std: dict[str, str] = field(default_factory=dict)
-    _fixed: set[str] = field(default_factory=set)
+    def __init__(self, platform: ApiIndex, cxx: bool = False) -> None:
+        self.platform = platform
+        self.cxx = cxx
+        self.types: dict[str, bool] = {}
+        self.values: dict[str, str] = {}
+        self.macros: set[str] = set()
+        self.standard: dict[str, str] = {}
+        self.functions: dict[str, str] = {}
+        self.members: dict[str, str] = {}
+        self.always: list[str] = []
+        self.in_std: dict[str, str] = {}
+        self._fixed: set[str] = set()
 
     def collect(self, messages: Iterable[str], tokens: list[Token], own_names: Callable[[], dict[str, str]]) -> bool:
         """Take over what the diagnostics complain about.
@@ -81,7 +81,7 @@ class Prelude:
                 self.types |= dict.fromkeys(wrong, True)
                 self._fixed |= wrong
                 new = True
-            for name in _NOT_SCALAR.findall(message):
+            for name in matches(_NOT_SCALAR, message):
                 scalar.add(name)
         library = (
             [m for message in messages if (m := _IN_STD.match(message)) and m["name"] not in self.in_std] if self.cxx else []
@@ -171,7 +171,7 @@ class Prelude:
     def _function_of_cxx(self, name: str) -> str:
         found = self.platform.entries(name)
         result = found[0].detail if found and found[0].kind == "function" else "int"
-        plain = all(w in TYPE_WORDS or w in QUALIFIERS for w in re.findall(r"\w+", result))
+        plain = all(w in TYPE_WORDS or w in QUALIFIERS for w in matches(r"\w+", result))
         return f"{result if plain and result else 'int'} {name}(...);"
 
     def _from_platform(self, name: str, uses: _Uses) -> str | None:
@@ -204,7 +204,7 @@ class Prelude:
             if not found or found[0].kind != "function" or self.platform.kind_of(found[0]) != "platform":
                 continue
             result = found[0].detail
-            words = re.findall(r"\w+", result)
+            words = matches(r"\w+", result)
             base = next((w for w in words if w not in QUALIFIERS and w not in TYPE_WORDS), None)
             if base in self.types or (base is None and ("*" in result or {"float", "double"} & set(words))):
                 self.functions[name] = result

@@ -9,12 +9,11 @@ from __future__ import annotations
 
 import os
 import re
-from dataclasses import dataclass, field
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
-from robosmi.typed import distinct
+from robosmi.typed import distinct, matches
 
 ENDING = ".side"
 _SOURCES = (".c", ".cc", ".cpp", ".cxx")
@@ -22,7 +21,6 @@ _LIBRARY = re.compile(r"-l(\S+)")
 _DEFINE = re.compile(r"-D\s*([A-Za-z_]\w*(?:=\S+)?)")
 
 
-@dataclass
 class SideProject:
     """What a project file says, with that of the libraries it is linked with.
 
@@ -33,10 +31,11 @@ class SideProject:
         findings: what was left out, and why.
     """
 
-    sources: list[str] = field(default_factory=list)
-    include_dirs: list[str] = field(default_factory=list)
-    defines: list[str] = field(default_factory=list)
-    findings: list[Finding] = field(default_factory=list)
+    def __init__(self) -> None:
+        self.sources: list[str] = []
+        self.include_dirs: list[str] = []
+        self.defines: list[str] = []
+        self.findings: list[Finding] = []
 
 
 def project_beside(source: str) -> str:
@@ -79,8 +78,8 @@ def _read(path: str, made: SideProject, *, library: bool, seen: set[str]) -> Non
             place = os.path.normpath(os.path.join(folder, said[2:].strip()))
             (made.include_dirs if said.startswith("-I") else folders).append(place)
         elif said.startswith(">"):
-            names += _LIBRARY.findall(said)
-            made.defines += _DEFINE.findall(said)
+            names += matches(_LIBRARY, said)
+            made.defines += matches(_DEFINE, said)
         elif said and not said.startswith("-"):
             if not (library and first):
                 _file(said, folder, Location(path, number), made)

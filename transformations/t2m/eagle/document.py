@@ -59,7 +59,6 @@ class PinRef:
     line: int
 
 
-@dataclass(slots=True)
 class EagleSchematic:
     """What a file held.
 
@@ -73,13 +72,14 @@ class EagleSchematic:
         missing: module instances whose module is not there, with their lines.
     """
 
-    path: str
-    digest: str
-    version: str
-    parts: list[EaglePart] = field(default_factory=list)
-    nets: dict[str, list[PinRef]] = field(default_factory=dict)
-    joined: list[tuple[str, str]] = field(default_factory=list)
-    missing: list[tuple[str, int]] = field(default_factory=list)
+    def __init__(self, path: str, digest: str, version: str) -> None:
+        self.path = path
+        self.digest = digest
+        self.version = version
+        self.parts: list[EaglePart] = []
+        self.nets: dict[str, list[PinRef]] = {}
+        self.joined: list[tuple[str, str]] = []
+        self.missing: list[tuple[str, int]] = []
 
 
 def recognises(head: bytes) -> bool:

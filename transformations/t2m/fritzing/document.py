@@ -27,14 +27,14 @@ Edge = tuple[str, str, str]
 """Own connector, the other's model index, the other's connector."""
 
 
-@dataclass(slots=True)
 class View:
     """What an instance has in one view: connections, connectors mentioned, wire flags (None if not given) and colour."""
 
-    edges: list[Edge] = field(default_factory=list)
-    connectors: list[str] = field(default_factory=list)
-    flags: int | None = None
-    color: str = ""
+    def __init__(self) -> None:
+        self.edges: list[Edge] = []
+        self.connectors: list[str] = []
+        self.flags: int | None = None
+        self.color = ""
 
 
 @dataclass(slots=True)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from robosmi.transformations.t2m.connectivity import Joined, Leaders, Node
@@ -26,7 +25,6 @@ Has: TypeAlias = Callable[[Instance, str], bool]
 """Whether an instance that is no wire has a connector."""
 
 
-@dataclass(slots=True)
 class ViewWiring:
     """The connections of one view.
 
@@ -43,16 +41,17 @@ class ViewWiring:
         too_big: boards of strips that have more holes than are followed.
     """
 
-    view: str
-    joined: Joined = field(default_factory=Joined)
-    used: dict[str, dict[str, None]] = field(default_factory=dict)
-    wire_ends: dict[str, dict[tuple[str, str], None]] = field(default_factory=dict)
-    wires: list[str] = field(default_factory=list)
-    ignored_wires: int = 0
-    foreign_wires: int = 0
-    dangling: list[tuple[Instance, str]] = field(default_factory=list)
-    lacking: dict[str, dict[str, None]] = field(default_factory=dict)
-    too_big: list[Instance] = field(default_factory=list)
+    def __init__(self, view: str) -> None:
+        self.view = view
+        self.joined = Joined()
+        self.used: dict[str, dict[str, None]] = {}
+        self.wire_ends: dict[str, dict[tuple[str, str], None]] = {}
+        self.wires: list[str] = []
+        self.ignored_wires = 0
+        self.foreign_wires = 0
+        self.dangling: list[tuple[Instance, str]] = []
+        self.lacking: dict[str, dict[str, None]] = {}
+        self.too_big: list[Instance] = []
 
 
 def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders, has: Has, twice: Collection[str] = ()) -> ViewWiring:

@@ -10,7 +10,7 @@ import html
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path
 
 from lxml import etree
@@ -23,6 +23,7 @@ from robosmi.transformations.knowledge.part_names import names
 from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.t2m.fritzing.part_file import part_of
 from robosmi.transformations.t2m.guarded_xml import parse_xml
+from robosmi.typed import matches
 
 DEFINITION = inputs.Kind("part definition", 16 * 1024 * 1024)
 """The largest public one has under one megabyte."""
@@ -31,13 +32,13 @@ _TAG = re.compile(r"<[^<>]*>")
 _WORD = re.compile(r"[^\W_]{2,30}")
 
 
-@dataclass(slots=True)
 class PartLibrary:
     """What was read: each part with the word counts of its description, and what was left out."""
 
-    parts: list[tuple[Part, Counter[str]]] = field(default_factory=list)
-    findings: list[Finding] = field(default_factory=list)
-    repeated: int = 0
+    def __init__(self) -> None:
+        self.parts: list[tuple[Part, Counter[str]]] = []
+        self.findings: list[Finding] = []
+        self.repeated = 0
 
 
 def read_library(folders: Sequence[Path], project: Path | None = None) -> PartLibrary:
@@ -95,7 +96,7 @@ def _files(folders: Sequence[Path]) -> Iterator[tuple[Path, str]]:
 def _words(root: etree._Element) -> Counter[str]:
     """How often each word stands in the description, in lower case; HTML is often written in it as text."""
     text = str(root.xpath("string(description)"))
-    return Counter(word.lower() for word in _WORD.findall(_TAG.sub(" ", html.unescape(html.unescape(text)))))
+    return Counter(word.lower() for word in matches(_WORD, _TAG.sub(" ", html.unescape(html.unescape(text)))))
 
 
 def _left_out(path: Path, cause: str) -> Finding:

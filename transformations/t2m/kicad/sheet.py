@@ -7,7 +7,7 @@ net is told by `nets`.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import NamedTuple
 
 from robosmi.transformations.t2m.drawing import free_identity
@@ -129,7 +129,6 @@ class SubSheet:
     line: int
 
 
-@dataclass(slots=True)
 class Sheet:
     """What a file of one sheet held.
 
@@ -144,20 +143,21 @@ class Sheet:
         instances: path with the symbol's id -> reference and unit, of files that keep them together.
     """
 
-    file: str
-    uuid: str = ""
-    version: str = ""
-    by_value: bool = True
-    wires: list[Wire] = field(default_factory=list)
-    junctions: list[Point] = field(default_factory=list)
-    buses: list[Wire] = field(default_factory=list)
-    entries: list[Wire] = field(default_factory=list)
-    aliases: dict[str, list[str]] = field(default_factory=dict)
-    labels: list[Label] = field(default_factory=list)
-    symbols: list[SheetSymbol] = field(default_factory=list)
-    sheets: list[SubSheet] = field(default_factory=list)
-    library: dict[str, LibrarySymbol] = field(default_factory=dict)
-    instances: dict[str, tuple[str, int]] = field(default_factory=dict)
+    def __init__(self, file: str, version: str = "", by_value: bool = True) -> None:
+        self.file = file
+        self.uuid = ""
+        self.version = version
+        self.by_value = by_value
+        self.wires: list[Wire] = []
+        self.junctions: list[Point] = []
+        self.buses: list[Wire] = []
+        self.entries: list[Wire] = []
+        self.aliases: dict[str, list[str]] = {}
+        self.labels: list[Label] = []
+        self.symbols: list[SheetSymbol] = []
+        self.sheets: list[SubSheet] = []
+        self.library: dict[str, LibrarySymbol] = {}
+        self.instances: dict[str, tuple[str, int]] = {}
 
 
 _ESCAPED = {

@@ -12,7 +12,7 @@ import json
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple, TypeAlias
 
@@ -61,7 +61,6 @@ class Connection:
     line: int
 
 
-@dataclass(slots=True)
 class Diagram:
     """What a file held.
 
@@ -74,12 +73,13 @@ class Diagram:
         left_out: cause and line of each entry that is no part or no connection.
     """
 
-    path: str
-    digest: str
-    version: str = ""
-    parts: list[DiagramPart] = field(default_factory=list)
-    connections: list[Connection] = field(default_factory=list)
-    left_out: list[tuple[str, int]] = field(default_factory=list)
+    def __init__(self, path: str, digest: str) -> None:
+        self.path = path
+        self.digest = digest
+        self.version = ""
+        self.parts: list[DiagramPart] = []
+        self.connections: list[Connection] = []
+        self.left_out: list[tuple[str, int]] = []
 
 
 def recognises(head: bytes) -> bool:
