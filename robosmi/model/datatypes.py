@@ -262,7 +262,11 @@ def real(value: T) -> T:
     if not isinstance(value, EProxy):
         return value
     path, resource = proxy_place(value)
-    if not value.resolved and "://" in path and not any(d.can_resolve(path, resource) for d in resource.decoders):
+    if (
+        not value.resolved
+        and "://" in path
+        and not (resource is None or not any(d.can_resolve(path, resource) for d in resource.decoders))
+    ):
         return value
     try:
         value.force_resolve()

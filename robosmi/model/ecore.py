@@ -31,6 +31,13 @@ class Notification:
     old: Value
 
 
+class Decoder(Protocol):
+    """What finds elements of other resources by their URI."""
+
+    def can_resolve(self, path: str, from_resource: Resource, /) -> bool:
+        """Whether it knows URIs of that form."""
+
+
 class Resource(Protocol):
     """Where root elements are kept."""
 
@@ -42,6 +49,12 @@ class Resource(Protocol):
 
     def remove(self, root: EObject, /) -> None:
         """Take a root out."""
+
+
+class ReadResource(Resource, Protocol):
+    """A resource of pyecore's that was read from a file."""
+
+    decoders: Sequence[Decoder]
 
 
 if TYPE_CHECKING:
@@ -178,6 +191,7 @@ if TYPE_CHECKING:
 
         eParameters: ECollection[EParameter]
         eExceptions: ECollection[EClassifier]
+        eGenericExceptions: ECollection[EGenericType]
         eTypeParameters: ECollection[ETypeParameter]
         eContainingClass: EClass
 
@@ -211,6 +225,7 @@ if TYPE_CHECKING:
 
         ePackage: EPackage
         instanceClassName: str | None
+        instanceTypeName: str | None
         eTypeParameters: ECollection[ETypeParameter]
 
     class EDataType(EClassifier):
@@ -269,7 +284,7 @@ if TYPE_CHECKING:
     class EReference(EStructuralFeature):
         """A feature whose values are elements."""
 
-        eKeys: ECollection[EAttribute]
+        eKeys: Sequence[EAttribute]
         resolveProxies: bool
 
     class EClass(EClassifier):

@@ -17,8 +17,28 @@ from pyecore import ecore as pyecore_ecore
 from robosmi.errors import ModelError
 from robosmi.model import ecore
 from robosmi.model.datatypes import default, literal_text
-from robosmi.model.ecore import Argument, EClass, EClassifier, EDataType, EEnum, EPackage, EStructuralFeature
-from robosmi.model.ecore_description import XML_TYPES, Class, Classifier, DataType, Enumeration, Feature, Package
+from robosmi.model.ecore import (
+    Argument,
+    EClass,
+    EClassifier,
+    EDataType,
+    EEnum,
+    EModelElement,
+    EObject,
+    EPackage,
+    EReference,
+    EStructuralFeature,
+)
+from robosmi.model.ecore_description import (
+    XML_TYPES,
+    Class,
+    Classifier,
+    DataType,
+    DescribedElement,
+    Enumeration,
+    Feature,
+    Package,
+)
 from robosmi.model.ecore_details import Details
 from robosmi.model.feature_values import FeatureCollection
 from robosmi.model.ordering import post_order
@@ -32,7 +52,7 @@ _XML_TYPES = {
     "IntObject": "java.lang.Integer", "LongObject": "java.lang.Long", "Double": "double", "DoubleObject": "java.lang.Double",
     "Float": "float", "FloatObject": "java.lang.Float", "Decimal": "java.math.BigDecimal", "Integer": "java.math.BigInteger",
 }  # fmt: skip
-_PYTHON: dict[str, Any] = {"java.math.BigInteger": int, "java.math.BigDecimal": Decimal}
+_PYTHON: dict[str, type] = {"java.math.BigInteger": int, "java.math.BigDecimal": Decimal}
 
 
 def make_packages(packages: list[Package]) -> list[EPackage]:
@@ -69,9 +89,9 @@ class PackageMaker:
     """Makes packages one after the other; a description that was given before has the package that was made then."""
 
     def __init__(self) -> None:
-        self.made: dict[Classifier, Any] = {}
+        self.made: dict[Classifier, EClassifier] = {}
         self.packages: dict[Package, EPackage] = {}
-        self.features: dict[Feature, Any] = {}
+        self.features: dict[Feature, EStructuralFeature] = {}
         self.xml_types = ecore.EPackage(XML_TYPES.name, XML_TYPES.uri, XML_TYPES.prefix)
 
     def make(self, packages: list[Package]) -> list[EPackage]:
@@ -107,14 +127,19 @@ class PackageMaker:
         for cls in classes:
             self._fill(cls)
         for feature, made in self.features.items():
-            if feature.opposite is not None and made.eOpposite is None:
-                made.eOpposite = self.features[feature.opposite]
-        known: dict[Any, Any] = {**self.features, **self.packages}
-        Details(packages, lambda one: self._classifier(one) if isinstance(one, Classifier) else known.get(one)).add()
+            opposite = self.features[feature.opposite] if feature.opposite is not None else None
+            if isinstance(opposite, EReference) and made.eOpposite is None:
+                made.eOpposite = opposite
+        Details(packages, self._made_for).add()
+
+    def _made_for(self, one: DescribedElement) -> EModelElement | None:
+        if isinstance(one, Classifier):
+            return self._classifier(one)
+        return self.features.get(one) if isinstance(one, Feature) else self.packages[one] if isinstance(one, Package) else None
 
     def _class(self, cls: Class) -> EClass:
-        supertypes = [self._classifier(base) for base in cls.supertypes]
-        bases = [base.python_class for base in supertypes if base.python_class is not ecore.EObject]
+        supertypes = [self._eclass(base) for base in cls.supertypes]
+        bases: list[type[EObject]] = [base.python_class for base in supertypes if base.python_class is not ecore.EObject]
         bases = [b for b in bases if not any(b is not other and issubclass(other, b) for other in bases)]
         if not any(issubclass(base, Element) for base in bases):
             bases.insert(0, Element)
@@ -125,10 +150,16 @@ class PackageMaker:
         python.eClass = eclass
         return eclass
 
-    def _classifier(self, classifier: Classifier | None) -> Any:
+    def _eclass(self, cls: Class) -> EClass:
+        made = self._classifier(cls)
+        assert isinstance(made, EClass)
+        return made
+
+    def _kind(self, classifier: Classifier | None) -> EClassifier | None:
+        return None if classifier is None else self._classifier(classifier)
+
+    def _classifier(self, classifier: Classifier) -> EClassifier:
         """What was made for a classifier, or pyecore's own for one of Ecore's."""
-        if classifier is None:
-            return None
         found = self.made.get(classifier)
         if found is None:
             found = self.made[classifier] = _known(classifier)
@@ -137,20 +168,21 @@ class PackageMaker:
         return found
 
     def _fill(self, cls: Class) -> None:
-        eclass = self.made[cls]
+        eclass = self._eclass(cls)
+        python: Any = eclass.python_class
         for feature in cls.features:
             made = self.features[feature] = self._feature(feature)
             key = python_name(feature.name, MEMBER)
-            setattr(eclass.python_class, key, made)
+            setattr(python, key, made)
             if feature.name in MEMBER:  # every element needs that name for itself
                 set_key(made, key)
-                eclass.python_class._renamed = {**eclass.python_class._renamed, feature.name: key}
+                python._renamed = {**python._renamed, feature.name: key}
             else:
-                setattr(eclass.python_class, feature.name, made)
+                setattr(python, feature.name, made)
             eclass.eStructuralFeatures.append(made)
         for operation in cls.operations:
-            parameters = [ecore.EParameter(p.name, self._classifier(p.classifier)) for p in operation.parameters]
-            kind = self._classifier(operation.classifier)
+            parameters = [ecore.EParameter(p.name, self._kind(p.classifier)) for p in operation.parameters]
+            kind = self._kind(operation.classifier)
             eclass.eOperations.append(ecore.EOperation(operation.name, kind, parameters, upper=operation.upper))
 
     def _feature(self, feature: Feature) -> EStructuralFeature:
@@ -159,7 +191,7 @@ class PackageMaker:
             "changeable": feature.changeable, "volatile": feature.volatile, "transient": feature.transient,
             "derived": feature.derived, "unsettable": feature.unsettable, "derived_class": FeatureCollection,
         }  # fmt: skip
-        kind = self._classifier(feature.classifier)
+        kind = self._kind(feature.classifier)
         if feature.is_reference:
             if kind is None or isinstance(kind, ecore.EDataType):
                 kind = ecore.EObject.eClass

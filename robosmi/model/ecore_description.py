@@ -9,14 +9,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from robosmi.diagnostics import Location
 from robosmi.model.datatypes import ECORE_URI, XML_TYPE_URI
 from robosmi.model.ordering import post_order
 
+if TYPE_CHECKING:
+    from robosmi.model.ecore_xml import EcoreNode
 
-@dataclass(eq=False)
+
+
+@dataclass(eq=False, repr=False)
 class DescribedElement:
     """Anything with a name and a place.
 
@@ -25,12 +29,20 @@ class DescribedElement:
     """
 
     name: str
-    location: Location = field(repr=False)
-    documentation: str = field(default="", repr=False)
-    node: Any = field(default=None, repr=False, kw_only=True)
+    location: Location
+    documentation: str = ""
+    node: EcoreNode | None = field(default=None, kw_only=True)
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.name}>"
 
 
-@dataclass(eq=False)
+def _nothing(node: EcoreNode, feature: str) -> list[DescribedElement]:
+    """What a node of a package refers to that no file describes."""
+    return []
+
+
+@dataclass(eq=False, repr=False)
 class Package(DescribedElement):
     """An EPackage.
 
@@ -42,11 +54,11 @@ class Package(DescribedElement):
 
     uri: str = ""
     prefix: str = ""
-    source: Path = field(default=Path(), repr=False)
-    parent: Package | None = field(default=None, repr=False)
-    find: Callable[[Any, str], list[DescribedElement]] = field(default=lambda node, name: [], repr=False)
-    classifiers: list[Classifier] = field(default_factory=list, repr=False)
-    subpackages: list[Package] = field(default_factory=list, repr=False)
+    source: Path = Path()
+    parent: Package | None = None
+    find: Callable[[EcoreNode, str], list[DescribedElement]] = _nothing
+    classifiers: list[Classifier] = field(default_factory=list)
+    subpackages: list[Package] = field(default_factory=list)
 
     @property
     def root(self) -> Package:
@@ -74,11 +86,11 @@ class Package(DescribedElement):
             stack.extend(reversed(package.subpackages))
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class Classifier(DescribedElement):
     """An EClassifier."""
 
-    package: Package = field(default=None, repr=False)  # type: ignore[assignment]
+    package: Package = None  # type: ignore[assignment]
     type_parameters: list[TypeParameter] = field(default_factory=list, repr=False, kw_only=True)
 
     @property
@@ -87,14 +99,14 @@ class Classifier(DescribedElement):
         return f"{self.package.path}.{self.name}"
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class DataType(Classifier):
     """An EDataType; `instance_class` is the Java class it stands for."""
 
     instance_class: str = ""
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class Literal(DescribedElement):
     """An EEnumLiteral; `text` is what model files say."""
 
@@ -102,21 +114,21 @@ class Literal(DescribedElement):
     text: str = ""
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class Enumeration(DataType):
     """An EEnum."""
 
-    literals: list[Literal] = field(default_factory=list, repr=False)
+    literals: list[Literal] = field(default_factory=list)
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class TypeParameter(DescribedElement):
     """An ETypeParameter. Generated code has no type parameters: the first bound stands for it."""
 
-    bounds: list[Classifier | TypeParameter] = field(default_factory=list, repr=False)
+    bounds: list[Classifier | TypeParameter] = field(default_factory=list)
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class Typed(DescribedElement):
     """An ETypedElement. `type` is None for an operation without a result."""
 
@@ -138,14 +150,14 @@ class Typed(DescribedElement):
         return self.type
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class Feature(Typed):
     """An EAttribute or EReference."""
 
-    owner: Class = field(default=None, repr=False)  # type: ignore[assignment]
+    owner: Class = None  # type: ignore[assignment]
     is_reference: bool = False
     containment: bool = False
-    opposite: Feature | None = field(default=None, repr=False)
+    opposite: Feature | None = None
     is_id: bool = False
     default: str | None = None
     changeable: bool = True
@@ -160,24 +172,24 @@ class Feature(Typed):
         return f"{self.owner.path}.{self.name}"
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class Operation(Typed):
     """An EOperation."""
 
-    owner: Class = field(default=None, repr=False)  # type: ignore[assignment]
-    parameters: list[Typed] = field(default_factory=list, repr=False)
-    type_parameters: list[TypeParameter] = field(default_factory=list, repr=False)
+    owner: Class = None  # type: ignore[assignment]
+    parameters: list[Typed] = field(default_factory=list)
+    type_parameters: list[TypeParameter] = field(default_factory=list)
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, repr=False)
 class Class(Classifier):
     """An EClass."""
 
     abstract: bool = False
     interface: bool = False
-    supertypes: list[Class] = field(default_factory=list, repr=False)
-    features: list[Feature] = field(default_factory=list, repr=False)
-    operations: list[Operation] = field(default_factory=list, repr=False)
+    supertypes: list[Class] = field(default_factory=list)
+    features: list[Feature] = field(default_factory=list)
+    operations: list[Operation] = field(default_factory=list)
 
     def ancestors(self) -> list[Class]:
         """All supertypes, direct and indirect, each once, farthest first in Ecore's order."""

@@ -9,17 +9,27 @@ than texts and references (elements of other metamodels) is not kept.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import TypeAlias
 
 from pyecore import ecore as pyecore_ecore
 
 from robosmi.model import ecore
 from robosmi.model.ecore import EObject, EStructuralFeature
-from robosmi.model.ecore_description import Class, Classifier, DescribedElement, Feature, Operation, Package, Typed, TypeParameter
+from robosmi.model.ecore_description import (
+    Class,
+    Classifier,
+    DescribedElement,
+    Enumeration,
+    Feature,
+    Operation,
+    Package,
+    Typed,
+    TypeParameter,
+)  # fmt: skip
 from robosmi.model.ecore_xml import EcoreNode
 from robosmi.model.pyecore_internals import add_silently, contain, key_of, set_features_of
 
-Pair = tuple[DescribedElement, Any]
+Pair: TypeAlias = "tuple[DescribedElement, ecore.EModelElement]"
 """A description, and what was made for it."""
 
 
@@ -31,10 +41,10 @@ class Details:
         made: what was made for a description, or pyecore's own for one of Ecore's; None where there is nothing.
     """
 
-    def __init__(self, packages: Iterable[Package], made: Callable[[DescribedElement], Any]) -> None:
+    def __init__(self, packages: Iterable[Package], made: Callable[[DescribedElement], ecore.EModelElement | None]) -> None:
         self.packages = list(packages)
         self.made = made
-        self.parameters: dict[TypeParameter, Any] = {}
+        self.parameters: dict[TypeParameter, ecore.ETypeParameter] = {}
 
     def add(self) -> None:
         """Complete them all."""
@@ -44,86 +54,97 @@ class Details:
                     self.declare(classifier)
         for root in self.packages:
             for package in root.walk():
-                self.annotations(package, package, self.made(package))
+                self.annotations(package, package, self._made(package))
                 for classifier in package.classifiers:
                     for one, made in self.parts(classifier):
                         self.complete(package, one, made)
 
     def parts(self, classifier: Classifier) -> list[Pair]:
         """A classifier and all that it holds."""
-        made = self.made(classifier)
+        made = self._made(classifier)
         found: list[Pair] = [(classifier, made)]
         if isinstance(classifier, Class):
-            found += [(feature, self.made(feature)) for feature in classifier.features]
+            assert isinstance(made, ecore.EClass)
+            found += [(feature, self._made(feature)) for feature in classifier.features]
             for operation, its in zip(classifier.operations, made.eOperations, strict=True):
                 found.append((operation, its))
                 found += zip(operation.parameters, its.eParameters, strict=True)
-        else:
-            found += zip(getattr(classifier, "literals", ()), getattr(made, "eLiterals", ()), strict=True)
+        elif isinstance(classifier, Enumeration):
+            assert isinstance(made, ecore.EEnum)
+            found += zip(classifier.literals, made.eLiterals, strict=True)
         return found
+
+    def _made(self, one: DescribedElement) -> ecore.EModelElement:
+        """What was made for an element of the packages themselves, which is always there."""
+        made = self.made(one)
+        assert made is not None
+        return made
 
     def declare(self, classifier: Classifier) -> None:
         """Make the type parameters, which generic types refer to."""
         for one, made in self.parts(classifier):
-            for parameter in getattr(one, "type_parameters", ()):
+            for parameter in _parameters_of(one):
                 declared = self.parameters[parameter] = ecore.ETypeParameter(parameter.name)
+                assert isinstance(made, (ecore.EClassifier, ecore.EOperation))
                 made.eTypeParameters.append(declared)
 
-    def complete(self, package: Package, one: DescribedElement, made: Any) -> None:
+    def complete(self, package: Package, one: DescribedElement, made: ecore.EModelElement) -> None:
         """All that the file says of an element besides."""
-        node: EcoreNode = one.node
+        node = _node_of(one)
         self.annotations(package, one, made)
-        for parameter in getattr(one, "type_parameters", ()):
+        for parameter in _parameters_of(one):
             declared = self.parameters[parameter]
             self.annotations(package, parameter, declared)
-            declared.eBounds.extend(self.generic(package, bound) for bound in parameter.node.tagged("eBounds"))
-        if isinstance(one, Typed):
+            declared.eBounds.extend(self.generic(package, bound) for bound in _node_of(parameter).tagged("eBounds"))
+        if isinstance(made, ecore.ETypedElement):
+            assert isinstance(one, Typed)
             self.typed(package, one, made)
-        elif isinstance(one, Classifier):
+        elif isinstance(made, ecore.EClassifier):
             self.names(node, made)
-            if not node.flag("serializable", True):
+            if isinstance(made, ecore.EDataType) and not node.flag("serializable", True):
                 made.serializable = False
-        if isinstance(one, Class):
+        if isinstance(made, ecore.EClass):
             generic = [self.generic(package, child) for child in node.tagged("eGenericSuperTypes")]
             if any(_says_more(one) for one in generic):
                 for supertype in generic:
                     _put(made, pyecore_ecore.EClass.eGenericSuperTypes, supertype)
 
-    def typed(self, package: Package, one: Typed, made: Any) -> None:
+    def typed(self, package: Package, one: Typed, made: ecore.ETypedElement) -> None:
         """Generic type, bounds, and what references and operations have besides."""
-        node: EcoreNode = one.node
+        node = _node_of(one)
         for child in node.tagged("eGenericType"):
             generic = self.generic(package, child)
             if _says_more(generic):
                 made.eGenericType = generic
         if isinstance(one, Feature):
-            if one.is_reference and not node.flag("resolveProxies", True):
-                made.resolveProxies = False
-            keys = [self.made(key) for key in package.find(node, "eKeys") if isinstance(key, Feature)]
-            if keys:
-                made.eKeys = keys
+            if isinstance(made, ecore.EReference):
+                made.resolveProxies = made.resolveProxies and node.flag("resolveProxies", True)
+                keys = [self.made(key) for key in package.find(node, "eKeys") if isinstance(key, Feature)]
+                if keys:
+                    made.eKeys = [key for key in keys if isinstance(key, ecore.EAttribute)]
             return
         made.lowerBound, made.upperBound, made.ordered, made.unique = one.lower, one.upper, one.ordered, one.unique
-        if isinstance(one, Operation):
-            generic = [self.generic(package, child) for child in node.tagged("eGenericExceptions")]
-            if any(_says_more(one) for one in generic):
-                made.eGenericExceptions.extend(generic)
+        if isinstance(made, ecore.EOperation):
+            thrown = [self.generic(package, child) for child in node.tagged("eGenericExceptions")]
+            if any(_says_more(one) for one in thrown):
+                made.eGenericExceptions.extend(thrown)
             else:
                 found = package.find(node, "eExceptions")
-                made.eExceptions.extend([self.made(kind) for kind in found] + [kind.eClassifier for kind in generic])
+                kinds = [*(self.made(kind) for kind in found), *(kind.eClassifier for kind in thrown)]
+                made.eExceptions.extend(kind for kind in kinds if isinstance(kind, ecore.EClassifier))
 
     @staticmethod
-    def names(node: EcoreNode, made: Any) -> None:
+    def names(node: EcoreNode, made: ecore.EClassifier) -> None:
         """The Java classes that the file names, as it names them."""
         if "<" in (text := node.get("instanceTypeName")):
             made.instanceTypeName, text = text, ""
         text = text or node.get("instanceClassName")
-        if isinstance(made, ecore.EClass):
+        if not isinstance(made, ecore.EDataType):
             made.instanceClassName = text or None
         else:
             made.instanceClassName_ = text or None  # pyecore would take its own table's type for it
 
-    def generic(self, package: Package, node: EcoreNode) -> Any:
+    def generic(self, package: Package, node: EcoreNode) -> ecore.EGenericType:
         """The EGenericType that a node describes, with its arguments and bounds."""
         result = self._generic(package, node)
         pending = [(node, result)]
@@ -138,16 +159,16 @@ class Details:
                 pending.append((child, inner))
         return result
 
-    def _generic(self, package: Package, node: EcoreNode) -> Any:
+    def _generic(self, package: Package, node: EcoreNode) -> ecore.EGenericType:
         kind = next((self.made(c) for c in package.find(node, "eClassifier") if isinstance(c, Classifier)), None)
         parameter = next(
             (self.parameters.get(p) for p in package.find(node, "eTypeParameter") if isinstance(p, TypeParameter)), None
         )
         return ecore.EGenericType(eClassifier=kind, eTypeParameter=parameter)
 
-    def annotations(self, package: Package, one: DescribedElement, made: Any) -> None:
+    def annotations(self, package: Package, one: DescribedElement, made: ecore.EModelElement) -> None:
         """The annotations of an element, and theirs."""
-        pending = [(one.node, made)]
+        pending = [(_node_of(one), made)]
         while pending:
             node, owner = pending.pop()
             for child in node.tagged("eAnnotations"):
@@ -164,12 +185,22 @@ class Details:
                 pending.append((child, annotation))
 
 
-def _says_more(generic: Any) -> bool:
+def _node_of(one: DescribedElement) -> EcoreNode:
+    """What stands in the file there; Ecore's own elements, which are in no file, do not come here."""
+    assert one.node is not None
+    return one.node
+
+
+def _parameters_of(one: DescribedElement) -> list[TypeParameter]:
+    return one.type_parameters if isinstance(one, (Classifier, Operation)) else []
+
+
+def _says_more(generic: ecore.EGenericType) -> bool:
     """Whether a generic type is more than the name of a classifier; EMF writes only those as such."""
     return generic.eTypeParameter is not None or len(generic.eTypeArguments) > 0 or generic.eClassifier is None
 
 
-def _put(owner: EObject, feature: EStructuralFeature, part: Any) -> None:
+def _put(owner: EObject, feature: EStructuralFeature, part: EObject) -> None:
     """Put a part into a feature that holds many, and tell nobody."""
     contain(part, owner, feature)
     add_silently(getattr(owner, key_of(feature)), part)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any
+from typing import Any, TypeVar
 
 from robosmi.quoting import html_attribute
+
+T = TypeVar("T")
 
 
 def html_table(head: Iterable[str], lines: Iterable[Iterable[Any]]) -> str:
@@ -17,9 +19,7 @@ def html_table(head: Iterable[str], lines: Iterable[Iterable[Any]]) -> str:
     return f"<table><thead>{cells('th', head)}</thead><tbody>{''.join(cells('td', line) for line in lines)}</tbody></table>"
 
 
-def tree_html(
-    tops: Iterable[Any], label: Callable[[Any], str], contents: Callable[[Any], Sequence[Any]], limit: int = 200
-) -> str:
+def tree_html(tops: Iterable[T], label: Callable[[T], str], contents: Callable[[T], Sequence[T]], limit: int = 200) -> str:
     """Elements with all that they contain, as a tree whose branches open and close; cut after a number of elements.
 
     Args:
@@ -30,7 +30,7 @@ def tree_html(
     """
     lines: list[str] = []
     shown = left = 0
-    pending: list[tuple[Any, bool]] = [(top, False) for top in reversed(list(tops))]
+    pending: list[tuple[T, bool]] = [(top, False) for top in reversed(list(tops))]
     while pending:
         element, ends = pending.pop()
         if ends:

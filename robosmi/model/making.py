@@ -62,7 +62,7 @@ def of_ecore(cls: type) -> Any:
     as_data(made)
     if issubclass(cls, ecore.EClass):  # no name was given yet
         made.name = None
-        set_features_of(made).pop(ecore.ENamedElement.name, None)
+        set_features_of(made).pop(vars(ecore.ENamedElement)["name"], None)
     return made
 
 

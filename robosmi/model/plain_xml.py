@@ -12,33 +12,41 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Self
+from typing import TYPE_CHECKING, Self, TypeAlias, cast
 
 from robosmi import inputs
 from robosmi.errors import ModelError, did_you_mean
-from robosmi.model.driver import Model, ModelElement
+from robosmi.model.driver import FeatureValue, Item, Kind, Model, ModelElement, Node, Type
 from robosmi.model.files import read_input
 from robosmi.model.strict import FeatureValueError, UnknownFeatureError
 from robosmi.model.xml_guard import read_tree, root_offset
 from robosmi.typed import distinct
 
+if TYPE_CHECKING:
+    from lxml.etree import _Element
+
 _PLAIN = ("tagName", "namespaceURI", "text", "children", "parentNode", "line")
 _TYPED = "abdfis"
 _FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
+
+Feature: TypeAlias = "bool | int | float | str | XmlElement | list[XmlElement] | None"
+"""What a feature of an element gives."""
 
 
 class XmlElement(ModelElement):
     """An element of an XML document; the module says what its features are."""
 
     __slots__ = ("_model", "_node")
+    _model: XmlModel
+    _node: _Element
 
-    def __init__(self, model: XmlModel, node: Any) -> None:
+    def __init__(self, model: XmlModel, node: _Element) -> None:
         object.__setattr__(self, "_model", model)
         object.__setattr__(self, "_node", node)
 
     # Structure
 
-    def eContainer(self) -> Any:
+    def eContainer(self) -> XmlElement | None:
         """The parent element, or None."""
         parent = self._node.getparent()
         return None if parent is None else self._model._wrap(parent)
@@ -51,8 +59,8 @@ class XmlElement(ModelElement):
         wrap = self._model._wrap
         return [wrap(child) for child in self._node if isinstance(child.tag, str)]
 
-    def _contents(self) -> list[Any]:
-        return self.children
+    def _contents(self) -> list[ModelElement]:
+        return list(self.children)
 
     def _features(self) -> list[str]:
         attributes = [f"a_{_local(name)}" for name in self._node.attrib]
@@ -84,15 +92,14 @@ class XmlElement(ModelElement):
     @property
     def line(self) -> int | None:
         """The line of the start tag in the file that was read, None for elements that were created."""
-        found: int | None = self._node.sourceline
-        return found
+        return cast("int | None", self._node.sourceline)
 
     @property
     def text(self) -> str:
         """All text in the element, that of the elements in it included."""
-        return "".join(self._node.itertext())
+        return "".join(str(text) for text in self._node.itertext())
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> Feature:
         kind, _, rest = name.partition("_")
         if rest and kind in _TYPED and len(kind) == 1:
             value = self._attribute(rest)
@@ -107,7 +114,7 @@ class XmlElement(ModelElement):
             return self._model._referred(self, rest)
         raise self._unknown(name)
 
-    def __setattr__(self, name: str, value: Any) -> None:
+    def __setattr__(self, name: str, value: FeatureValue) -> None:
         kind, _, rest = name.partition("_")
         if name == "text":
             text = _checked("" if value is None else str(value), self, name)
@@ -118,7 +125,8 @@ class XmlElement(ModelElement):
         elif rest and kind in _TYPED and len(kind) == 1:
             place = self._place(rest)
             if value is None:
-                self._node.attrib.pop(place, None)
+                if place in self._node.attrib:
+                    del self._node.attrib[place]
             else:
                 self._node.set(place, _checked(_written(kind, value, self, name), self, name))
         elif name in _PLAIN or (rest and kind in "cex"):
@@ -135,11 +143,11 @@ class XmlElement(ModelElement):
     def _place(self, name: str) -> str:
         """The full name of the attribute with that local name; the name itself if there is none."""
         attributes = self._node.attrib
-        return name if name in attributes else next((n for n in attributes if _local(n) == name), name)
+        return name if name in attributes else next((str(n) for n in attributes if _local(n) == name), name)
 
     def _attribute(self, name: str) -> str | None:
-        found: str | None = self._node.get(self._place(name))
-        return found
+        found = self._node.get(self._place(name))
+        return None if found is None else str(found)
 
     def __repr__(self) -> str:
         shown = "".join(f" {_local(n)}={v!r}" for n, v in self._node.attrib.items() if _local(n) in ("id", "name", "title"))
@@ -155,12 +163,12 @@ class XmlModel(Model):
         path: the file it was read from.
     """
 
-    def __init__(self, root: Any, name: str = "M", path: Path | None = None) -> None:
+    def __init__(self, root: _Element, name: str = "M", path: Path | None = None) -> None:
         super().__init__(name, path)
         self._root = root
         self._head: bytes | None = None
-        self._created: list[Any] = []
-        self._wrapped: dict[Any, XmlElement] = {}
+        self._created: list[_Element] = []
+        self._wrapped: dict[_Element, XmlElement] = {}
         self._kinds: dict[str, type[XmlElement]] = {}
         self._base = type("Element", (XmlElement,), {"__slots__": (), "__doc__": "Any element."})
         self._bindings: list[tuple[str, str, str, str, bool]] = []
@@ -203,13 +211,13 @@ class XmlModel(Model):
 
     # Types
 
-    def types(self) -> Iterator[tuple[str, Any]]:
+    def types(self) -> Iterator[tuple[str, Type]]:
         """`Element`, and a type for each tag that occurs."""
         yield "Element", self._base
         for tag in distinct(_local(element._node.tag) for element in self._everything()):
             yield f"t_{tag}", self._kind(tag)
 
-    def find_type(self, name: str) -> Any:
+    def find_type(self, name: str) -> type[XmlElement] | None:
         """`Element`, or any `t_tag`: without a metamodel a tag need not occur."""
         if name == "Element":
             return self._base
@@ -224,7 +232,7 @@ class XmlModel(Model):
 
     # Extents
 
-    def _wrap(self, node: Any) -> XmlElement:
+    def _wrap(self, node: _Element) -> XmlElement:
         found = self._wrapped.get(node)
         if found is None:
             found = self._wrapped[node] = self._kind(_local(node.tag))(self, node)
@@ -244,13 +252,13 @@ class XmlModel(Model):
                 tops.extend(child for child in reversed(node) if isinstance(child.tag, str))
         return self._all
 
-    def all_contents(self) -> Iterator[Any]:
+    def all_contents(self) -> Iterator[XmlElement]:
         """All elements in document order, then those that were created and put nowhere yet."""
         return iter(list(self._everything()))
 
     # Identity
 
-    def element(self, identity: str) -> Any:
+    def element(self, identity: str) -> XmlElement | None:
         """The element at a path such as `/instances/instance[3]`, or None."""
         number, slash, path = identity.partition("/")
         if not slash or (number and not number.isdecimal()):
@@ -265,21 +273,27 @@ class XmlModel(Model):
             return None
         return None if found is None else self._wrap(found)
 
-    def id_of(self, element: Any) -> str:
+    def id_of(self, element: Node) -> str:
         """The path of an element from the root: tags with their positions."""
-        self._check_owned(element)
-        top = _top(element._node)
-        path = top.getroottree().getelementpath(element._node)
+        node = self._node_of(element)
+        top = _top(node)
+        path = top.getroottree().getelementpath(node)
         created = [node for node in self._created if node.getparent() is None]
         number = "" if top is self._root else str(created.index(top))
         return f"{number}/{'' if path == '.' else path}"
 
-    def owns(self, element: Any) -> bool:
+    def owns(self, element: Item) -> bool:
         """Whether the element is in this document, or was created and put nowhere yet."""
         if not isinstance(element, XmlElement) or element._model is not self:
             return False
         top = _top(element._node)
         return top is self._root or any(top is node for node in self._created)
+
+    def _node_of(self, element: Node) -> _Element:
+        """lxml's own for an element of this document; any other is refused."""
+        self._check_owned(element)
+        assert isinstance(element, XmlElement)
+        return element._node
 
     def bind(self, tag: str, attribute: str, target: str, target_attribute: str, many: bool = False) -> None:
         """Say what an attribute refers to, for `x_attribute` (the driver's `bind` and `bindMany` in Epsilon).
@@ -293,7 +307,7 @@ class XmlModel(Model):
         """
         self._bindings.append((tag, attribute, target, target_attribute, many))
 
-    def _referred(self, element: XmlElement, attribute: str) -> Any:
+    def _referred(self, element: XmlElement, attribute: str) -> XmlElement | list[XmlElement] | None:
         for tag, name, target, by, many in self._bindings:
             if name == attribute and tag == _local(element._node.tag):
                 value = element._attribute(attribute) or ""
@@ -306,7 +320,7 @@ class XmlModel(Model):
 
     # Change
 
-    def create(self, kind: Any, /, **features: Any) -> Any:
+    def create(self, kind: Kind, /, **features: FeatureValue) -> XmlElement:
         """A new element `t_tag`, in the namespace of the root; put it somewhere with `appendChild`. See `Model.create`."""
         from lxml import etree
 
@@ -315,8 +329,9 @@ class XmlModel(Model):
         if tag is None:
             raise ModelError("an Element needs a tag", fix='create a type such as "t_book"')
         namespace = str(self._root.tag).rpartition("}")[0]
+        prefixes = cast("dict[str, str]", self._root.nsmap)  # with None for the namespace that needs no prefix
         try:
-            node = etree.Element(f"{namespace}}}{tag}" if namespace else tag, nsmap=self._root.nsmap if namespace else None)
+            node = etree.Element(f"{namespace}}}{tag}" if namespace else tag, nsmap=prefixes if namespace else None)
         except ValueError as error:
             raise ModelError(f"'{tag}' is no tag: {error}", fix="use letters, digits, '-', '.' and '_'") from error
         made = self._wrap(node)
@@ -326,16 +341,16 @@ class XmlModel(Model):
         self._change()
         return made
 
-    def delete(self, element: Any) -> None:
+    def delete(self, element: Node) -> None:
         """Take an element with all it contains out of the document; the text behind it stays. See `Model.delete`."""
-        self._check_owned(element)
-        if element._node is self._root:
+        node = self._node_of(element)
+        if node is self._root:
             raise ModelError("the root of a document cannot be deleted", fix="delete what it contains")
-        _detach(element._node)
-        self._created = [node for node in self._created if node is not element._node]
+        _detach(node)
+        self._created = [one for one in self._created if one is not node]
         self._change()
 
-    def _move(self, child: Any, parent: XmlElement) -> None:
+    def _move(self, child: XmlElement, parent: XmlElement) -> None:
         self._check_owned(child)
         self._check_owned(parent)
         if child._node is self._root or any(child._node is one for one in (parent._node, *parent._node.iterancestors())):
@@ -346,15 +361,15 @@ class XmlModel(Model):
         self._change()
 
 
-def _local(name: Any) -> str:
+def _local(name: str | bytes) -> str:
     return str(name).rpartition("}")[2]
 
 
-def _top(node: Any) -> Any:
+def _top(node: _Element) -> _Element:
     return next(reversed(list(node.iterancestors())), node)
 
 
-def _detach(node: Any) -> None:
+def _detach(node: _Element) -> None:
     """Take a node out of its parent; the text behind it stays."""
     parent, tail = node.getparent(), node.tail
     if parent is None:
@@ -368,7 +383,7 @@ def _detach(node: Any) -> None:
     node.tail = None
 
 
-def _typed(kind: str, value: str | None, element: XmlElement, name: str) -> Any:
+def _typed(kind: str, value: str | None, element: XmlElement, name: str) -> bool | int | float | str | None:
     if kind in "as":
         return value or ""
     if kind == "b":
@@ -383,8 +398,8 @@ def _typed(kind: str, value: str | None, element: XmlElement, name: str) -> Any:
         ) from None
 
 
-def _written(kind: str, value: Any, element: XmlElement, name: str) -> str:
-    wanted: Any = {"b": bool, "i": int, "f": (int, float), "d": (int, float)}.get(kind)
+def _written(kind: str, value: FeatureValue, element: XmlElement, name: str) -> str:
+    wanted = {"b": (bool,), "i": (int,), "f": (int, float), "d": (int, float)}.get(kind)
     if wanted is not None and (not isinstance(value, wanted) or (kind != "b" and isinstance(value, bool))):
         raise FeatureValueError(f"{element!r}.{name} does not take {value!r}", fix="give a value of its kind, or use a_...")
     return str(value).lower() if isinstance(value, bool) else str(value)

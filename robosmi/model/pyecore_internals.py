@@ -18,11 +18,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from operator import attrgetter, methodcaller
-from typing import TYPE_CHECKING, Any, TypeGuard
+from typing import TYPE_CHECKING, Any, TypeGuard, TypeVar
 
 from pyecore.innerutils import InternalSet
 
 from robosmi.model.ecore import (
+    Argument,
     DynamicEObject,
     EAttribute,
     EClass,
@@ -33,12 +34,20 @@ from robosmi.model.ecore import (
     EStructuralFeature,
     EValue,
     Listener,
+    ReadResource,
+    Resource,
     Scalar,
     Value,
 )
 
+F = TypeVar("F", bound=EObject)
+
 if TYPE_CHECKING:
-    from robosmi.functions import Function
+
+    class Features(dict[EStructuralFeature, None]):
+        """Features in the order in which they were added."""
+
+        def add(self, feature: EStructuralFeature) -> None: ...
 
 
 CONTAINER = "_container"
@@ -69,7 +78,7 @@ ASSIGN = "_set"
 
 
 def _reader(field: str) -> Callable[[Any], Any]:
-    """A function that reads a field, without a step in Python."""
+    """A function that reads a field, without a step in Python; what it gives is said where it is named."""
     return attrgetter(field)
 
 
@@ -77,11 +86,11 @@ container_of: Callable[[EObject], DynamicEObject | None] = _reader(CONTAINER)
 """The container of an element, or None; `eContainer()` without the call."""
 containing_feature_of: Callable[[EObject], EReference | None] = _reader(CONTAINING_FEATURE)
 """The feature of its container that holds an element, or None."""
-own_resource_of: Callable[[EObject], Any] = _reader(RESOURCE)
+own_resource_of: Callable[[EObject], Resource | None] = _reader(RESOURCE)
 """The resource whose root an element is, or None; `eResource` is that of the outermost container."""
 xmi_id_of: Callable[[EObject], str | None] = _reader(IDENTITY)
 """The xmi:id of an element, or None."""
-set_features_of: Callable[[EObject], Any] = _reader(SET_FEATURES)
+set_features_of: Callable[[EObject], Features] = _reader(SET_FEATURES)
 """The features of an element that were given a value, as the keys of a dictionary."""
 inverse_references_of: Callable[[EObject], set[tuple[EObject, EStructuralFeature]]] = _reader(INVERSE_REFERENCES)
 """The pairs of an element and its feature without opposite that refer to an element."""
@@ -99,7 +108,7 @@ read: Callable[[Any], Any] = methodcaller("_get")
 """The value of a slot, or the collection in it."""
 proxied: Callable[[EObject], Any] = _reader("_wrapped")
 """What a resolved proxy stands for."""
-proxy_place = attrgetter("_proxy_path", "_proxy_resource")
+proxy_place: Callable[[EObject], tuple[str, ReadResource | None]] = attrgetter("_proxy_path", "_proxy_resource")
 """The URI of a proxy, and the resource that resolves it."""
 
 FeatureSet: type = InternalSet
@@ -187,7 +196,7 @@ def fill_silently(collection: Any, values: Sequence[Scalar]) -> None:
     collection.map.update((value, place) for place, value in enumerate(values))
 
 
-def quick_constructor(cls: Any) -> Function:
+def quick_constructor(cls: type[F]) -> Callable[..., F]:
     """A function that makes what `cls(**arguments)` makes, in a fraction of the time; for EAttribute and EReference.
 
     pyecore's constructors assign some twelve features one by one, with a notification each, though nobody can listen yet. Here
@@ -198,8 +207,8 @@ def quick_constructor(cls: Any) -> Function:
     others = {name: value for name, value in plain.__dict__.items() if name not in slots and not _is_own(name)}
     names = {"lower": "lowerBound", "upper": "upperBound"}
 
-    def make(**arguments: Any) -> Any:
-        made = cls.__new__(cls)
+    def make(**arguments: Argument) -> F:
+        made = object.__new__(cls)
         own = made.__dict__
         own.update(others)
         inside = own[SET_FEATURES]

@@ -7,16 +7,37 @@ Any technology's, through `driver`. Nothing is written and nothing recurses; lon
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 from robosmi.model.by_name import feature_value
-from robosmi.model.driver import Model, contents_of, features_of, is_element, label, name_of, type_of
-from robosmi.model.ecore import EEnumLiteral
+from robosmi.model.driver import (
+    Held,
+    Item,
+    Kind,
+    Model,
+    ModelElement,
+    Node,
+    contents_of,
+    features_of,
+    is_element,
+    label,
+    name_of,
+    type_of,
+)
+from robosmi.model.ecore import EClass, EEnum, EEnumLiteral
 from robosmi.model.html_table import html_table, tree_html
 from robosmi.quoting import html_attribute, terminal
 
+if TYPE_CHECKING:
+    from robosmi.model.metamodel import Metamodel
 
-def tree(root: Any, limit: int = 200) -> str:
+K = TypeVar("K")
+V = TypeVar("V")
+Plain: TypeAlias = "Item | list[Item]"
+"""A number, a text or a list of them."""
+
+
+def tree(root: Model | Node, limit: int = 200) -> str:
     """A model or an element with all it contains, one line each, indented by what contains it, for a terminal.
 
     Args:
@@ -37,7 +58,7 @@ def tree(root: Any, limit: int = 200) -> str:
     return "\n".join([*lines, f"... and {left} more"] if left else lines)
 
 
-def rows(source: Any, kind: Any = None) -> list[dict[str, Any]]:
+def rows(source: Model | Iterable[Node], kind: Kind | None = None) -> list[dict[str, Plain]]:
     """Elements as dicts, ready for `pandas.DataFrame`: `id`, `type`, and every feature, with elements by their ids.
 
     Args:
@@ -45,57 +66,59 @@ def rows(source: Any, kind: Any = None) -> list[dict[str, Any]]:
         kind: with a model, the type whose instances are wanted (also by name); all elements if None.
     """
     if isinstance(source, Model):
-        elements: Iterable[Any] = source.all_contents() if kind is None else source.all_of_kind(kind)
+        elements: Iterable[Node] = source.all_contents() if kind is None else source.all_of_kind(kind)
         identity = source.id_of
     else:
         elements, identity = source, _reference
     found = []
     for element in elements:
-        row = {"id": identity(element), "type": name_of(type_of(element))}
+        row: dict[str, Plain] = {"id": identity(element), "type": name_of(type_of(element))}
         for feature in features_of(element):
             row[feature] = plain(feature_value(element, feature))
         found.append(row)
     return found
 
 
-def _reference(element: Any) -> str:
+def _reference(element: Node) -> str:
     from robosmi.model.fragments import fragment_of
 
     return fragment_of(element, []) if hasattr(element, "eClass") else label(element)
 
 
-def plain(value: Any) -> Any:
+def plain(value: Held) -> Plain:
     """A feature's value as numbers, texts and lists: elements by their ids, literals by their names."""
     if isinstance(value, EEnumLiteral):
         return str(value.name)
     if is_element(value):
         return _reference(value)
-    if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, (Sequence, Iterable)):
+    if isinstance(value, (str, bytes, Mapping, ModelElement)) or not isinstance(value, (Sequence, Iterable)):
         return value
     return [x.name if isinstance(x, EEnumLiteral) else _reference(x) if is_element(x) else x for x in value]
 
 
-def metamodel_html(metamodel: Any) -> str:
+def metamodel_html(metamodel: Metamodel) -> str:
     """The classes and enumerations of a metamodel, as HTML."""
     lines = []
     for path, classifier in metamodel.classifiers():
-        inner: Any = getattr(classifier, "eStructuralFeatures", None) or getattr(classifier, "eLiterals", ())
-        lines.append((path, ", ".join(str(x.name) for x in inner)))
+        if isinstance(classifier, EClass):
+            inner = [str(feature.name) for feature in classifier.eStructuralFeatures]
+        else:
+            inner = [str(literal.name) for literal in classifier.eLiterals] if isinstance(classifier, EEnum) else []
+        lines.append((path, ", ".join(inner)))
     return html_table(("type", "features"), lines)
 
 
-def element_html(element: Any) -> str:
+def element_html(element: Node) -> str:
     """An element as HTML: what is registered for its class (kind `view`), else its features and what it contains.
 
     Args:
         element: of a model of any technology.
     """
-    eclass: Any = getattr(element, "eClass", None)
-    package = getattr(eclass, "ePackage", None)
-    if package is not None:
+    kind = type_of(element)
+    if isinstance(kind, EClass) and kind.ePackage is not None:
         from robosmi.plugins import registry
 
-        name = f"{package.nsURI}#{eclass.name}"
+        name = f"{kind.ePackage.nsURI}#{kind.name}"
         if name in registry().entries.get("view", {}):
             return str(registry().get("view", name)(element))
     values = ((name, plain(feature_value(element, name))) for name in features_of(element))
@@ -104,22 +127,23 @@ def element_html(element: Any) -> str:
     return f"<p>{html_attribute(label(element))}</p>{table}{inner}"
 
 
-def pairs_html(pairs: Mapping[Any, Any], head: tuple[str, str] = ("key", "value"), limit: int = 50) -> str:
+def pairs_html(pairs: Mapping[K, V], head: tuple[str, str] = ("key", "value"), limit: int = 50) -> str:
     """A mapping as HTML: an entry a line."""
     left = f"<p>... and {len(pairs) - limit} more</p>" if len(pairs) > limit else ""
     return html_table(head, [[_said(each) for each in pair] for pair in list(pairs.items())[:limit]]) + left
 
 
-def _said(value: Any) -> Any:
+def _said(value: V) -> V | str:
     return label(value) if is_element(value) else value
 
 
-def items_html(items: Sequence[Any], limit: int = 50) -> str:
+def items_html(items: Sequence[V], limit: int = 50) -> str:
     """A collection as HTML: elements with the features of the first, other values one a line."""
     shown = list(items[:limit])
     left = f"<p>... and {len(items) - limit} more</p>" if len(items) > limit else ""
-    if not shown or not all(is_element(x) for x in shown):
+    elements = [x for x in shown if is_element(x)]
+    if not elements or len(elements) < len(shown):
         return html_table((f"{len(items)} items",), [[x] for x in shown]) + left
-    names = [n for n in features_of(shown[0]) if not isinstance(plain(feature_value(shown[0], n)), list)]
-    lines = [[label(x), *(plain(getattr(x, n, "")) for n in names)] for x in shown]
+    names = [n for n in features_of(elements[0]) if not isinstance(plain(feature_value(elements[0], n)), list)]
+    lines = [[label(x), *(plain(feature_value(x, n)) if n in features_of(x) else "" for n in names)] for x in elements]
     return html_table((f"{len(items)} elements", *names), lines) + left

@@ -12,12 +12,12 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from functools import lru_cache
 from pathlib import PurePosixPath
-from typing import Any
+from typing import Any, NamedTuple
 from urllib.parse import quote
 
 from robosmi.errors import ModelError
 from robosmi.model import datatypes, ecore
-from robosmi.model.ecore import EModelElement, EObject, EPackage, EStructuralFeature
+from robosmi.model.ecore import EClass, EModelElement, EObject, EPackage, EStructuralFeature, EValue, Scalar
 from robosmi.model.features import as_package, id_attribute, root_package
 from robosmi.model.lean import plain_value
 from robosmi.model.pyecore_internals import container_of, containing_feature_of, is_value, key_of, value_in, xmi_id_of
@@ -45,8 +45,8 @@ class XmiPlaces:
     def __init__(self, models: Mapping[str, Sequence[EObject]]) -> None:
         self._known: dict[int, tuple[str, str]] = {}
         self.roots: dict[int, str] = {}
-        self._ids: dict[Any, Any] = {}
-        self._steps: dict[Any, _Step] = {}
+        self._ids: dict[type[EObject], _Identity | None] = {}
+        self._steps: dict[EStructuralFeature, _Step] = {}
         self.nested = {id(root) for roots in models.values() for root in roots if root.eContainer() is not None}
         for name, roots in models.items():
             for index, root in enumerate(roots):
@@ -63,7 +63,7 @@ class XmiPlaces:
         roots = {key: place for key, place in self._known.items() if key in self.roots}
         self._known = roots | {key: place for key, place in self._known.items() if place[0] in files}
 
-    def find(self, target: Any) -> tuple[str, str]:
+    def find(self, target: EObject) -> tuple[str, str]:
         """File and fragment of an element; the file is empty for what has a URI of its own, which is then the fragment.
 
         Raises:
@@ -79,28 +79,22 @@ class XmiPlaces:
         own = xmi_id_of(element)
         if own is not None:
             return str(own)
-        known = self._ids.get(element.__class__)
-        if known is None:
-            attribute = id_attribute(element.eClass)
-            if attribute is None:
-                known = (None, None, None)
-            else:
-                kind: Any = attribute.eType
-                known = (key_of(attribute), datatypes.to_text(kind), datatypes.default(attribute, kind))
-            self._ids[element.__class__] = known
-        key, convert, default = known
-        slot = element.__dict__.get(key) if key is not None else None
+        cls = element.__class__
+        if cls not in self._ids:
+            self._ids[cls] = _identity_of(element.eClass)
+        known = self._ids[cls]
+        slot = element.__dict__.get(known.key) if known is not None else None
         value = plain_value(slot) if slot is not None else None
-        if convert is None or value is None or value == default:
+        if known is None or value is None or value == known.default:
             return None
-        identity = str(convert(value))
+        identity = str(known.convert(value))
         if identity[:1] == "/":
             raise UnusableId(identity)
         return identity
 
-    def _way(self, target: Any) -> tuple[str, str]:
+    def _way(self, target: EObject) -> tuple[str, str]:
         """Climb to the nearest element whose place is known, and note the places of all on the way down again."""
-        climbed = []
+        climbed: list[EObject] = []
         one = target
         while id(one) not in self._known:
             if isinstance(one, (ecore.EModelElement, type)):
@@ -114,6 +108,7 @@ class XmiPlaces:
         file, way = known[id(one)]
         for child in reversed(climbed):
             feature = containing_feature_of(child)
+            assert feature is not None  # what has a container lies in a feature of it
             step = self._steps.get(feature) or self._step_of(feature)
             slot = one.__dict__.get(step.key)
             if step.is_plain and slot is not None:
@@ -128,9 +123,26 @@ class XmiPlaces:
             one = child
         return file, way
 
-    def _step_of(self, feature: Any) -> _Step:
+    def _step_of(self, feature: EStructuralFeature) -> _Step:
         step = self._steps[feature] = _Step(feature)
         return step
+
+
+class _Identity(NamedTuple):
+    """How the elements of a class tell their id: the key of its slot, what makes a text of the value, and the default."""
+
+    key: str
+    convert: datatypes.ToText
+    default: Scalar
+
+
+def _identity_of(eclass: EClass) -> _Identity | None:
+    attribute = id_attribute(eclass)
+    if attribute is None:
+        return None
+    kind = attribute.eType
+    assert isinstance(kind, ecore.EDataType)
+    return _Identity(key_of(attribute), datatypes.to_text(kind), datatypes.default(attribute, kind))
 
 
 class _Step:
@@ -141,7 +153,7 @@ class _Step:
     def __init__(self, feature: EStructuralFeature) -> None:
         self.key = key_of(feature)
         self.many = feature.many
-        self.keys = list(getattr(feature, "eKeys", None) or ())
+        self.keys = list(feature.eKeys or ()) if isinstance(feature, ecore.EReference) else []
         self.is_plain = self.many and feature.unique and feature.ordered and not self.keys
         self.text = f"/@{feature.name}{'.' if self.many and not self.keys else ''}"
 
@@ -156,20 +168,20 @@ def shown(element: EObject | None) -> str:
     return f"<{type(element).__name__}{f' name={value!r}' if value is not None else ''}>"
 
 
-def _rest(step: _Step, slot: Any, child: EObject) -> str:
+def _rest(step: _Step, slot: EValue | Sequence[EObject] | None, child: EObject) -> str:
     """What follows the feature's name in a fragment, where it is no index of an ordered set."""
     if not step.many:
-        if slot is None or value_in(slot) is not child:
+        if slot is None or not is_value(slot) or value_in(slot) is not child:
             raise Unplaced
         return ""
-    index = _index([] if slot is None else list(slot), child)
+    index = _index(list(slot) if isinstance(slot, Sequence) else [], child)
     if not step.keys:
         return str(index)
     pairs = [f"{key.name}='{quote(str(child.eGet(key)), safe='')}'" for key in step.keys]
     return f"[{','.join(pairs)}]"
 
 
-def _index(items: list[Any], child: EObject) -> int:
+def _index(items: list[EObject], child: EObject) -> int:
     """The place of a child among its siblings.
 
     Raises:

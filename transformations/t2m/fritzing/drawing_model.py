@@ -9,6 +9,7 @@ from __future__ import annotations
 import io
 import zipfile
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -16,9 +17,11 @@ from robosmi.errors import SourceError
 from robosmi.model import zip_archive
 from robosmi.model.files import write_atomic
 from robosmi.model.plain_xml import XmlModel
-from robosmi.model.strict import Element
 
 from .container import MAX_BYTES, MAX_ENTRIES, read_container
+
+if TYPE_CHECKING:
+    from lxml.etree import _Element
 
 
 class DrawingModel(XmlModel):
@@ -28,7 +31,7 @@ class DrawingModel(XmlModel):
         root, name, path: as for `XmlModel`.
     """
 
-    def __init__(self, root: Element, name: str = "M", path: Path | None = None) -> None:
+    def __init__(self, root: _Element, name: str = "M", path: Path | None = None) -> None:
         super().__init__(root, name, path)
         self.archive = b""
         self.sketch_name = ""
