@@ -12,7 +12,7 @@ import sys
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 Json: TypeAlias = "bool | int | float | str | Sequence[Json] | Mapping[str, Json] | None"
 """What a text in JSON can say; tuples are written as lists."""
@@ -40,7 +40,7 @@ def _readable_errors() -> Iterator[None]:
         raise
 
 
-def toml_of(text: str | bytes) -> dict[str, Any]:
+def toml_of(text: str | bytes) -> dict[str, Json]:
     """The value of a text in TOML 1.0, which is UTF-8 if it is given as bytes.
 
     Raises:
@@ -62,24 +62,90 @@ def _parts(text: str) -> int:
     return longest
 
 
-def json_at(text: str, place: int) -> tuple[Any, int]:
+def json_at(text: str, place: int) -> tuple[Json, int]:
     """The value in JSON that begins at a place of a text, and the place behind it.
 
     Raises:
         ValueError: there is no JSON (`json.JSONDecodeError`, with the place in the text), or as for `json_of`.
     """
     with _readable_errors():
-        return _DECODER.raw_decode(text, place)
+        found: tuple[Json, int] = _DECODER.raw_decode(text, place)
+        return found
 
 
-def json_of(text: str | bytes) -> Any:
+def json_of(text: str | bytes) -> Json:
     """The value of a text in JSON.
 
     Raises:
         ValueError: it is no JSON (`json.JSONDecodeError`), is nested too deeply, or has a number that is too long.
     """
     with _readable_errors():
-        return json.loads(text)
+        found: Json = json.loads(text)
+        return found
+
+
+def as_table(value: Json) -> dict[str, Json]:
+    """A value that must be an object of JSON, or a table of TOML.
+
+    Raises:
+        ValueError: it is another one.
+    """
+    if not isinstance(value, dict):
+        raise ValueError(f"it is no table: {value!r}")
+    return value
+
+
+def as_list(value: Json) -> list[Json]:
+    """A value that must be a list.
+
+    Raises:
+        ValueError: it is another one.
+    """
+    if not isinstance(value, (list, tuple)):
+        raise ValueError(f"it is no list: {value!r}")
+    return list(value)
+
+
+def as_text(value: Json) -> str:
+    """A value that must be a text.
+
+    Raises:
+        ValueError: it is another one.
+    """
+    if not isinstance(value, str):
+        raise ValueError(f"it is no text: {value!r}")
+    return value
+
+
+def as_number(value: Json) -> float:
+    """A value that must be a number, with a fraction or without.
+
+    Raises:
+        ValueError: it is another one.
+    """
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise ValueError(f"it is no number: {value!r}")
+    return value
+
+
+def as_whole(value: Json) -> int:
+    """A value that must be a whole number.
+
+    Raises:
+        ValueError: it is another one.
+    """
+    if isinstance(value, bool) or not isinstance(value, int):
+        raise ValueError(f"it is no whole number: {value!r}")
+    return value
+
+
+def as_texts(value: Json) -> list[str]:
+    """A value that must be a list of texts.
+
+    Raises:
+        ValueError: it is another one.
+    """
+    return [as_text(each) for each in as_list(value)]
 
 
 def line_of_key(text: str, key: str) -> int | None:

@@ -11,10 +11,10 @@ import os
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from robosmi import inputs
-from robosmi.data_text import json_of
+from robosmi.data_text import as_list, as_table, as_text, as_whole, json_of
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.model.files import digest, write_atomic
@@ -47,9 +47,9 @@ class State:
         self.steps: dict[str, StepState] = {}
         if path is not None and path.is_file():
             try:
-                data = json_of(inputs.read_text(path, inputs.RECORD))
+                data = as_table(json_of(inputs.read_text(path, inputs.RECORD)))
                 if data["schema"] == SCHEMA:
-                    self.steps = {str(name): StepState(**entry) for name, entry in data["steps"].items()}
+                    self.steps = {name: _step_from(as_table(entry)) for name, entry in as_table(data["steps"]).items()}
             except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
                 raise SourceError(
                     f"the record of the last run cannot be read: {error}",
@@ -65,6 +65,12 @@ class State:
         data = (json.dumps({"schema": SCHEMA, "steps": steps}, indent=1, sort_keys=True) + "\n").encode()
         if inputs.read_bytes(self.path, inputs.RECORD) != data if self.path.is_file() else bool(steps):
             write_atomic(self.path, data)
+
+
+def _step_from(entry: dict[str, Json]) -> StepState:
+    outputs = {name: as_text(made) for name, made in as_table(entry["outputs"]).items()}
+    findings = [as_table(finding) for finding in as_list(entry["findings"])]
+    return StepState(as_text(entry["inputs"]), outputs, findings, bool(entry["failed"]))
 
 
 def digest_of(path: Path) -> str:
@@ -88,9 +94,18 @@ def digest_of_all(parts: Iterable[tuple[str, str]]) -> str:
     return digest("\n".join(f"{name}\0{value}" for name, value in parts).encode())
 
 
-def finding_from(data: dict[str, Any]) -> Finding:
+def finding_from(data: dict[str, Json]) -> Finding:
     """A finding as it was remembered."""
-    place = Location(**data["location"]) if data["location"] else None
-    return Finding(
-        data["rule"], Severity[data["severity"]], data["message"], place, data["element"], data["fix"], data["evidence"]
-    )
+
+    def text(key: str) -> str | None:
+        return None if data[key] is None else as_text(data[key])
+
+    place = _location_from(as_table(data["location"])) if data["location"] else None
+    message, evidence = as_text(data["message"]), as_table(data["evidence"])
+    level = Severity[as_text(data["severity"])]
+    return Finding(as_text(data["rule"]), level, message, place, text("element"), text("fix"), evidence)
+
+
+def _location_from(data: dict[str, Json]) -> Location:
+    numbers = {key: None if value is None else as_whole(value) for key, value in data.items() if key != "path"}
+    return Location(as_text(data["path"]), **numbers)

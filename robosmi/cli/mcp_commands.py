@@ -18,7 +18,7 @@ import anyio
 import anyio.abc
 
 from robosmi.cli.root_folder import LONGEST, RootFolder, is_text
-from robosmi.data_text import json_of
+from robosmi.data_text import as_table, json_of
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError
 from robosmi.report.document import SCHEMA
@@ -89,7 +89,7 @@ class Commands:
             message = f"{command} did not end within {self.limit_s:g} s and was stopped; nothing half-written is left"
             return refusal(command, "RS902", 3, message, "give it less to do, or start the server with a longer --limit")
         try:
-            document = json_of(bytes(said))
+            document = as_table(json_of(bytes(said)))
             return {**document, "exit_code": process.returncode}
         except (ValueError, TypeError):
             last = (complained.decode(errors="replace").strip().splitlines() or ["it said nothing"])[-1]

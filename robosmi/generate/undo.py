@@ -16,7 +16,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from robosmi.data_text import json_of
+from robosmi.data_text import Json, as_list, as_table, as_text, as_texts, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.manifest import NAME as MANIFEST
@@ -119,10 +119,11 @@ def undo(folder: Path) -> Undone:
         contents = {name: data for name, data in before.items() if data is not None}
         removed = [name for name, data in before.items() if data is None]
         if MANIFEST in contents:
-            noted = json_of(contents[MANIFEST].decode())
-            choices = sorted({*noted.get("choices", ()), *manifest.choices})  # what was counted stays counted
-            beside = noted.get("beside_choices", "")
-            contents[MANIFEST] = Manifest(noted["files"], choices, beside_choices=beside).to_bytes()
+            noted = as_table(json_of(contents[MANIFEST].decode()))
+            choices = sorted({*as_texts(noted.get("choices", ())), *manifest.choices})  # what was counted stays counted
+            beside = as_text(noted.get("beside_choices", ""))
+            files = {name: as_text(made) for name, made in as_table(noted["files"]).items()}
+            contents[MANIFEST] = Manifest(files, choices, beside_choices=beside).to_bytes()
             manifest.note(folder, contents[MANIFEST])
         put_back = {path: (there[path], old) for path, (old, _) in outside.items()}
         update(folder, contents, removed, places.seen, keep_before(folder, places, contents, removed, put_back))
@@ -147,6 +148,12 @@ def _shown(names: Collection[str]) -> list[str]:
     return sorted(name for name in names if not name.startswith(".robosmi"))
 
 
+def _pair(entry: Json) -> tuple[str | None, str | None]:
+    """What a file held, packed, and the digest of what was written; None for a file that was not there, or is not any more."""
+    old, new = as_list(entry)
+    return None if old is None else as_text(old), None if new is None else as_text(new)
+
+
 Outside = dict[Path, tuple[bytes | None, str | None]]
 
 
@@ -161,11 +168,12 @@ def _read(folder: Path) -> tuple[dict[str, bytes | None], dict[str, str | None],
         fix="make the sketch anew with migrate or generate",
     )  # fmt: skip
     try:
-        known = json_of(kept(folder, STATE))
-        files = known["files"]
+        known = as_table(json_of(kept(folder, STATE)))
+        files = {name: _pair(entry) for name, entry in as_table(known["files"]).items()}
         before = {name: _unpacked(packed) for name, (packed, _) in files.items()}
         after = {name: written for name, (_, written) in files.items()}
-        outside = {Path(path): (_unpacked(old), new) for path, (old, new) in known.get("outside", {}).items()}
+        pairs = {Path(path): _pair(entry) for path, entry in as_table(known.get("outside", {})).items()}
+        outside = {path: (_unpacked(old), new) for path, (old, new) in pairs.items()}
     except FileNotFoundError as error:
         raise SourceError(
             "there is no earlier state of this folder", location=Location(str(folder)),

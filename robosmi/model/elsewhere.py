@@ -15,7 +15,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
-from robosmi.data_text import json_of
+from robosmi.data_text import Json, as_list, as_table, as_text, json_of
 from robosmi.inputs import OUTPUT
 from robosmi.model.files import digest
 from robosmi.model.open_folder import OpenFolder
@@ -100,11 +100,18 @@ def drop(folder: Path) -> None:
 def _recorded(folder: Path, run: object = None) -> Iterator[_Waiting]:
     """What the record of an output folder says; where a run is named, only if it is of that run."""
     try:
-        known = json_of(kept(folder, ELSEWHERE))
+        known = as_table(json_of(kept(folder, ELSEWHERE)))
         if run is None or known["run"] == run:
-            yield from [_Waiting(*one) for one in known["files"]]
+            yield from [_waiting(as_list(one)) for one in as_list(known["files"])]
     except (OSError, ValueError, KeyError, TypeError):  # there is none
         return
+
+
+def _waiting(entry: list[Json]) -> _Waiting:
+    path, beside, old, new = (None if each is None else as_text(each) for each in entry)
+    if path is None or beside is None:
+        raise ValueError("a file that waits has no name")
+    return _Waiting(path, beside, old, new)
 
 
 def _found(around: OpenFolder, name: str) -> str | None:

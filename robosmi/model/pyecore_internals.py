@@ -47,7 +47,8 @@ if TYPE_CHECKING:
     class Features(dict[EStructuralFeature, None]):
         """Features in the order in which they were added."""
 
-        def add(self, feature: EStructuralFeature) -> None: ...
+        def add(self, feature: EStructuralFeature) -> None:
+            """Put a feature behind the others, unless it is there."""
 
 
 CONTAINER = "_container"
@@ -208,7 +209,7 @@ def quick_constructor(cls: type[F]) -> Callable[..., F]:
     names = {"lower": "lowerBound", "upper": "upperBound"}
 
     def make(**arguments: Argument) -> F:
-        made = object.__new__(cls)
+        made = cls.__new__(cls)
         own = made.__dict__
         own.update(others)
         inside = own[SET_FEATURES]

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from robosmi.data_text import json_of
+from robosmi.data_text import as_table, as_text, as_texts, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
 from robosmi.inputs import RECORD
@@ -194,8 +194,9 @@ def _journal(held: OpenFolder) -> tuple[dict[str, str], list[str], object]:
     try:
         data = held.read(JOURNAL, RECORD)
         if is_bound(held.path, data):
-            found = json_of(data.decode())
-            moves, removed = dict(found["move"]), list(found["remove"])
+            found = as_table(json_of(data.decode()))
+            moves = {place: as_text(name) for place, name in as_table(found["move"]).items()}
+            removed = as_texts(found["remove"])
             if all(within(name) for name in (*moves, *moves.values(), *removed)):
                 return moves, removed, found.get("run")
             why = "and names files outside of the folder"

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import json
 import zlib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from robosmi.data_text import json_of
+from robosmi.data_text import Json, as_list, as_table, as_text, as_texts, json_of
 
 _LARGEST = 1 << 26  # bytes; the largest library of the shipped index has 0.4 MB
 
@@ -101,7 +101,7 @@ class HeaderApi:
         }
 
     @staticmethod
-    def from_facts(row: Mapping[str, Any]) -> HeaderApi:
+    def from_facts(row: Mapping[str, Json]) -> HeaderApi:
         """Of a row of facts: `header`, `main`, `classes` (`name`, `kind`, `bases`, `constructors`, `methods`), `functions`,
         `constants`, `enums`; a function is a list of name, parameters, type and perhaps "static".
 
@@ -111,21 +111,21 @@ class HeaderApi:
         try:
             classes = tuple(
                 ApiClass(
-                    _text(c["name"]),
-                    _text(c["kind"]),
-                    _texts(c["bases"]),
-                    _texts(c["constructors"]),
-                    tuple(_function(method) for method in c["methods"]),
+                    as_text(c["name"]),
+                    as_text(c["kind"]),
+                    tuple(as_texts(c["bases"])),
+                    tuple(as_texts(c["constructors"])),
+                    tuple(_function(method) for method in as_list(c["methods"])),
                 )
-                for c in row["classes"]
+                for c in map(as_table, as_list(row["classes"]))
             )
             return HeaderApi(
-                _text(row["header"]),
-                _text(row["main"]),
+                as_text(row["header"]),
+                as_text(row["main"]),
                 classes,
-                tuple(_function(function) for function in row["functions"]),
-                {_text(name): _text(value) for name, value in row["constants"].items()},
-                {_text(name): _texts(values) for name, values in row["enums"].items()},
+                tuple(_function(function) for function in as_list(row["functions"])),
+                {name: as_text(value) for name, value in as_table(row["constants"]).items()},
+                {name: tuple(as_texts(values)) for name, values in as_table(row["enums"]).items()},
             )
         except (KeyError, TypeError, AttributeError, IndexError) as error:
             raise ValueError(f"it lacks or misuses {error}") from error
@@ -196,45 +196,42 @@ def unpacked(data: bytes) -> tuple[HeaderApi, ...]:
     """
     try:
         text = zlib.decompressobj().decompress(data, _LARGEST)
-        return tuple(_headers(json_of(text)))
+        return tuple(map(_header, as_list(json_of(text))))
     except (zlib.error, RecursionError, TypeError) as error:
         raise ValueError(str(error)) from error
 
 
-def _headers(rows: Sequence[Any]) -> Iterator[HeaderApi]:
-    for file, include, classes, functions, constants, enums in rows:
-        yield HeaderApi(
-            file,
-            include,
-            tuple(
-                ApiClass(name, kind, tuple(bases), tuple(constructors), tuple(ApiFunction(*method) for method in methods))
-                for name, kind, bases, constructors, methods in classes
-            ),
-            tuple(ApiFunction(*function) for function in functions),
-            constants,
-            {name: tuple(values) for name, values in enums.items()},
-        )
+def _header(row: Json) -> HeaderApi:
+    file, include, classes, functions, constants, enums = as_list(row)
+    return HeaderApi(
+        as_text(file),
+        as_text(include),
+        tuple(map(_class, as_list(classes))),
+        tuple(map(_packed_function, as_list(functions))),
+        {name: as_text(value) for name, value in as_table(constants).items()},
+        {name: tuple(as_texts(values)) for name, values in as_table(enums).items()},
+    )
+
+
+def _class(row: Json) -> ApiClass:
+    name, kind, bases, constructors, methods = as_list(row)
+    made = tuple(map(_packed_function, as_list(methods)))
+    return ApiClass(as_text(name), as_text(kind), tuple(as_texts(bases)), tuple(as_texts(constructors)), made)
+
+
+def _packed_function(row: Json) -> ApiFunction:
+    name, parameters, returns, *static = as_list(row)
+    return ApiFunction(as_text(name), as_text(parameters), as_text(returns), static == [True])
 
 
 def _row(function: ApiFunction) -> list[str | bool]:
     return [function.name, function.parameters, function.returns, *([True] if function.static else [])]
 
 
-def _shown(function: ApiFunction) -> dict[str, Any]:
+def _shown(function: ApiFunction) -> dict[str, Json]:
     return {"name": function.name, "returns": function.returns, "static": function.static, "signature": function.signature}
 
 
-def _function(values: Sequence[Any]) -> ApiFunction:
-    return ApiFunction(_text(values[0]), _text(values[1]), _text(values[2]), list(values[3:]) == ["static"])
-
-
-def _texts(values: Any) -> tuple[str, ...]:
-    if not isinstance(values, (list, tuple)):
-        raise TypeError(f"{values!r}, which is no list")
-    return tuple(_text(value) for value in values)
-
-
-def _text(value: Any) -> str:
-    if not isinstance(value, str):
-        raise TypeError(f"{value!r}, which is no text")
-    return value
+def _function(row: Json) -> ApiFunction:
+    name, parameters, returns, *static = as_list(row)
+    return ApiFunction(as_text(name), as_text(parameters), as_text(returns), static == ["static"])

@@ -14,7 +14,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from robosmi import inputs, resources
-from robosmi.data_text import json_of
+from robosmi.data_text import as_table, json_of
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import did_you_mean
 from robosmi.model.files import write_atomic
@@ -104,7 +104,8 @@ def _answers(wanted: Sequence[str], board: Board, check: DataTable, toolchain: T
     files = [*_headers(installed.core, toolchain, board)]
     kept = resources.cache_dir() / "boards" / f"{archives.digest(files, text, board, installed)}.json"
     with suppress(OSError, ValueError, TypeError):
-        return {str(name): bytes.fromhex(str(data)) for name, data in json_of(inputs.read_text(kept, inputs.OUTPUT)).items()}
+        record = as_table(json_of(inputs.read_text(kept, inputs.OUTPUT)))
+        return {name: bytes.fromhex(str(data)) for name, data in record.items()}
     with temporary_folder("board") as folder:
         source, made = Path(folder) / f"board{check.text('suffix')}", Path(folder) / "board.s"
         source.write_text(text, encoding="utf-8")

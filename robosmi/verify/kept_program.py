@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import inputs
-from robosmi.data_text import json_of
+from robosmi.data_text import as_list, as_table, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.manifest import NAME as MANIFEST
@@ -117,7 +117,7 @@ def _refuse_others(folder: Path, sketch: Sketch, contents: Iterable[str]) -> Non
 def _is_database(path: Path, sketch: Sketch) -> bool:
     """Whether a file is the compilation database that an earlier run left, which had nothing else to leave."""
     try:
-        entries = json_of(inputs.read_bytes(path, inputs.OUTPUT).decode())
+        entries = [as_table(entry) for entry in as_list(json_of(inputs.read_bytes(path, inputs.OUTPUT).decode()))]
         places = [(Path(str(each["directory"])) / str(each["file"])).resolve() for each in entries]
         return any(place.is_relative_to(sketch.folder.resolve()) for place in places)
     except (OSError, ValueError, KeyError, TypeError):

@@ -10,7 +10,7 @@ import gzip
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from robosmi.data_text import json_of
 from robosmi.model.files import write_atomic
@@ -109,7 +109,7 @@ def _rows(facts: Path) -> list[LibraryRow]:
     """Facts of earlier imports; a file that is damaged is started anew, since importing again makes it."""
     try:
         with packed_lines(facts) as lines:
-            rows: list[LibraryRow] = [json_of(line) for line in lines]
-            return [row for row in rows if isinstance(row, dict) and row.get("name")]
+            rows = [json_of(line) for line in lines]
+            return [cast("LibraryRow", row) for row in rows if isinstance(row, dict) and row.get("name")]
     except (OSError, EOFError, ValueError):
         return []

@@ -12,10 +12,10 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from robosmi import inputs, resources
-from robosmi.data_text import json_of
+from robosmi.data_text import as_table, json_of
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.model.files import write_atomic
@@ -137,12 +137,12 @@ def _headers(path: Path) -> dict[str, HeaderContent]:
     if not path.is_file():
         return {}
     try:
-        headers: dict[str, HeaderContent] = json_of(inputs.read_bytes(path, inputs.DATA))["headers"]
+        headers = as_table(json_of(inputs.read_bytes(path, inputs.DATA)))["headers"]
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise PlatformDataError(f"{path} is damaged: {error}", fix="delete the file and import again") from error
     if not isinstance(headers, dict):
         raise PlatformDataError(f"{path} is damaged: it has no table of headers", fix="delete the file and import again")
-    return headers
+    return cast("dict[str, HeaderContent]", headers)
 
 
 def _settings(name: str, base: ApiIndex, defines: Sequence[str]) -> str:

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import inputs
-from robosmi.data_text import Json, json_of
+from robosmi.data_text import Json, as_list, as_table, as_text, json_of
 from robosmi.errors import UsageError
 from robosmi.metamodels import migration
 from robosmi.model.files import digest
@@ -56,8 +56,8 @@ def _absolute(value: Any) -> Any:
 def last_run(output: Path) -> tuple[list[str], dict[str, Any]] | None:
     """The files and arguments of the last migration into an output folder; None where they are not known."""
     try:
-        known = json_of(kept(output, SOURCES))
-        return [str(file) for file in known["files"]], dict(known["arguments"])
+        known = as_table(json_of(kept(output, SOURCES)))
+        return [str(file) for file in as_list(known["files"])], as_table(known["arguments"])
     except (OSError, ValueError, KeyError, TypeError):
         return None
 
@@ -82,8 +82,9 @@ def project_folder(output: Path, plan: migration.MigrationPlan, source: Path | N
             )
         return (source if source.is_dir() else source.parent).absolute(), ""
     try:
-        known = json_of(kept(output, SOURCES))
-        folder, found = Path(known["folder"]), {str(name): Path(path) for name, path in known["sources"].items()}
+        known = as_table(json_of(kept(output, SOURCES)))
+        folder = Path(as_text(known["folder"]))
+        found = {name: Path(as_text(path)) for name, path in as_table(known["sources"]).items()}
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return None, "no migration of yours has made this folder where it is now"
     changed = [path for name, path in found.items() if _digest(path) != wanted.get(name)]

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import inputs
-from robosmi.data_text import Json, json_of
+from robosmi.data_text import Json, as_table, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.model.files import write_atomic
@@ -66,7 +66,7 @@ def load(path: Path) -> AdapterFile:
     built = path.with_suffix(".json")
     if built.is_file():
         try:
-            data = json_of(inputs.read_bytes(built, inputs.DATA))
+            data = as_table(json_of(inputs.read_bytes(built, inputs.DATA)))
             if data["digest"] == sha256(raw).hexdigest():
                 return _file(data, str(path))
         except (OSError, ValueError, KeyError, TypeError):

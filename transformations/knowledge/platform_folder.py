@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from robosmi import inputs, resources
-from robosmi.data_text import json_of, toml_of
+from robosmi.data_text import Json, as_table, as_texts, json_of, toml_of
 from robosmi.errors import PlatformDataError
 from robosmi.transformations.knowledge.api_data import FunctionMeaning, FunctionPins, HeaderContent, PlatformSettings
 from robosmi.transformations.knowledge.api_facts import ApiEntry, Convention, PinFacts, PinParameter
@@ -36,7 +36,7 @@ class FolderFacts:
         self.settings = cast(PlatformSettings, _toml(folder / "platform.toml"))
         self._standard = _other(self.settings.get("standard"), folder)
         self._like = _other(self.settings.get("like"), folder)
-        own: dict[str, HeaderContent] = _json(folder / "api.json").get("headers", {})
+        own = cast("dict[str, HeaderContent]", _json(folder / "api.json").get("headers", {}))
         inherited = self._standard.headers if self._standard is not None else {}
         self.headers: dict[str, HeaderContent] = {h: c for h, c in inherited.items() if c["kind"] != "platform"} | own
         self.entries: Mapping[str, Sequence[ApiEntry]] = _Entries(
@@ -50,7 +50,7 @@ class FolderFacts:
         """Function and header -> its pins."""
         found: dict[tuple[str, str], PinFacts] = {}
         path = self._file("pins.json")
-        listed: list[FunctionPins] = _json(path).get("functions", []) if path.is_file() else []
+        listed = cast("list[FunctionPins]", _json(path).get("functions", []) if path.is_file() else [])
         for fact in listed:
             facts = _pin_facts(fact)
             found.update({(fact["function"], h): facts for h in fact["headers"]})
@@ -72,7 +72,11 @@ class FolderFacts:
     def library_cores(self) -> Mapping[str, Sequence[str]]:
         """Header -> functions that start code of their library on another core."""
         path = self._file("cogs.toml")
-        return _toml(path).get("headers", {}) if path.is_file() else {}
+        return (
+            {name: as_texts(listed) for name, listed in as_table(_toml(path).get("headers", {})).items()}
+            if path.is_file()
+            else {}
+        )
 
     @property
     def code_arguments(self) -> Mapping[str, int]:
@@ -206,15 +210,14 @@ def _virtual_headers(folder: str) -> dict[str, bytes]:
     return {path.relative_to(root).as_posix(): inputs.read_bytes(path, inputs.SOURCE) for path in sorted(root.rglob("*.h"))}
 
 
-def _json(path: Path) -> dict[str, Any]:
+def _json(path: Path) -> dict[str, Json]:
     try:
-        content: dict[str, Any] = json_of(inputs.read_bytes(path, inputs.DATA))
-        return content
+        return as_table(json_of(inputs.read_bytes(path, inputs.DATA)))
     except (OSError, ValueError) as error:
         raise PlatformDataError(f"the platform data {path.name} cannot be read: {error}", fix="repair or reinstall it") from error
 
 
-def _toml(path: Path) -> dict[str, Any]:
+def _toml(path: Path) -> dict[str, Json]:
     try:
         return toml_of(inputs.read_text(path, inputs.DATA))
     except (OSError, ValueError) as error:

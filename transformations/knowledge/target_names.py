@@ -10,7 +10,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 from robosmi import inputs, resources
-from robosmi.data_text import json_of
+from robosmi.data_text import as_table, as_texts, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.metamodels import platform
@@ -76,8 +76,8 @@ def _read_names(path: Path, kinds: Collection[str]) -> dict[str, list[str]]:
         PlatformDataError: the file cannot be read, or lacks a kind.
     """
     try:
-        data = json_of(inputs.read_bytes(path, inputs.DATA))
-        return {kind: list(data[kind]) for kind in kinds}
+        data = as_table(json_of(inputs.read_bytes(path, inputs.DATA)))
+        return {kind: as_texts(data[kind]) for kind in kinds}
     except (OSError, ValueError, KeyError) as error:
         raise PlatformDataError(
             f"the names cannot be read: {error}", location=Location(str(path)), fix="correct the file"

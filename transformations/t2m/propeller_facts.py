@@ -10,10 +10,11 @@ from __future__ import annotations
 import json
 import sys
 from pathlib import Path
-from typing import Any, TypedDict
+from typing import TypedDict, cast
 
 from robosmi import inputs, resources
 from robosmi.data_text import Json, json_of
+from robosmi.transformations.knowledge.api_data import FunctionPins
 from robosmi.transformations.knowledge.api_spelling import tidy
 
 PLATFORM = "propeller"
@@ -63,17 +64,17 @@ _NOT_COLLECTED = {
 """Function and header -> name and direction of its first parameter, a pin, where the collected facts lack the function."""
 
 
-def pin_facts(parameters: dict[str, list[dict[str, Any]]]) -> dict[str, list[dict[str, Any]]]:
+def pin_facts(parameters: dict[str, list[FunctionPins]]) -> dict[str, list[dict[str, Json]]]:
     """The content of `pins.json`: one entry per function and group of headers; notes are left out."""
     there = {(entry["function"], header) for entry in parameters["functions"] for header in entry["headers"]}
-    more = [
+    more: list[FunctionPins] = [
         {"function": function, "headers": [header], "parameters": [{"index": 0, "name": name, "direction": direction}]}
         for (function, header), (name, direction) in _NOT_COLLECTED.items()
         if (function, header) not in there
     ]
     functions = []
     for entry in sorted([*parameters["functions"], *more], key=lambda x: (x["function"], x["headers"])):
-        functions.append({key: value for key, value in entry.items() if key != "note" and value})
+        functions.append({key: cast("Json", value) for key, value in entry.items() if key != "note" and value})
     return {"functions": functions}
 
 
@@ -88,10 +89,13 @@ def write(folder: Path, target: Path) -> list[Path]:
     def line(value: Json) -> str:
         return json.dumps(value, ensure_ascii=True, separators=(",", ":"))
 
-    api = api_facts(json_of(inputs.read_text(folder / "api_db.json", inputs.DATA)))
+    def read(name: str) -> Json:
+        return json_of(inputs.read_text(folder / name, inputs.DATA))
+
+    api = api_facts(cast("dict[str, _Header]", read("api_db.json")))
     rows = ",\n".join(f"{line(name)}:{line(header)}" for name, header in api["headers"].items())
     (target / "api.json").write_text('{"headers":{\n' + rows + "\n}}\n", encoding="utf-8")
-    pins = pin_facts(json_of(inputs.read_text(folder / "pin_parameters.json", inputs.DATA)))
+    pins = pin_facts(cast("dict[str, list[FunctionPins]]", read("pin_parameters.json")))
     rows = ",\n".join(line(entry) for entry in pins["functions"])
     (target / "pins.json").write_text('{"functions":[\n' + rows + "\n]}\n", encoding="utf-8")
     return [target / "api.json", target / "pins.json"]

@@ -14,9 +14,9 @@ from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
-from robosmi.data_text import json_at
+from robosmi.data_text import Json, json_at
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.drawing_file import drawing_bytes
@@ -28,10 +28,6 @@ _FIX = "open the project in Wokwi and copy its diagram.json again"
 _TELLING = re.compile(r'"(?:parts|connections)"\s*:\s*\[')
 _EDITOR = re.compile(r'"editor"\s*:\s*"wokwi"|"type"\s*:\s*"(?:wokwi|board|chip)-|"\$serialMonitor:')
 _SPACE = re.compile(r"[ \t\r\n]*")
-
-
-Json: TypeAlias = "dict[str, Json] | list[Json] | str | int | float | bool | None"
-"""What JSON can say."""
 
 
 class _Entry(NamedTuple):
