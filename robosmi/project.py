@@ -13,10 +13,10 @@ from dataclasses import dataclass, field
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from robosmi import inputs, resources
-from robosmi.data_text import toml_of
+from robosmi.data_text import Json, as_table, as_text, toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, did_you_mean
 
@@ -132,7 +132,7 @@ def project_in(path: Path, text: str) -> Project:
     return _project(path, text, toml_of(text))
 
 
-def _project(path: Path, text: str, data: dict[str, Any]) -> Project:
+def _project(path: Path, text: str, data: dict[str, Json]) -> Project:
     folder = path.parent
     _known(path, data, _TABLES, "table")
     migrate = _table(path, data, "migrate", text)
@@ -160,18 +160,18 @@ def _project(path: Path, text: str, data: dict[str, Any]) -> Project:
     )
 
 
-def _table(path: Path, data: dict[str, Any], name: str, text: str) -> dict[str, str]:
-    table: dict[str, str] = data.get(name, {})
+def _table(path: Path, data: dict[str, Json], name: str, text: str) -> dict[str, str]:
+    table = data.get(name, {})
     wrong = next((key for key, value in table.items() if not isinstance(value, str)), None) if isinstance(table, dict) else ""
     if wrong is not None:
         line = _line_of(name, wrong, text) or _line_of(name, wrong.partition(".")[0], text) if wrong else None
         which = f", and '{wrong}' is none" if wrong else ""
         message = f"[{name}] must hold texts only{which}"
         raise SourceError(message, location=Location(str(path), line), fix=f'write {wrong or "NAME"} = "VALUE"')
-    return table
+    return {key: as_text(value) for key, value in as_table(table).items()}
 
 
-def _bind(path: Path, data: dict[str, Any], text: str) -> dict[str, str]:
+def _bind(path: Path, data: dict[str, Json], text: str) -> dict[str, str]:
     """[bind], in which TOML takes a key with a point in it, such as a role of a library, for a table."""
     table = data.get("bind", {})
     if isinstance(table, dict):
@@ -181,9 +181,9 @@ def _bind(path: Path, data: dict[str, Any], text: str) -> dict[str, str]:
     return _table(path, data, "bind", text)
 
 
-def _servos(path: Path, data: dict[str, Any], text: str) -> dict[str, ServoTrim]:
+def _servos(path: Path, data: dict[str, Json], text: str) -> dict[str, ServoTrim]:
     """[servos.NAME], in which TOML takes a name with a point in it, such as a role of a library, for a table of tables."""
-    found: dict[str, Any] = {}
+    found: dict[str, Json] = {}
     table = data.get("servos", {})
     for name, entry in table.items() if isinstance(table, dict) else [("", None)]:
         inner = entry if isinstance(entry, dict) and entry and not set(entry) & set(_SERVO) else None
@@ -192,7 +192,7 @@ def _servos(path: Path, data: dict[str, Any], text: str) -> dict[str, ServoTrim]
     return {name: _servo(path, name, entry, _line_of("servos", name, text)) for name, entry in found.items()}
 
 
-def _servo(path: Path, name: str, entry: Any, line: int | None) -> ServoTrim:
+def _servo(path: Path, name: str, entry: Json, line: int | None) -> ServoTrim:
     place, least, most = Location(str(path), line), *PULSES
 
     def wrong(what: str, fix: str) -> SourceError:
@@ -239,21 +239,21 @@ def _line_of(table: str, name: str, text: str) -> int | None:
     return None
 
 
-def _list_of_tables(path: Path, data: dict[str, Any], name: str) -> list[Any]:
+def _list_of_tables(path: Path, data: dict[str, Json], name: str) -> list[Json]:
     entries = data.get(name, [])
     if not isinstance(entries, list):
         raise _wrong(path, f"'{name}' must be a list of tables", f"write each entry as [[{name}]]")
     return entries
 
 
-def _accepted(path: Path, entry: Any) -> Accepted:
+def _accepted(path: Path, entry: Json) -> Accepted:
     keys = ("rule", "element", "reason")
     if not isinstance(entry, dict) or any(not isinstance(entry.get(k), str) for k in keys):
         raise _wrong(path, "[[accept]] needs the texts rule, element and reason", "add what is missing")
-    return Accepted(entry["rule"], entry["element"], entry["reason"])
+    return Accepted(as_text(entry["rule"]), as_text(entry["element"]), as_text(entry["reason"]))
 
 
-def _known(path: Path, data: dict[str, Any], known: tuple[str, ...], what: str) -> None:
+def _known(path: Path, data: Iterable[str], known: tuple[str, ...], what: str) -> None:
     for key in data:
         if key not in known:
             raise _wrong(path, f"'{key}' is no {what}{did_you_mean(key, known)}", f"use one of: {', '.join(known)}")
@@ -263,7 +263,7 @@ def _wrong(path: Path, message: str, fix: str) -> SourceError:
     return SourceError(message, location=Location(str(path)), fix=fix)
 
 
-def defaults(project: Path | None = None) -> dict[str, Any]:
+def defaults(project: Path | None = None) -> dict[str, dict[str, Json]]:
     """What commands take when nothing else is said: all `defaults.toml` of the platform repository as one.
 
     A file adds its tables to those of the files behind it in search order (project, ROBOSMI_PATH, user, plug-ins, built-in);
@@ -278,6 +278,40 @@ def defaults(project: Path | None = None) -> dict[str, Any]:
     return _merged(tuple((str(path), path.stat().st_mtime_ns) for path in _default_files(project)))
 
 
+def default_text(table: str, key: str, project: Path | None = None) -> str:
+    """The text that a key of the defaults has.
+
+    Args:
+        table: name of a table of the defaults.
+        key: in that table.
+        project: the project folder; the current folder if None.
+
+    Raises:
+        PlatformDataError: it is missing, or no text.
+    """
+    value = defaults(project).get(table, {}).get(key)
+    if not isinstance(value, str):
+        raise _no_default(table, key, "text", project)
+    return value
+
+
+def default_number(table: str, key: str, project: Path | None = None) -> float:
+    """The number that a key of the defaults has; see `default_text`."""
+    value = defaults(project).get(table, {}).get(key)
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise _no_default(table, key, "number", project)
+    return value
+
+
+def _no_default(table: str, key: str, kind: str, project: Path | None) -> PlatformDataError:
+    said = defaults(project).get(table, {})
+    what = f"it is {said[key]!r}" if key in said else f"it is missing{did_you_mean(key, said)}"
+    place = defaults_place(table, key, project)
+    return PlatformDataError(
+        f"'{table}.{key}' must be a {kind}, {what}", location=Location(str(place)), fix=f"write {key} in [{table}]"
+    )
+
+
 def defaults_place(table: str, key: str, project: Path | None = None) -> Path:
     """The file whose value of a key counts, for messages; the built-in one where no file has it.
 
@@ -287,7 +321,7 @@ def defaults_place(table: str, key: str, project: Path | None = None) -> Path:
         project: the project folder; the current folder if None.
     """
     files = list(_default_files(project))
-    return next((path for path in files if key in read_data(path).get(table, {})), files[-1])
+    return next((path for path in files if key in as_table(read_data(path).get(table, {}))), files[-1])
 
 
 def _default_files(project: Path | None) -> Iterator[Path]:
@@ -295,8 +329,8 @@ def _default_files(project: Path | None) -> Iterator[Path]:
 
 
 @cache
-def _merged(files: tuple[tuple[str, int], ...]) -> dict[str, Any]:  # by time of change: an edited file is read anew
-    merged: dict[str, Any] = {}
+def _merged(files: tuple[tuple[str, int], ...]) -> dict[str, dict[str, Json]]:  # by time of change: an edited file is read anew
+    merged: dict[str, dict[str, Json]] = {}
     for path, _ in reversed(files):
         for name, table in read_data(Path(path)).items():
             if not isinstance(table, dict):
@@ -307,7 +341,7 @@ def _merged(files: tuple[tuple[str, int], ...]) -> dict[str, Any]:  # by time of
     return merged
 
 
-def read_data(path: Path) -> dict[str, Any]:
+def read_data(path: Path) -> dict[str, Json]:
     """A TOML file of the platform repository.
 
     Raises:

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from robosmi.model.ecore_xml import EcoreNode
 
 
-
 @dataclass(eq=False, repr=False)
 class DescribedElement:
     """Anything with a name and a place.

@@ -20,7 +20,7 @@ from robosmi.generate.places import Places, free_name
 from robosmi.generate.text_form import read
 from robosmi.metamodels import migration, platform
 from robosmi.model.files import write_atomic
-from robosmi.project import FILE_NAME, defaults, load_project
+from robosmi.project import FILE_NAME, default_text, load_project
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.chains.models import stored_models
 from robosmi.transformations.chains.own_adapters import fault_of_saved
@@ -121,9 +121,9 @@ def show_adapter(name: str, target: str | None = None, source: str | None = None
 
 def _of(target: str | None, source: str | None) -> tuple[AdapterIndex, ApiIndex]:
     """The adapter files and the source platform that count in the current folder."""
-    settings, said = load_project(Path()), defaults()["migrate"]
-    facts = target_facts(target or settings.target or said["target"])
-    api = ApiIndex.load(source or settings.source_platform or said["source_platform"])
+    settings = load_project(Path())
+    facts = target_facts(target or settings.target or default_text("migrate", "target"))
+    api = ApiIndex.load(source or settings.source_platform or default_text("migrate", "source_platform"))
     beside = settings.path.parent if settings.path is not None else None
     return adapter_index(facts.platform, api.name, beside=beside, language=facts.language), api
 

@@ -12,7 +12,7 @@ from robosmi.chain.run import Progress
 from robosmi.diagnostics import Finding
 from robosmi.inputs import read_once
 from robosmi.metamodels import ccode
-from robosmi.project import defaults
+from robosmi.project import default_text
 from robosmi.resources import project_of_input
 from robosmi.transformations.chains.reading import check_source_platform, read_program
 from robosmi.transformations.knowledge.platform_api import ApiIndex
@@ -66,7 +66,7 @@ def source_api(source_platform: str | None) -> ApiIndex:
     Raises:
         UsageError: there is no such platform.
     """
-    name = source_platform or str(defaults()["migrate"]["source_platform"])
+    name = source_platform or default_text("migrate", "source_platform")
     check_source_platform(name)
     return ApiIndex.load(name)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from robosmi.metamodels import migration, platform
 from robosmi.plugins import content
-from robosmi.project import defaults
+from robosmi.project import default_text
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.recommend.ranking import Ranker
 from robosmi.transformations.chains.drawn import StoredDrawing
@@ -18,7 +18,7 @@ def ranker(target: TargetFacts) -> Ranker | None:
     """What ranks libraries; None for a target that has none."""
     if not target.libraries:
         return None
-    made: Ranker = content("ranker", defaults()["rank"]["ranker"])(target.libraries, architecture=target.architecture)
+    made: Ranker = content("ranker", default_text("rank", "ranker"))(target.libraries, architecture=target.architecture)
     return made
 
 

@@ -23,7 +23,7 @@ from robosmi.model.commit import again_when_changed
 from robosmi.model.elsewhere import Elsewhere
 from robosmi.model.recovery import recover
 from robosmi.plugins import content
-from robosmi.project import Project, defaults, project_of
+from robosmi.project import Project, default_number, default_text, project_of
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.resources import project_of_input
 from robosmi.transform import Trace
@@ -107,7 +107,7 @@ def source_api(source_platform: str | None, settings: Project, target: TargetFac
     Raises:
         UsageError: there is no such platform.
     """
-    name = source_platform or settings.source_platform or defaults()["migrate"]["source_platform"]
+    name = source_platform or settings.source_platform or default_text("migrate", "source_platform")
     check_source_platform(name)
     api = ApiIndex.load(name)
     return api.adapted(AdapterPins(adapter_files_of(settings, target, api)))
@@ -119,7 +119,7 @@ def target(target_name: str | None, settings: Project) -> TargetFacts:
     Raises:
         UsageError: there is no such target.
     """
-    return target_facts(target_name or settings.target or defaults()["migrate"]["target"])
+    return target_facts(target_name or settings.target or default_text("migrate", "target"))
 
 
 def program(program_files: Any, api: ApiIndex, target: TargetFacts) -> StoredProgram:
@@ -161,11 +161,10 @@ def choices(
     """
     if libraries and not target.libraries:
         raise UsageError(f"a library is chosen, and the target '{target.target}' has none", fix="leave out the choice")
-    limits = defaults()
     said = {**settings.libraries, **libraries} if target.libraries else {}
     kept = (stored or NOTHING).libraries if target.libraries else {}
     places = settings.places("libraries", [name for name in settings.libraries if name not in libraries])
-    made = LibrariesSaid(said, limits["choices"]["limit"], limits["rank"]["candidates"], kept, places)
+    made = LibrariesSaid(said, default_number("choices", "limit"), int(default_number("rank", "candidates")), kept, places)
     if made.libraries and drawing is None:
         raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
     return made
@@ -192,7 +191,7 @@ def judgement(
         UsageError: adapters are neither filled nor placeholders.
         PlatformDataError: an adapter file is wrong, or an adapter that a person keeps does not compile.
     """
-    how = adapters or defaults()["migrate"]["adapters"]
+    how = adapters or default_text("migrate", "adapters")
     target.reserve_names_of(board)
     files = adapter_files_of(settings, target, api)
     members, calls = outside_members(program.views), {name for view in program.views for name in view.called()}

@@ -19,7 +19,7 @@ from robosmi.data_text import as_table, json_of
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.model.files import write_atomic
-from robosmi.project import defaults
+from robosmi.project import default_text
 from robosmi.transformations.knowledge.api_data import HeaderContent, PlatformSettings
 from robosmi.transformations.knowledge.platform_api import ApiIndex, forget_platforms
 from robosmi.transformations.t2m.platform_headers import read_headers
@@ -108,7 +108,7 @@ def _base(name: str, like: str | None) -> ApiIndex:
     if like is None and (own / "platform.toml").is_file():
         return ApiIndex.load(name)  # as at the first import
     known = sorted({api.parent.name for place in resources.folders("platform_repo") for api in place.glob("*/api.json")})
-    like = like or str(defaults()["platform_import"]["like"])
+    like = like or default_text("platform_import", "like")
     if like not in known or like == name:
         raise UsageError(
             f"there is no platform '{like}' to be like{did_you_mean(like, known)}", fix=f"use one of: {', '.join(known)}"

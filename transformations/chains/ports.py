@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from robosmi.metamodels import migration, platform
-from robosmi.project import Project, defaults
+from robosmi.project import Project, default_number
 from robosmi.transform import Trace
 from robosmi.transformations.chains.drawn import StoredDrawing
 from robosmi.transformations.chains.program import StoredProgram
@@ -45,7 +45,7 @@ def bindings(
     connections = list(drawing.hardware.connections) if drawing is not None else []
     asked = with_conventions(ports, judgement[0].adapters, program.views)
     said = (SaidPins(settings.bind, settings.places("bind", settings.bind)), SaidPins({**bind}))
-    limit, kept = defaults()["choices"]["limit"], (stored or NOTHING).ports
+    limit, kept = default_number("choices", "limit"), (stored or NOTHING).ports
     split = split_functions(judgement[0].adapters)
     return bind_ports(asked, api, source, connections, board, said, limit, kept, split)
 

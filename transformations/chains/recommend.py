@@ -10,7 +10,7 @@ from typing import Any
 from robosmi.diagnostics import Finding
 from robosmi.errors import UsageError
 from robosmi.plugins import content
-from robosmi.project import defaults
+from robosmi.project import default_text
 from robosmi.query import Q
 from robosmi.recommend.component import ComponentQuery, read_components
 from robosmi.recommend.ranking import Recommendation
@@ -103,10 +103,10 @@ def _ranked(
         findings = drawing.findings
         reached = Q(drawing.connections).collect(lambda c: c.component).select(lambda c: c is not None).distinct()
         queries = [component_query(c) for c in reached if c is not None]
-    facts = target_facts(target or defaults()["migrate"]["target"])
+    facts = target_facts(target or default_text("migrate", "target"))
     if not facts.libraries:
         raise UsageError(f"the target '{facts.target}' has no libraries", fix="give another --target")
-    rank = content("ranker", ranker or defaults()["rank"]["ranker"])(facts.libraries, architecture=facts.architecture)
+    rank = content("ranker", ranker or default_text("rank", "ranker"))(facts.libraries, architecture=facts.architecture)
     earlier = earlier_choices(history, facts)
     answers = [rank.rank(query, earlier) for query in queries]
     return Recommendations(queries, answers, [*findings, *history_findings(earlier)])

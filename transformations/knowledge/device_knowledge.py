@@ -12,6 +12,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from robosmi import inputs, resources
+from robosmi.data_text import as_texts
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.project import read_data
@@ -57,7 +58,7 @@ def _knowledge(tables: _Files, usual: _Files, single: _Files) -> Knowledge:
     words, decision = (path for path, _ in single)
     stop = read_data(words)
     return Knowledge(
-        stop=StopWords(*(frozenset(map(stem, stop.get(key, ()))) for key in ("makers", "common"))),
+        stop=StopWords(*(frozenset(map(stem, as_texts(stop.get(key, ())))) for key in ("makers", "common"))),
         lexicon=Lexicon(path for path, _ in tables),
         usual=_usual([path for path, _ in usual]),
         model=DecisionModel.from_data(read_data(decision)),

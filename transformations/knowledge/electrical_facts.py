@@ -12,10 +12,10 @@ from dataclasses import dataclass, fields, replace
 from fnmatch import fnmatchcase, translate
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from robosmi import inputs
-from robosmi.data_text import Json, line_of_key, line_of_value
+from robosmi.data_text import Json, as_list, as_number, as_table, as_text, as_texts, as_whole, line_of_key, line_of_value
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.metamodels import hardware
@@ -97,16 +97,18 @@ class _Entry(NamedTuple):
 class ElectricalFacts:
     """One file: its entries, and what names of connectors say."""
 
-    def __init__(self, table: Mapping[str, Any], path: str) -> None:
+    def __init__(self, table: Mapping[str, Json], path: str) -> None:
         _check_tables(table, path)
-        devices = list(table.get("device", ()))
+        devices = [as_table(device) for device in as_list(table.get("device", ()))]
         self._entries = [_entry(device, path) for device in devices]
-        self._words = Phrases((word, number) for number, device in enumerate(devices) for word in device.get("words", ()))
+        self._words = Phrases((word, number) for number, device in enumerate(devices) for word in _texts(device, "words"))
         self.names = {
-            key: re.compile("|".join(translate(name.lower()) for name in names)) for key, names in table.get("names", {}).items()
+            key: re.compile("|".join(translate(name.lower()) for name in as_texts(names)))
+            for key, names in as_table(table.get("names", {})).items()
         }
         self._known: dict[tuple[object, ...], DeviceFacts | None] = {}
-        self.supply_ma = [(float(volts), int(ma)) for volts, ma in table.get("board", {}).get("supply_ma", ())]
+        limits = [as_list(limit) for limit in as_list(as_table(table.get("board", {})).get("supply_ma", ()))]
+        self.supply_ma = [(as_number(volts), int(as_number(most))) for volts, most in limits]
 
     def find(self, component: hardware.Component) -> DeviceFacts | None:
         """What is known of a component, or None."""
@@ -202,8 +204,9 @@ def _read(files: tuple[tuple[str, int], ...]) -> Electrical:
 
 
 _KEYS = {field.name for field in fields(DeviceFacts)}
-_TYPES: dict[str, Any] = {"kind": str, "peak_ma": int, "signal_volts": (int, float)} | dict.fromkeys(
-    ("needs_driver", "inductive", "switch", "series_resistor", "limits_current", "pull_ups", "isolated", "tone"), bool
+_FLAGS = ("needs_driver", "inductive", "switch", "series_resistor", "limits_current", "pull_ups", "isolated", "tone")
+_TYPES: dict[str, tuple[type, ...]] = {"kind": (str,), "peak_ma": (int,), "signal_volts": (int, float)} | dict.fromkeys(
+    _FLAGS, (bool,)
 )
 
 
@@ -216,7 +219,7 @@ _WORDS = {
 """The only values that a key may have, or that its list may hold."""
 
 
-def _entry(device: Mapping[str, Any], path: str) -> _Entry:
+def _entry(device: Mapping[str, Json], path: str) -> _Entry:
     odd = next((key for key in device if key not in _KEYS and key not in _FINDERS), None)
     if odd is not None:
         raise _damaged(path, device, f"'{odd}' is no key of a device{did_you_mean(odd, [*_KEYS, *_FINDERS])}")
@@ -228,13 +231,36 @@ def _entry(device: Mapping[str, Any], path: str) -> _Entry:
             else "kind is missing, or what it is found by"
         )
         raise _damaged(path, device, what)
-    values: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v for k, v in device.items() if k in _KEYS}
-    forbidden = Phrases((word, 0) for word in device.get("not", ()))
-    families = tuple(family.lower() for family in device.get("families", ()))
-    return _Entry(DeviceFacts(**values), frozenset(device.get("ids", ())), families, forbidden)
+    forbidden = Phrases((word, 0) for word in _texts(device, "not"))
+    families = tuple(family.lower() for family in _texts(device, "families"))
+    return _Entry(_facts(device), frozenset(_texts(device, "ids")), families, forbidden)
 
 
-def _is_right(key: str, value: Any) -> bool:
+def _facts(device: Mapping[str, Json]) -> DeviceFacts:
+    volts = [as_number(each) for each in as_list(device.get("volts", ()))]
+    flags = {key: device[key] is True for key in _FLAGS if key in device}
+    return DeviceFacts(
+        kind=as_text(device["kind"]),
+        volts=(volts[0], volts[1]) if volts else None,
+        signal_volts=as_number(device["signal_volts"]) if "signal_volts" in device else None,
+        peak_ma=as_whole(device.get("peak_ma", 0)),
+        terminals=_texts(device, "terminals"),
+        analog=_texts(device, "analog"),
+        wants=_texts(device, "wants"),
+        output=as_text(device.get("output", "")),
+        i2c=tuple(as_whole(address) for address in as_list(device.get("i2c", ()))),
+        rest=as_text(device.get("rest", "")),
+        rest_when=_texts(device, "rest_when"),
+        bench=as_text(device.get("bench", "")),
+        **flags,
+    )
+
+
+def _texts(device: Mapping[str, Json], key: str) -> tuple[str, ...]:
+    return tuple(as_texts(device.get(key, ())))
+
+
+def _is_right(key: str, value: Json) -> bool:
     if key == "volts":
         return isinstance(value, list) and len(value) == 2 and all(isinstance(v, (int, float)) for v in value)
     if key in _WORDS:
@@ -248,7 +274,7 @@ def _is_right(key: str, value: Any) -> bool:
     return isinstance(value, list) and all(isinstance(v, kind) for v in value)
 
 
-def _known_words(key: str, value: Any) -> str:
+def _known_words(key: str, value: Json) -> str:
     """What a key may have, and which of it was meant."""
     if key not in _WORDS:
         return ""
@@ -261,7 +287,7 @@ _TABLES = {"device": list, "names": dict, "board": dict}
 _BOARD = ("supply_ma",)
 
 
-def _check_tables(table: Mapping[str, Any], path: str) -> None:
+def _check_tables(table: Mapping[str, Json], path: str) -> None:
     """Refuse what nobody would read: a table or a key of another name than these."""
     fix = "the head of the built-in parts/electrical.toml says what the keys mean"
     for key, value in table.items():
@@ -269,14 +295,16 @@ def _check_tables(table: Mapping[str, Any], path: str) -> None:
         if key not in _TABLES:
             told = did_you_mean(key.lower(), _TABLES) or "; each device is a [[device]]"
             raise PlatformDataError(f"'{key}' is no table of this file{told}", location=place, fix=fix)
-        if not isinstance(value, _TABLES[key]) or (key == "device" and not all(isinstance(entry, dict) for entry in value)):
+        if not isinstance(value, _TABLES[key]) or (
+            isinstance(value, list) and not all(isinstance(entry, dict) for entry in value)
+        ):
             raise PlatformDataError(
                 f"'{key}' is written [[{key}]]" if key == "device" else f"'{key}' is written [{key}]", location=place, fix=fix
             )
-    for key, names in table.get("names", {}).items():
+    for key, names in as_table(table.get("names", {})).items():
         if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
             raise PlatformDataError(f"'names.{key}' is no list of texts", location=Location(path), fix=fix)
-    for key in table.get("board", {}):
+    for key in as_table(table.get("board", {})):
         if key not in _BOARD:
             raise PlatformDataError(f"'board.{key}' is no key{did_you_mean(key, _BOARD)}", location=Location(path), fix=fix)
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from robosmi import resources
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
-from robosmi.project import defaults
+from robosmi.project import default_text
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.device_ranker import DeviceRanker, Knowledge
 from robosmi.recommend.index import Library, LibraryIndex
@@ -97,7 +97,7 @@ def default_library_platform() -> str:
         UsageError: the default target has none.
         PlatformDataError: its data is damaged.
     """
-    facts = target_facts(str(defaults()["migrate"]["target"]))
+    facts = target_facts(default_text("migrate", "target"))
     if not facts.libraries:
         raise UsageError(f"the target '{facts.target}' has no libraries", fix="name the platform that the libraries are for")
     return facts.libraries

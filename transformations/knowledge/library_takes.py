@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from robosmi import resources
+from robosmi.data_text import as_list, as_table, as_texts
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.metamodels import platform
@@ -93,16 +94,19 @@ def bus_pins(board: platform.Board, buses: Iterable[str]) -> list[str]:
 @lru_cache(maxsize=4)
 def _read(path: Path, mtime_ns: int) -> Mapping[str, list[_Entry]]:
     found: dict[str, list[_Entry]] = {}
-    for entry in read_data(path).get("library", []):
-        lists = {key: entry.get(key, []) for key in _LISTS}
-        texts = all(isinstance(text, str) for each in lists.values() for text in each)
-        if not lists["names"] or not set(entry) <= _KEYS or not texts:
+    for entry in as_list(read_data(path).get("library", ())):
+        try:
+            said = as_table(entry)
+            lists = {key: tuple(as_texts(said.get(key, ()))) for key in _LISTS}
+        except ValueError:
+            said, lists = {}, dict.fromkeys(_LISTS, ())
+        if not lists["names"] or not set(said) <= _KEYS:
             raise PlatformDataError(
                 f"an entry is no library with what it takes: {entry}",
                 location=Location(str(path)),
                 fix="write names, timers, pins, buses, mcus",
             )
-        takes = Takes(tuple(lists["timers"]), tuple(lists["pins"]), str(entry.get("when", "")))
+        takes = Takes(lists["timers"], lists["pins"], str(said.get("when", "")))
         for name in lists["names"]:
-            found.setdefault(name, []).append(_Entry(takes, tuple(lists["buses"]), tuple(lists["mcus"])))
+            found.setdefault(name, []).append(_Entry(takes, lists["buses"], lists["mcus"]))
     return found

@@ -12,10 +12,10 @@ from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from robosmi import inputs
-from robosmi.data_text import toml_of
+from robosmi.data_text import Json, toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
@@ -196,7 +196,7 @@ def _singular(text: str) -> str:
     return " ".join(word.removesuffix("s") for word in text.lower().split())
 
 
-def read_toml(path: Path | str) -> dict[str, Any]:
+def read_toml(path: Path | str) -> dict[str, Json]:
     """A TOML file of the platform repository.
 
     Raises:
@@ -211,7 +211,7 @@ def read_toml(path: Path | str) -> dict[str, Any]:
     return parse_toml(text, str(path), 1)
 
 
-def parse_toml(text: str, path: str, first_line: int) -> dict[str, Any]:
+def parse_toml(text: str, path: str, first_line: int) -> dict[str, Json]:
     """A piece of a TOML file that begins at that line.
 
     Raises:

@@ -11,10 +11,10 @@ import re
 from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from robosmi import inputs
-from robosmi.data_text import line_of_key
+from robosmi.data_text import Json, as_list, as_table, as_text, as_texts, line_of_key
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.resources import folders
@@ -134,11 +134,11 @@ def _no_part(path: Path, number: int, line: str) -> PlatformDataError:
 
 
 @cache
-def _table(path: str, line: int, chunk: str) -> dict[str, Any]:
+def _table(path: str, line: int, chunk: str) -> dict[str, Json]:
     parsed = parse_toml(chunk, path, line)
-    table: dict[str, Any] = parsed["part"][0]
-    ids: Any = table.get("ids")
-    lists: list[Any] = [*ids.values()] if isinstance(ids, dict) else [ids]
+    table = as_table(as_list(parsed["part"])[0])
+    ids = table.get("ids")
+    lists = [*ids.values()] if isinstance(ids, dict) else [ids]
     if not all(isinstance(texts, list) and texts for texts in lists) or not lists:
         raise PlatformDataError("a part has no ids", location=Location(path, line), fix='give it ids = ["..."]')
     for key, known in [(key, ("part",)) for key in parsed] + [(key, _PART_KEYS) for key in table]:
@@ -146,27 +146,28 @@ def _table(path: str, line: int, chunk: str) -> dict[str, Any]:
             place = Location(path, line + (line_of_key(chunk, key) or 1) - 1)
             raise PlatformDataError(f"'{key}' is no key of a part{did_you_mean(key.lower(), known)}", location=place, fix=_KEYS)
     if (role := table.get("role", "Unknown")) not in ROLES:
-        cause = f"part '{lists[0][0]}' has the unknown role '{role}'"
+        cause = f"part '{as_list(lists[0])[0]}' has the unknown role '{role}'"
         raise PlatformDataError(cause, location=Location(path, line), fix=f"use one of: {', '.join(ROLES)}")
     return table
 
 
-def _ids(table: Mapping[str, Any], tool: str) -> list[str]:
+def _ids(table: Mapping[str, Json], tool: str) -> list[str]:
     """The ids of an entry that are meant: a list holds for every tool, a table has a list for each."""
     ids = table["ids"]
     if isinstance(ids, dict):
-        return [text for name, texts in ids.items() if tool in ("", name) for text in texts]
-    return [*ids]
+        return [text for name, texts in ids.items() if tool in ("", name) for text in as_texts(texts)]
+    return as_texts(ids)
 
 
 _COUNTED = re.compile(r"\.[0-9]+$")
 
 
-def _connector(entry: Any) -> PartConnector:
+def _connector(entry: Json) -> PartConnector:
     """A connector of an entry: a table, or its name alone, which tells what it carries."""
     if isinstance(entry, str):
         return PartConnector(entry, entry, connector_kind(_COUNTED.sub("", entry), names()))
-    return PartConnector(entry["id"], entry.get("name", ""), entry.get("kind", "unknown"))
+    said = as_table(entry)
+    return PartConnector(as_text(said["id"]), as_text(said.get("name", "")), as_text(said.get("kind", "unknown")))
 
 
 @cache
@@ -174,11 +175,18 @@ def _entry(path: str, line: int, chunk: str, part_id: str, tool: str) -> Part | 
     table = _table(path, line, chunk)
     if part_id not in _ids(table, tool):
         return None
+
+    def text(key: str, default: str = "") -> str:
+        return as_text(table.get(key, default))
+
     try:
-        listed = [_connector(c) for c in table.get("connectors", ())]
+        listed = [_connector(c) for c in as_list(table.get("connectors", ()))]
         connectors = {c.id: c for c in listed}
-        buses = {name: tuple(members) for name, members in table.get("buses", {}).items()}
-        shapes = tuple(re.compile(shape).pattern for shape in table.get("shapes", ()))
+        buses = {name: tuple(as_texts(members)) for name, members in as_table(table.get("buses", {})).items()}
+        shapes = tuple(re.compile(shape).pattern for shape in as_texts(table.get("shapes", ())))
+        title, family, role, description = text("title"), text("family"), text("role", "Unknown"), text("description")
+        tags, evidence = tuple(as_texts(table.get("tags", ()))), text("evidence", "so says the entry")
+        properties = {str(k): str(v) for k, v in as_table(table.get("properties", {})).items()}
     except (KeyError, TypeError, ValueError, AttributeError, re.error) as error:
         raise PlatformDataError(f"part '{part_id}' is damaged: {error!r}", location=Location(path, line), fix=_KEYS) from error
     faults = [f"connector '{c.id}' has the unknown kind '{c.kind}'" for c in connectors.values() if c.kind not in KINDS]
@@ -191,17 +199,17 @@ def _entry(path: str, line: int, chunk: str, part_id: str, tool: str) -> Part | 
         raise PlatformDataError(f"part '{part_id}': {faults[0]}", location=Location(path, line), fix=_KEYS)
     return Part(
         id=part_id,
-        title=table.get("title", ""),
-        family=table.get("family", ""),
-        tags=tuple(table.get("tags", ())),
-        role=table.get("role", "Unknown"),
-        evidence=f"catalogue of parts: {table.get('evidence', 'so says the entry')}" if "role" in table else "",
+        title=title,
+        family=family,
+        tags=tags,
+        role=role,
+        evidence=f"catalogue of parts: {evidence}" if "role" in table else "",
         driver=bool(table.get("driver", False)),
         connectors=connectors,
         buses=buses,
-        properties={str(k): str(v) for k, v in table.get("properties", {}).items()},
+        properties=properties,
         source=f"parts/{Path(path).name}",
         tool=tool,
-        description=table.get("description", ""),
+        description=description,
         shapes=shapes,
     )

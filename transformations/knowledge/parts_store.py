@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import inputs
-from robosmi.data_text import json_of
+from robosmi.data_text import Json, as_list, as_table, as_text, as_texts, as_whole, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.model.sqlite_files import writing
@@ -91,7 +91,7 @@ class PartsFile:
     def words(self, part_id: str) -> dict[str, int]:
         """How often each word stands in the description of a part; empty for a part that is not here."""
         rows = self._all("SELECT words FROM part WHERE id = ?", part_id)
-        return {str(word): int(count) for word, count in self._unpacked(rows[0][0]).items()} if rows else {}
+        return {word: as_whole(count) for word, count in as_table(self._unpacked(rows[0][0])).items()} if rows else {}
 
     def ids(self) -> list[str]:
         """The identities of all parts, sorted."""
@@ -100,9 +100,11 @@ class PartsFile:
     def _part(self, row: tuple[Any, ...], known: PartNames) -> Part:
         part_id, title, family, tags, role, driver, evidence, source, facts = row
         try:
-            names, buses, properties = self._unpacked(facts)
+            listed, buses, said = as_list(self._unpacked(facts))
+            names = [as_texts(pair) for pair in as_list(listed)]
             connectors = {c: PartConnector(c, name, connector_kind(name, known)) for c, name in names}
-            joined = {bus: tuple(members) for bus, members in buses.items()}
+            joined = {bus: tuple(as_texts(members)) for bus, members in as_table(buses).items()}
+            properties = {name: as_text(value) for name, value in as_table(said).items()}
         except (ValueError, TypeError, AttributeError) as error:
             raise self._damaged(f"the entry of '{part_id}' is damaged: {error}") from error
         return Part(
@@ -120,7 +122,7 @@ class PartsFile:
             tool=self.tool,
         )
 
-    def _unpacked(self, piece: bytes) -> Any:
+    def _unpacked(self, piece: bytes) -> Json:
         try:
             return json_of(zlib.decompressobj(zdict=_COMMON).decompress(piece, 16 * 1024 * 1024))
         except (zlib.error, ValueError, TypeError) as error:

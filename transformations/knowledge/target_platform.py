@@ -213,9 +213,10 @@ def _entry(target: str, project: Path | None) -> tuple[DataTable, str]:
     listed = defaults(project).get("targets", {})
     if target in listed:
         place = defaults_place("targets", target, project)
-        if not isinstance(listed[target], dict):
+        said = listed[target]
+        if not isinstance(said, dict):
             raise DataTable(place, listed, "targets.").error(target, "must be a table")
-        return _whole(listed[target], place, f"targets.{target}.", project), target
+        return _whole(said, place, f"targets.{target}.", project), target
     for name, path in _platforms_by_board(project):
         boards = mapped_boards(name, project)
         board = target if target in boards else next((b for b in boards if _is_called(target, name, b, project)), None)

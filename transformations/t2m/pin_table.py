@@ -22,7 +22,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, did_you_mean
 from robosmi.metamodels import hardware, platform
 from robosmi.model.strict import enum_literal
-from robosmi.project import defaults
+from robosmi.project import default_text
 from robosmi.quoting import csv_text
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.drawn_boards import PIN_TABLE, normalised_label
@@ -259,7 +259,7 @@ class _Table:
 
 
 def _default_board() -> str:
-    return target_facts(str(defaults()["migrate"]["target"])).board
+    return target_facts(default_text("migrate", "target")).board
 
 
 def _bytes_of(path: Path) -> bytes:

@@ -26,7 +26,7 @@ from robosmi.model.on_demand import Promise, settle
 from robosmi.model.pyecore_internals import key_of, read
 from robosmi.model.strict import Element
 from robosmi.model.structure import root_of
-from robosmi.project import defaults
+from robosmi.project import default_text
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import cursor_kinds
 from robosmi.transformations.t2m.c_source.linking import Linker
@@ -320,5 +320,5 @@ def open_program(
 ) -> OnDemandProgram:
     """Open a program's source file, or all that are compiled together; see `OnDemandProgram`."""
     paths = [path] if isinstance(path, (str, Path)) else list(path)
-    source_platform = platform or defaults()["migrate"]["source_platform"]
+    source_platform = platform or default_text("migrate", "source_platform")
     return OnDemandProgram(paths, source_platform, include_dirs, defines, name or Path(paths[0]).stem)

@@ -15,7 +15,7 @@ from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import ccode
 from robosmi.model.construct import connect
 from robosmi.model.lean import collector_at_rest
-from robosmi.project import defaults
+from robosmi.project import default_text
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import checks, coverage, declarations, macros, preprocessor
 from robosmi.transformations.t2m.c_source.circles import circles
@@ -64,7 +64,7 @@ def read_program(
     given = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
     if not given:
         raise UsageError("no source file is given", fix="name at least one C file")
-    api = ApiIndex.load(platform or str(defaults()["migrate"]["source_platform"]))
+    api = ApiIndex.load(platform or default_text("migrate", "source_platform"))
     folders = [os.fspath(d) for d in include_dirs]
     contexts: list[UnitContext] = []
     files = source_files(given, folders, defines)
