@@ -265,7 +265,7 @@ def real(value: T) -> T:
     if (
         not value.resolved
         and "://" in path
-        and not (resource is None or not any(d.can_resolve(path, resource) for d in resource.decoders))
+        and not (resource is not None and any(d.can_resolve(path, resource) for d in resource.decoders))
     ):
         return value
     try:

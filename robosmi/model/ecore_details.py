@@ -118,7 +118,8 @@ class Details:
                 made.eGenericType = generic
         if isinstance(one, Feature):
             if isinstance(made, ecore.EReference):
-                made.resolveProxies = made.resolveProxies and node.flag("resolveProxies", True)
+                if not node.flag("resolveProxies", True):
+                    made.resolveProxies = False
                 keys = [self.made(key) for key in package.find(node, "eKeys") if isinstance(key, Feature)]
                 if keys:
                     made.eKeys = [key for key in keys if isinstance(key, ecore.EAttribute)]

@@ -153,7 +153,7 @@ class _Step:
     def __init__(self, feature: EStructuralFeature) -> None:
         self.key = key_of(feature)
         self.many = feature.many
-        self.keys = list(feature.eKeys or ()) if isinstance(feature, ecore.EReference) else []
+        self.keys: list[ecore.EAttribute] = list(feature.__dict__.get("eKeys") or ())  # which pyecore does not know
         self.is_plain = self.many and feature.unique and feature.ordered and not self.keys
         self.text = f"/@{feature.name}{'.' if self.many and not self.keys else ''}"
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import tomllib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,6 @@ from typing import Any
 import pytest
 
 from robosmi.cli.main import main
-from robosmi.data_text import toml_of
 from robosmi.resources import built_in
 from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.t2m.wokwi.document import read_diagram
@@ -96,7 +96,7 @@ def test_every_part_and_pin_that_is_drawn_is_one_of_wokwis_elements(
 
 def test_every_type_that_may_be_drawn_is_an_element_with_the_pins_that_are_named() -> None:
     elements = wokwi_elements()
-    entries = toml_of((built_in("platform_repo") / "parts" / "wokwi_types.toml").read_text("utf-8"))["type"]
+    entries = tomllib.loads((built_in("platform_repo") / "parts" / "wokwi_types.toml").read_text("utf-8"))["type"]
     for entry in entries:
         pins = elements[entry["type"]]
         named = [*entry.get("returns", ()), *(pin for group in entry.get("order", ()) for pin in group)]

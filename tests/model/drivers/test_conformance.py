@@ -255,7 +255,7 @@ def test_it_can_be_shown(driver: Driver, model: Model) -> None:
     found = rows(model, driver.kind)
     assert [row[driver.feature] for row in found] == list(driver.values)
     assert {row["type"] for row in found} <= {*model.type_names()}
-    assert all(model.element(row["id"]) is not None for row in found)
+    assert all(model.element(str(row["id"])) is not None for row in found)
     assert driver.kind in to_plantuml(model)
     assert "<table>" in ModelView(model)[driver.kind].all._repr_html_()
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import tomllib
 from typing import Any
 
 import pytest
 
-from robosmi.data_text import toml_of
 from robosmi.resources import built_in
 from robosmi.transformations.knowledge.drawn_boards import drawn_board
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
@@ -24,7 +24,7 @@ def elements() -> dict[str, list[str]]:
 
 def entries() -> list[dict[str, Any]]:
     """The entries of the catalogue."""
-    found: list[dict[str, Any]] = toml_of((built_in("platform_repo") / "parts" / "wokwi.toml").read_text("utf-8"))["part"]
+    found: list[dict[str, Any]] = tomllib.loads((built_in("platform_repo") / "parts" / "wokwi.toml").read_text("utf-8"))["part"]
     return found
 
 
