@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from itertools import pairwise
@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from robosmi import inputs, resources
-from robosmi.data_text import Json, as_table, as_text, toml_of
+from robosmi.data_text import Json, as_table, as_text, line_of_key, toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, did_you_mean
 
@@ -331,14 +331,30 @@ def _default_files(project: Path | None) -> Iterator[Path]:
 @cache
 def _merged(files: tuple[tuple[str, int], ...]) -> dict[str, dict[str, Json]]:  # by time of change: an edited file is read anew
     merged: dict[str, dict[str, Json]] = {}
+    built_in = read_data(Path(files[-1][0])) if files else {}
     for path, _ in reversed(files):
         for name, table in read_data(Path(path)).items():
+            _check_default(path, name, tuple(built_in), f"table of it{did_you_mean(name, built_in)}")
             if not isinstance(table, dict):
                 raise PlatformDataError(
                     f"'{name}' must be a table", location=Location(path), fix=f"write it in a table: [{name}]"
                 )
+            for key in table if name not in _OPEN else ():
+                known = as_table(built_in[name])
+                _check_default(path, key, tuple(known), f"key of [{name}]{did_you_mean(key, known)}")
             merged[name] = {**merged.get(name, {}), **table}
     return merged
+
+
+_OPEN = ("readers", "targets")
+"""Tables of the defaults whose keys are names of one's own: endings, and targets."""
+
+
+def _check_default(path: str, name: str, known: Sequence[str], what: str) -> None:
+    """Refuse a table or a key that the built-in file has not: nobody would ask for it."""
+    if name not in known:
+        place = Location(path, line_of_key(inputs.read_text(Path(path), inputs.DATA), name))
+        raise PlatformDataError(f"'{name}' is no {what}", location=place, fix=f"use one of: {', '.join(known)}")
 
 
 def read_data(path: Path) -> dict[str, Json]:

@@ -17,7 +17,7 @@ from typing import Any
 from robosmi import inputs, resources
 from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location, Severity
-from robosmi.errors import PlatformDataError, UsageError
+from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.typed import distinct
 
 FOLDER = "rules"
@@ -177,7 +177,7 @@ def _of_entry(path: Path, rule: str, section: str, entry: dict[str, Any]) -> Fin
     if wrong := next((key for key in _TEXTS if not isinstance(entry.get(key), str) or not entry[key].strip()), None):
         raise _damaged(path, f"'{rule}.{wrong}' must be a text, and not an empty one")
     if unknown := next((key for key in entry if key not in _KEYS), None):
-        raise _damaged(path, f"'{rule}.{unknown}' is no key of a rule")
+        raise _damaged(path, f"'{rule}.{unknown}' is no key of a rule{did_you_mean(unknown, _KEYS)}")
     levels, says, code = entry.get("severity"), entry.get("says"), entry.get("exit_code")
     if not isinstance(levels, list) or not levels or any(level not in Severity.__members__ for level in levels):
         raise _damaged(path, f"'{rule}.severity' must be a list of {', '.join(Severity.__members__)}")

@@ -12,13 +12,17 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import inputs
+from robosmi.data_text import Json, as_texts
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError
+from robosmi.errors import PlatformDataError, SourceError, did_you_mean
 from robosmi.plugins import content, registry
-from robosmi.project import defaults
+from robosmi.project import defaults, defaults_place
 
 DRAWING = "drawing reader"
 """The registry's kind of readers of drawings."""
+
+PROGRAM = "program reader"
+"""The registry's kind of readers of programs."""
 
 RECOGNISER = "drawing recogniser"
 """The registry's kind of functions, by reader, that tell from a file's first bytes whether it is of that form."""
@@ -39,6 +43,7 @@ def reader_for(path: Path, kind: str, fallback: str | None = None) -> Any:
         SourceError: no reader of that kind takes such a file.
     """
     named = _by_ending(path, kind)
+    _check_names(path)
     if kind == DRAWING:
         named = _recognised(path, named) or named
     unknown = path.suffix.lower() not in defaults()["readers"]  # that of another kind of reader is refused
@@ -65,8 +70,21 @@ def _by_ending(path: Path, kind: str) -> list[str]:
     return [name for name in _listed(named) if name in registry().names(kind)]
 
 
-def _listed(names: Any) -> list[str]:
-    return [names] if isinstance(names, str) else [*names]
+def _check_names(path: Path) -> None:
+    """Refuse a reader's name that the data give for the file's ending and that is registered nowhere."""
+    known = {name for kind in (PROGRAM, DRAWING) for name in registry().names(kind)}
+    for key in (path.name.lower(), path.suffix.lower()):
+        for name in _listed(defaults()["readers"].get(key, ())):
+            if name not in known:
+                raise PlatformDataError(
+                    f"the reader of '{key}' is '{name}', and none is called so{did_you_mean(name, known)}",
+                    location=Location(str(defaults_place("readers", key))),
+                    fix=f"name one of: {', '.join(sorted(known))}",
+                )
+
+
+def _listed(names: Json) -> list[str]:
+    return [names] if isinstance(names, str) else as_texts(names)
 
 
 def _recognised(path: Path, first: list[str]) -> list[str]:

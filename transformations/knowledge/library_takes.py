@@ -15,7 +15,7 @@ from typing import NamedTuple
 from robosmi import resources
 from robosmi.data_text import as_list, as_table, as_texts
 from robosmi.diagnostics import Location
-from robosmi.errors import PlatformDataError
+from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.metamodels import platform
 from robosmi.project import read_data
 
@@ -101,8 +101,9 @@ def _read(path: Path, mtime_ns: int) -> Mapping[str, list[_Entry]]:
         except ValueError:
             said, lists = {}, dict.fromkeys(_LISTS, ())
         if not lists["names"] or not set(said) <= _KEYS:
+            near = next((told for key in set(said) - _KEYS if (told := did_you_mean(key, _KEYS))), "")
             raise PlatformDataError(
-                f"an entry is no library with what it takes: {entry}",
+                f"an entry is no library with what it takes: {entry}{near}",
                 location=Location(str(path)),
                 fix="write names, timers, pins, buses, mcus",
             )

@@ -11,7 +11,8 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple, TypedDict
 
-from robosmi.data_text import Json
+from robosmi import inputs
+from robosmi.data_text import Json, line_of_value
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.plugins import registry
@@ -149,9 +150,11 @@ def _entries(path: str, key: str, keys: Sequence[str]) -> list[RoleRule]:
 
 def _check_role(entry: Mapping[str, Json], path: str) -> None:
     if entry.get("role") not in ROLES or not entry.get("why"):
+        role = str(entry.get("role", ""))
+        near = did_you_mean(role, ROLES) or next((t for key in entry if (t := did_you_mean(key, ("role", "why")))), "")
         raise PlatformDataError(
-            f"an entry has the role '{entry.get('role', '')}' and the reason '{entry.get('why', '')}'",
-            location=Location(path),
+            f"an entry has the role '{role}' and the reason '{entry.get('why', '')}'{near}",
+            location=Location(path, line_of_value(inputs.read_text(path, inputs.DATA), role)),
             fix=f"give it a why, and as role one of: {', '.join(ROLES)}",
         )
 

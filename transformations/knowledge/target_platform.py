@@ -18,6 +18,8 @@ from robosmi.plugins import registry
 from robosmi.project import defaults, defaults_place, read_data
 from robosmi.transformations.knowledge.board_models import (
     KIND,
+    board_file,
+    board_names,
     load_board,
     load_mapping,
     mapped_boards,
@@ -167,7 +169,12 @@ def target_facts(target: str, project: Path | None = None) -> TargetFacts:
     """
     table, name = _entry(target, project)
     own = platform_table(table.text("platform"), table, project)
-    board = load_board(table.text("board"), project)
+    board_name = table.text("board")
+    if board_file(board_name, project) is None:
+        raise table.error(
+            "board", f"is '{board_name}', and no board is called so{did_you_mean(board_name, board_names(project))}"
+        )
+    board = load_board(board_name, project)
     made = _platform(own, table.text("platform"), project)
     made.boardMappings.append(load_mapping(table.text("platform"), board, project))
     toolchain = table.text("toolchain", "")
@@ -253,7 +260,8 @@ def platform_table(name: str, named_in: DataTable, project: Path | None) -> Data
     for folder in resources.folders(KIND, project):
         if (path := folder / name / "platform.toml").is_file():
             return table_of(path)
-    raise named_in.error("platform", f"is '{name}', a platform of which nothing is known")
+    known = {path.parent.name for folder in resources.folders(KIND, project) for path in folder.glob("*/platform.toml")}
+    raise named_in.error("platform", f"is '{name}', a platform of which nothing is known{did_you_mean(name, known)}")
 
 
 def _platforms_by_board(project: Path | None) -> Iterator[tuple[str, Path]]:
