@@ -13,7 +13,6 @@ import os
 import sys
 import traceback
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
 from functools import cache
 from importlib.machinery import PathFinder
 from types import ModuleType
@@ -51,7 +50,22 @@ class BrokenPlugin(NamedTuple):
         return f"mend, update or uninstall {self.distribution.partition(' ')[0]}"
 
 
-@dataclass
+class Replaced(NamedTuple):
+    """Content in whose place a plug-in has put its own: the kind and the name, whose it was, and whose it is now.
+
+    Attributes:
+        kind: what it is.
+        name: how it is asked for.
+        former: the distribution that had offered it before; empty for what is built in.
+        distribution: the distribution of the plug-in.
+    """
+
+    kind: str
+    name: str
+    former: str
+    distribution: str
+
+
 class Registry:
     """Named content by kind, and folders of data.
 
@@ -66,14 +80,19 @@ class Registry:
         broken: plug-ins that cannot be loaded.
         providers: `module:attribute` -> the plug-in's distribution; what is built in has none.
         plugins: the distributions of the plug-ins that were loaded.
+        replaced: kind and name -> what a plug-in has put its own in the place of.
+        asked: those of `replaced` that somebody has asked for.
     """
 
-    entries: dict[str, dict[str, str]] = field(default_factory=dict)
-    more: dict[tuple[str, str], list[str]] = field(default_factory=dict)
-    data: list[str] = field(default_factory=list)
-    broken: list[BrokenPlugin] = field(default_factory=list)
-    providers: dict[str, str] = field(default_factory=dict)
-    plugins: set[str] = field(default_factory=set)
+    def __init__(self, entries: dict[str, dict[str, str]] | None = None) -> None:
+        self.entries = entries or {}
+        self.more: dict[tuple[str, str], list[str]] = {}
+        self.data: list[str] = []
+        self.broken: list[BrokenPlugin] = []
+        self.providers: dict[str, str] = {}
+        self.plugins: set[str] = set()
+        self.replaced: dict[tuple[str, str], Replaced] = {}
+        self.asked: set[tuple[str, str]] = set()
 
     def add(self, kind: str, name: str, target: str) -> None:
         """Offer content. A later entry of the same kind and name replaces an earlier one; constraints add up.
@@ -116,6 +135,8 @@ class Registry:
                 f"no {kind} is called '{name}'{did_you_mean(name, known)}{broken}",
                 fix=f"use one of: {', '.join(sorted(known)) or 'none is installed'}",
             )
+        if (kind, name) in self.replaced:
+            self.asked.add((kind, name))
         return self._load(known[name])
 
     def all(self, kind: str, name: str) -> list[tuple[Any, str]]:
@@ -167,6 +188,9 @@ class Registry:
         """
         for kind, names in other.entries.items():
             for name in names:
+                before = self.entries.get(kind, {}).get(name)
+                if before is not None and distribution and kind not in ADDING:
+                    self.replaced[kind, name] = Replaced(kind, name, self.providers.get(before, ""), distribution)
                 for target in other.targets(kind, name):
                     self.add(kind, name, target)
                     if distribution:
@@ -324,18 +348,33 @@ def raised_by(error: BaseException) -> RuleError | None:
     return None
 
 
-def broken_findings() -> list[Finding]:
-    """A warning for each plug-in that could not be loaded; none before anything asked the registry."""
+def plugin_findings() -> list[Finding]:
+    """A warning for each plug-in that could not be loaded, and for each whose content came in the place of other content.
+
+    There are none before anything asked the registry; content that nobody has asked for is not told.
+    """
     if not registry.cache_info().currsize:
         return []
-    return [
+    known = registry()
+    broken = [
         Finding(
             "RS908",
             Severity.warning,
             f"the plug-in {plugin.distribution} ('{plugin.entry_point}') cannot be loaded: {plugin.cause}",
             fix=plugin.fix,
         )
-        for plugin in registry().broken
+        for plugin in known.broken
+    ]
+    return broken + [
+        Finding(
+            "RS910",
+            Severity.warning,
+            f"the {each.kind} '{each.name}' is that of the plug-in {each.distribution}, "
+            f"not {f'that of the plug-in {each.former}' if each.former else 'the built-in one'}",
+            fix=f"uninstall {each.distribution.partition(' ')[0]} if that is not meant, or let it use a name of its own",
+        )
+        for key, each in known.replaced.items()
+        if key in known.asked
     ]
 
 

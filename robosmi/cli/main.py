@@ -198,14 +198,14 @@ def _collect_less() -> None:
 
 
 def _run(parsed: argparse.Namespace) -> int:
-    from robosmi.plugins import broken_findings
+    from robosmi.plugins import plugin_findings
     from robosmi.report import takes_colour, terminal_text
 
     sarif_file.check_file(parsed.sarif)
     aside = redirect_stdout(sys.stderr) if parsed.json else nullcontext()  # what plug-ins and rules print is none of the document
     with progress(), aside:
         report = importlib.import_module(f"robosmi.cli.{parsed.command}").run(parsed)
-        report.findings += broken_findings()
+        report.findings += plugin_findings()
     code = int(report.exit_code(parsed.fail_on)) if report.ok else int(report.failure_code)
     if parsed.sarif is not None:
         sarif_file.write_file(report, parsed.sarif, code, sarif_file.subject(parsed) or Path.cwd())

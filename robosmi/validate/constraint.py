@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar, overload
 
 from robosmi.diagnostics import Location, Severity
-from robosmi.query.erl import type_name
+from robosmi.errors import RuleError
+from robosmi.query.erl import place_of, type_name
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -148,6 +149,11 @@ class Context(Generic[E]):
         self.name = name or (GLOBAL if kind is None else type_name(kind))
         self.constraints: list[Constraint] = []
         self._lazy = lazy
+        self._beside: Sequence[Constrained] = ()
+
+    def lies_among(self, contexts: Sequence[Constrained]) -> None:
+        """Tell the contexts of its module, this one among them: what two of one type declare must have two names."""
+        self._beside = contexts
 
     @property
     def lazy(self) -> bool:
@@ -214,7 +220,24 @@ class Context(Generic[E]):
             mild = Severity.info if given.get("info") else Severity.warning
             given.setdefault("severity", mild if critique else Severity.error)
             given.setdefault("id", name)
+            self._check_name(name, function)
             self.constraints.append(Constraint(name, function, self, critique, **given))
             return function
 
         return add if check is None else add(check)
+
+    def _check_name(self, name: str, function: Function) -> None:
+        """Refuse a second constraint of one name: nobody could ask for it, and findings of both would look alike.
+
+        Contexts with guards may have one each, since the guards can tell their elements apart.
+        """
+        unguarded = [c for c in self._beside if c.guard is None and self.guard is None and c.kind == self.kind]
+        for context in (self, *(c for c in unguarded if c is not self)):
+            earlier = next((c for c in context.constraints if c.name == name), None)
+            if earlier is not None:
+                there = place_of(earlier.check)
+                raise RuleError(
+                    f"there are two constraints '{name}' of {self.name}{f', the other one at {there}' if there else ''}",
+                    location=place_of(function),
+                    fix="rename one of them, or give it another name with name=",
+                )

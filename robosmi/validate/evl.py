@@ -74,6 +74,7 @@ class EVL(Settings):
         """
         made: Context[E] = Context(kind, guard, lazy, name)
         self.contexts.append(made)
+        made.lies_among(self.contexts)
         return made
 
     @overload

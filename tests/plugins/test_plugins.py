@@ -147,6 +147,19 @@ def test_without_the_plug_in_nobody_knows_its_files(tmp_path: Path) -> None:
     assert "no drawing reader takes a '.beacon' file" in outcome.err
 
 
+def test_a_plug_in_that_takes_the_place_of_a_built_in_reader_is_told_where_that_is_asked_for(tmp_path: Path) -> None:
+    path = installed(tmp_path, "beacon", "checks")
+    (tmp_path / "wired.csv").write_text("pin,part\nD3,Red LED\n")
+    (tmp_path / "wired.beacon").write_text("D3 Red LED\n")
+    document = command("hardware", tmp_path / "wired.csv", path=path, CHECKS_PLUGIN="replaces")
+    (finding,) = [finding for finding in document["findings"] if finding["rule"] == "RS910"]
+    assert finding["severity"] == "warning"
+    assert finding["message"] == "the drawing reader 'pin_table' is that of the plug-in checks 2.1, not the built-in one"
+    assert finding["fix"].startswith("uninstall checks if ")
+    other = command("hardware", tmp_path / "wired.beacon", path=path, CHECKS_PLUGIN="replaces")
+    assert not [finding for finding in other["findings"] if finding["rule"] == "RS910"]
+
+
 @pytest.mark.parametrize("given", ["gives nothing", "gives texts"])
 def test_a_reader_that_gives_no_circuit_is_a_fault_of_its_plug_in(given: str, tmp_path: Path) -> None:
     (tmp_path / "robot.failing").write_text("x")

@@ -34,6 +34,36 @@ def messages_of(v: EVL) -> list[str]:
     return messages(v)
 
 
+@pytest.mark.parametrize("beside", [False, True])
+def test_two_constraints_of_one_name_about_one_type_are_refused_with_both_places(beside: bool) -> None:
+    L = library()
+    v = EVL(L)
+    comics = v.context(L.Comic)
+
+    @comics.constraint
+    def is_told(comic: Any) -> bool:
+        return bool(comic.name)
+
+    def is_told_again(comic: Any) -> bool:
+        return bool(comic.name)
+
+    with pytest.raises(
+        RuleError, match=r"there are two constraints 'is_told' of Comic, the other one at .*test_evl\.py:"
+    ) as caught:
+        (v.context(L.Comic) if beside else comics).critique(name="is_told")(is_told_again)
+    assert caught.value.location is not None
+    assert caught.value.location.path.endswith("test_evl.py")
+    assert caught.value.fix == "rename one of them, or give it another name with name="
+
+
+def test_a_name_may_return_in_another_type_in_a_context_with_a_guard_and_without_context() -> None:
+    v = EVL(library())
+    for made in (v.context("Comic"), v.context("Book"), v.context("Comic", guard=lambda comic: False)):
+        made.constraint(name="told")(lambda element: True)
+    v.constraint(name="told")(lambda: True)
+    assert [constraint.name for constraint in v.declared()] == ["told"] * 4
+
+
 @pytest.mark.parametrize("ask", [False, True])
 def test_a_check_that_gives_a_text_is_refused(ask: bool) -> None:
     """`return holds or "message"` is true for every element: the constraint would never fail."""

@@ -52,6 +52,7 @@ from robosmi.transformations.queries.main_function import Division, divide, main
 from robosmi.transformations.queries.piece_names import declared_names, library_names
 from robosmi.transformations.queries.program_model import ProgramModel
 from robosmi.transformations.queries.source_text import SourceText, is_header, words_of
+from robosmi.typed import matches
 
 T = TypeVar("T")
 _WORD = re.compile(r"\b[A-Za-z_]\w*")
@@ -229,7 +230,7 @@ def _beside_adapters(names: TargetNames, views: Sequence[CodeView], result: Depe
     own -= served | {""}
     declared, macros = declared_names(result.pieces, own)
     declared |= library_names(result.pieces, index, own)
-    within = {word for piece in result.pieces for statement in piece.setup for word in _WORD.findall(str(statement))}
+    within = {word for piece in result.pieces for statement in piece.setup for word in matches(_WORD, str(statement))}
     return names.beside(declared, macros | {str(helper.name) for helper in result.helpers}, frozenset(within))
 
 

@@ -29,6 +29,8 @@ def register(registry: Registry) -> None:
     registry.add_data(str(Path(__file__).parent / "data"))
     if os.environ.get("CHECKS_PLUGIN") == "taken":
         registry.add("constraints", "migration", "checks_plugin:taken")
+    if os.environ.get("CHECKS_PLUGIN") == "replaces":
+        registry.add("drawing reader", "pin_table", "robosmi.transformations.t2m.pin_table:read_circuit")
     if os.environ.get("CHECKS_PLUGIN") == "dangling":
         registry.add("constraints", "migration", "checks_plugin:nothing")
 
