@@ -9,7 +9,6 @@ is no number an error, where Epsilon gives 0. Entities are never expanded; a fil
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Self, TypeAlias, cast
@@ -20,6 +19,7 @@ from robosmi.model.driver import FeatureValue, Item, Kind, Model, ModelElement, 
 from robosmi.model.files import read_input
 from robosmi.model.strict import FeatureValueError, UnknownFeatureError
 from robosmi.model.xml_guard import read_tree, root_offset
+from robosmi.model.xml_values import checked, typed, written
 from robosmi.typed import distinct
 
 if TYPE_CHECKING:
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
 
 _PLAIN = ("tagName", "namespaceURI", "text", "children", "parentNode", "line")
 _TYPED = "abdfis"
-_FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
 
 Feature: TypeAlias = "bool | int | float | str | XmlElement | list[XmlElement] | None"
 """What a feature of an element gives."""
@@ -105,7 +104,7 @@ class XmlElement(ModelElement):
             value = self._attribute(rest)
             if value is None and rest == "text":
                 value = self.text
-            return _typed(kind, value, self, name)
+            return typed(kind, value, self, name)
         if rest and kind == "c":
             return [child for child in self.children if _local(child._node.tag) == rest]
         if rest and kind == "e":
@@ -117,7 +116,7 @@ class XmlElement(ModelElement):
     def __setattr__(self, name: str, value: FeatureValue) -> None:
         kind, _, rest = name.partition("_")
         if name == "text":
-            text = _checked("" if value is None else str(value), self, name)
+            text = checked("" if value is None else str(value), self, name)
             self._model._change()
             for child in list(self._node):
                 self._node.remove(child)
@@ -128,7 +127,7 @@ class XmlElement(ModelElement):
                 if place in self._node.attrib:
                     del self._node.attrib[place]
             else:
-                self._node.set(place, _checked(_written(kind, value, self, name), self, name))
+                self._node.set(place, checked(written(kind, value, self, name), self, name))
         elif name in _PLAIN or (rest and kind in "cex"):
             raise FeatureValueError(f"{self!r}.{name} cannot be set", fix="use appendChild, delete, or set the attribute")
         else:
@@ -381,34 +380,6 @@ def _detach(node: _Element) -> None:
         parent.text = (parent.text or "") + tail
     parent.remove(node)
     node.tail = None
-
-
-def _typed(kind: str, value: str | None, element: XmlElement, name: str) -> bool | int | float | str | None:
-    if kind in "as":
-        return value or ""
-    if kind == "b":
-        return (value or "").strip().lower() == "true"
-    if value is None:
-        return None
-    try:
-        return int(value) if kind == "i" else float(value)
-    except ValueError:
-        raise FeatureValueError(
-            f"{element!r}.{name}: '{value}' is no {'whole ' if kind == 'i' else ''}number", fix="use a_..."
-        ) from None
-
-
-def _written(kind: str, value: FeatureValue, element: XmlElement, name: str) -> str:
-    wanted = {"b": (bool,), "i": (int,), "f": (int, float), "d": (int, float)}.get(kind)
-    if wanted is not None and (not isinstance(value, wanted) or (kind != "b" and isinstance(value, bool))):
-        raise FeatureValueError(f"{element!r}.{name} does not take {value!r}", fix="give a value of its kind, or use a_...")
-    return str(value).lower() if isinstance(value, bool) else str(value)
-
-
-def _checked(text: str, element: XmlElement, name: str) -> str:
-    if bad := _FORBIDDEN.search(text):
-        raise FeatureValueError(f"{element!r}.{name}: XML cannot hold U+{ord(bad.group()):04X}", fix="remove the character")
-    return text
 
 
 def open_xml(path: Path, name: str | None = None) -> XmlModel:
