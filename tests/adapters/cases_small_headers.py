@@ -49,14 +49,15 @@ static int32_t memory[64]; volatile uint8_t sum;
 void little(void *) { for (;;) delay(1); }
 void much(void *par) { volatile uint8_t room[100]; for (uint8_t at = 0; at < 100; at++) room[at] = at;
   sum = room[50] + (par != 0); for (;;) delay(1); }
-void setup() { Serial.begin(115200); int32_t *cog = cog_runStackTest(little, 50); delay(5); int32_t small = cog_endStackTest(cog);
-  cog = cog_runStackTest(much, 50); delay(5); int32_t large = cog_endStackTest(cog); Serial.print(small > 3 && small < 20);
+void setup() { Serial.begin(115200);
+  int32_t *cog = cog_runStackTest(little, 50); delay(60); int32_t small = cog_endStackTest(cog);
+  cog = cog_runStackTest(much, 50); delay(60); int32_t large = cog_endStackTest(cog); Serial.print(small > 3 && small < 24);
   Serial.print(large - small >= 24 && large - small < 32); Serial.print(cog_endStackTest(cog));
-  int32_t number = cogstart_stackTest(much, memory, memory, sizeof memory); delay(5); Serial.print(number); Serial.print(sum);
+  int32_t number = cogstart_stackTest(much, memory, memory, sizeof memory); delay(60); Serial.print(number); Serial.print(sum);
   Serial.print(cogstop_stackTest(number, memory) == large); Serial.print(cogstop_stackTest(9, memory)); }
 void loop() {}
 """
-    assert cogs(uno, program, STACKS, slots=1) == "11" + "0" + "1" + "51" + "1" + "0"
+    assert cogs(uno, program, STACKS, 250, slots=1) == "11" + "0" + "1" + "51" + "1" + "0"
 
 
 @proves("stdlib.h/exit")

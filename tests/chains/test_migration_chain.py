@@ -19,7 +19,7 @@ from robosmi.chain.results import named
 from robosmi.chain.steps import Step, StepResult
 from robosmi.errors import RuleError
 from robosmi.metamodels import migration
-from robosmi.project import Project, defaults
+from robosmi.project import Project, default_number
 from robosmi.transformations.chains import migrate as chain_module
 from robosmi.transformations.chains.analyse import analyse
 from robosmi.transformations.chains.hardware import hardware, hardware_chain
@@ -89,14 +89,14 @@ def test_another_drawing_does_not_read_the_program_again() -> None:
     assert changed == plan_migration(PROGRAM, project=Project(), hardware=FOLLOWER / "line_following_robot.fzz").to_files()
 
 
-def _sure_of_nothing() -> dict[str, Any]:
-    return {**defaults(), "choices": {"limit": 1.01}}
+def _sure_of_nothing(table: str, key: str) -> float:
+    return 1.01 if (table, key) == ("choices", "limit") else default_number(table, key)
 
 
 def test_what_a_person_answers_is_asked_for_once_and_is_in_the_sketch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     source = (FOLLOWER / "line_follower.c").read_bytes()
     (tmp_path / "line_follower.c").write_bytes(source)  # no robosmi.toml beside it
-    monkeypatch.setattr(chain_module, "defaults", _sure_of_nothing)
+    monkeypatch.setattr(chain_module, "default_number", _sure_of_nothing)
     asked: list[Sequence[Mapping[str, Any]]] = []
 
     def ask(choices: Sequence[Mapping[str, Any]]) -> Mapping[str, str]:
