@@ -182,9 +182,17 @@ def test_scenarios_outside_of_the_folder_are_neither_read_nor_written(out: Path,
     ("text", "reason"),
     [
         ("int f(int n) { return f(n + 1) + 1; }\nint main() { high(26); return f(1); }", "its calls use up the stack"),
+        (
+            "int f(int n) { volatile char b[3000]; b[0] = n; return f(n + 1) + b[0]; }\nint main() { high(26); return f(1); }",
+            "its calls use up the stack",
+        ),
+        (
+            "int main() { char b[8] = {0}; int i = 0; high(26); while (b[i] != 1 || b[i + 1] != 2 || b[i + 2] != 3) i++; }",
+            "beyond the end of a stack",
+        ),
         ('int main() { wavplay_now(); high(26); return 0; }\nvoid wavplay_now(void) { wav_play("a.wav"); }', "no model"),
     ],
-    ids=["recursion", "no model"],
+    ids=["recursion", "large frames", "past an array", "no model"],
 )
 def test_programs_that_cannot_be_judged_say_why(text: str, reason: str, tmp_path: Path, pressed: Path) -> None:
     program = tmp_path / "odd.c"

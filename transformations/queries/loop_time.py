@@ -1,8 +1,8 @@
 """How long what a program repeats for ever waits each time, as far as its text and what is known of the platform say it.
 
 Counted is time in functions that wait: what their arguments ask for, or the longest they take. Time for computing is not counted,
-nor what a function sends or prints. Where a wait ends by something outside (a person, a sensor, a wheel), it has no upper bound
-and is named.
+nor what a function sends or prints. A call through a pointer takes what the functions take that it may reach. Where a wait ends
+by something outside (a person, a sensor, a wheel), or nothing tells what a pointer reaches, it has no upper bound and is named.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from robosmi.query import all_contents
 from robosmi.query.deep import in_thread
 from robosmi.transformations.queries.constant_text import calculate
 from robosmi.transformations.queries.main_program import main_structure
+from robosmi.transformations.queries.pointed_calls import is_pointed, pointed_calls
 from robosmi.transformations.queries.values import Values
 from robosmi.typed import distinct
 
@@ -102,6 +103,7 @@ class LoopTimes:
         }
         rates = (use.symbol for use in plan.symbolUses)
         self._rates = {str(each.name) for each in rates if each is not None and each.meaning == TICKS_A_SECOND}
+        self._pointed = pointed_calls(list(all_contents(plan.program)))
         self._functions: dict[int, Time] = {}
         self._depth = 0
 
@@ -205,21 +207,30 @@ class LoopTimes:
         return len(values) if values and all(v.number is not None for v in values) else None
 
     def _call(self, call: ccode.Call) -> Time:
+        if is_pointed(call):
+            reached = self._pointed.get(id(call), ())
+            if not reached:
+                return Time(0.0, 0.0, (Wait(_pointer_name(call), int(call.line)),))
+            return reduce(Time.either, [self._function(each, call) for each in reached])
         callee = self._own.get(str(call.calleeName))
         if callee is not None:
-            known = self._functions.get(id(callee))
-            if known is None:
-                again = Wait(_call_name(call), int(call.line))
-                self._functions[id(callee)] = Time(unbounded=(again,))  # for a function that calls itself
-                self._depth += 1  # functions that call one another nest deeper than Python's stack
-                known = self.of(callee.body) if self._depth % _LEVELS else in_thread(self.of, callee.body)
-                self._depth -= 1
-                if not known.high and known.unbounded == (again,):
-                    known = NOTHING
-                self._functions[id(callee)] = known
-            return known
+            return self._function(callee, call)
         function = self._platform.get(str(call.calleeName))
         return self._platform_call(call, function) if function is not None and _waits(function) else NOTHING
+
+    def _function(self, callee: ccode.Function, call: ccode.Call) -> Time:
+        """The time of a function of the program that a call reaches."""
+        known = self._functions.get(id(callee))
+        if known is None:
+            again = Wait(str(callee.name), int(call.line))
+            self._functions[id(callee)] = Time(unbounded=(again,))  # for a function that calls itself
+            self._depth += 1  # functions that call one another nest deeper than Python's stack
+            known = self.of(callee.body) if self._depth % _LEVELS else in_thread(self.of, callee.body)
+            self._depth -= 1
+            if not known.high and known.unbounded == (again,):
+                known = NOTHING
+            self._functions[id(callee)] = known
+        return known
 
     def _platform_call(self, call: ccode.Call, function: platform.ApiFunction) -> Time:
         """The time that a function of the platform waits: what its argument asks for, or the longest that it takes."""
@@ -303,6 +314,16 @@ def _once(first: Iterable[Wait], second: Iterable[Wait]) -> tuple[Wait, ...]:
 
 def _call_name(call: ccode.Call) -> str:
     return str(call.calleeName)
+
+
+def _pointer_name(call: ccode.Call) -> str:
+    """Words for a call through a pointer of which nothing tells what it reaches."""
+    pointer = call.calleeExpression
+    while isinstance(pointer, (ccode.Unary, ccode.Cast, ccode.Index)):
+        pointer = pointer.array if isinstance(pointer, ccode.Index) else pointer.operand
+    if isinstance(pointer, (ccode.NameReference, ccode.Member)):
+        return f"what is called through {pointer.name}"
+    return "what is called through a pointer"
 
 
 def _name(loop: ccode.Loop) -> str:

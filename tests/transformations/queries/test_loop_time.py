@@ -60,6 +60,8 @@ def ports_of(program: Path) -> dict[str, str]:
         ("pause(input(3));", ["pause"]),
         ("drive_goto(1, 1);", ["drive_goto"]),
         ("for (int i = 0; i < input(3); i++) pause(5);", ["the for loop"]),
+        ("extern void (*task)(void); task();", ["what is called through task"]),
+        ("extern void (*tasks[3])(void); tasks[1]();", ["what is called through tasks"]),
         ("pause(5);", []),
         ("int i = 0; while (i < 5) i++;", []),
     ],

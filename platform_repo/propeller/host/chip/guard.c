@@ -11,7 +11,7 @@
 #include <unistd.h>
 #include "chip.h"
 
-enum { STACK = 1 << 18, PAGE = 4096, ROOM = 1 << 22, MEMORY = 1 << 28, NOWHERE = 1 << 12 };
+enum { STACK = 1 << 18, PAGE = 4096, ROOM = 1 << 22, MEMORY = 1 << 28, NOWHERE = 1 << 12, NEAR = 64 };
 static char stacks[COGS + 1][PAGE + STACK] __attribute__((aligned(PAGE)));  /* each begins with a page that nobody may touch */
 static char fault_stack[1 << 16];
 
@@ -21,12 +21,27 @@ int guard_on_stack(int number, const void *where) {
   return (const char *)where >= stacks[number] + PAGE && (const char *)where < stacks[number + 1] - 8;
 }
 
+/* Whether the running cog's stack has grown into the page below it: its stack pointer is there, too. A pointer or an index that
+ * runs into a page of guard, from the stack below or down its own, leaves the stack pointer where it was. */
+static int stack_is_full(const char *where, const char *pointer) {
+  const char *page = stacks[running];
+  return where >= page && where < page + PAGE && pointer < page + PAGE + NEAR;
+}
+
+static int in_guard(const char *where) {
+  for (int i = 0; i < COGS + 1; i++)
+    if (where >= stacks[i] && where < stacks[i] + PAGE) return 1;
+  return 0;
+}
+
 static void fault(int signal, siginfo_t *info, void *context) {
   const greg_t *registers = ((ucontext_t *)context)->uc_mcontext.gregs;
   char *where = info->si_addr;
   tell_place((const char *)registers[REG_EIP], (void *const *)registers[REG_EBP]);
-  for (int i = 0; i < COGS; i++)
-    if (signal == SIGSEGV && where >= stacks[i] && where < stacks[i] + PAGE) host_end("recursion", "calls that do not end use up the stack");
+  if (signal == SIGSEGV && stack_is_full(where, (const char *)registers[REG_ESP]))
+    host_end("recursion", "calls that do not end use up the stack");
+  if (signal == SIGSEGV && in_guard(where))
+    host_end("crashed", "reaches beyond the end of a stack, as an index or a pointer without a bound does");
   if (signal == SIGFPE) host_end("crashed", "divides by zero");
   if (signal == SIGILL) host_end("crashed", "runs into what is no instruction");
   if (signal == SIGSEGV && where >= (char *)0 && where < (char *)NOWHERE)
