@@ -97,7 +97,7 @@ def program_files(
     def Program(unit: ccode.SourceUnit) -> dict[str, Any]:
         text = texts[unit]
         return (
-            own_header(text)
+            own_header(plan, text)
             if is_header(unit)
             else {"plan": plan, "literal": pin_literal, **program_text(plan, text, late, texts)}
         )

@@ -35,11 +35,28 @@ def file_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
     return f"{_stem(own, plan)}{target.moduleSuffix}"
 
 
-def own_header(source: SourceText) -> dict[str, Any]:
-    """What the file of a header of the program's own shows: its text."""
+def own_header(plan: migration.MigrationPlan, source: SourceText) -> dict[str, Any]:
+    """What the file of a header of the program's own shows: its text, with prototypes of what it uses before it is defined."""
     unit = source.unit
-    pieces = source.pieces(0, len(source.data), _elements(unit))
-    return {"code": [MainPart(_lines(p.text), "code", "retained header", p.elements or [unit]) for p in pieces if p.text]}
+    functions = [d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition]
+    ahead = [f for f in functions if _used_before(f, unit, ()) and not _declared_anywhere(f, plan)]
+    first = min((f.startOffset for f in functions), default=0) if ahead else 0
+    first = source.line_start(first) if source.blank(source.line_start(first), first) else first
+    parts = _header_parts(source, 0, first)
+    parts += [MainPart(f"{_prototype(f, source, plan)};\n", "generation", "prototype", [f]) for f in ahead]
+    return {"code": [*parts, *_header_parts(source, first, len(source.data))]}
+
+
+def _header_parts(source: SourceText, start: int, end: int) -> list[MainPart]:
+    pieces = source.pieces(start, end, _elements(source.unit))
+    return [MainPart(_lines(p.text), "code", "retained header", p.elements or [source.unit]) for p in pieces if p.text]
+
+
+def _declared_anywhere(function: ccode.Function, plan: migration.MigrationPlan) -> bool:
+    """Whether any file of the program has a prototype of the function."""
+    units = plan.program.units if plan.program is not None else []
+    declared = (d for unit in units for d in unit.declarations if isinstance(d, ccode.Function) and not d.definition)
+    return any(d.name == function.name for d in declared)
 
 
 def program_text(
