@@ -114,14 +114,15 @@ def the_terminal_is_a_file_too(uno: Uno) -> None:
 char text[20];
 void setup() { Serial.begin(115200); stdin = stdout = stderr = console_file();
   c_printf("%d%d", c_fputs("x", 0), c_fputc('x', 0)); c_fputs("|put,", stdout); c_fputc('a', stdout); c_putc('b', stderr);
-  c_printf("|%d%d", c_fgets(text, 20, 0) == 0, c_fgetc(0)); c_fgets(text, 8, stdin); c_printf("|%s|", text);
+  c_printf("|%d%d", c_fgets(text, 20, 0) == 0, c_fgetc(0)); c_printf("|%d%d", c_fprintf(0, "lost"), c_fflush(stdout));
+  c_fprintf(stderr, "%d told|", 70000L); c_fgets(text, 8, stdin); c_printf("|%s|", text);
   c_printf("%c", c_fgetc(stdin)); c_printf("%c|", c_getc(stdin)); errno = 5; perror("say"); perror(0); }
 void loop() {}
 """
     typing = DeviceUse("typing", {}, {"points": [[30, "one\ntwo"]]})
-    names = c("fputs", "fputc", "putc", "fgets", "fgetc", "getc", "perror", "printf")
+    names = c("fputs", "fputc", "putc", "fgets", "fgetc", "getc", "perror", "printf", "fprintf", "fflush")
     trace = uno.run(program, names, 100, [typing])
-    assert trace.text.split("|") == ["-1-1", "put,ab", "1-1", "one\n", "tw", "say: error 5\nerror 5\n"]
+    assert trace.text.split("|") == ["-1-1", "put,ab", "1-1", "-1070000 told", "", "one\n", "tw", "say: error 5\nerror 5\n"]
 
 
 @proves(*c("vsnprintf", "vsprintf", "vprintf"))
@@ -153,8 +154,9 @@ int32_t to(FILE *file, const char *format, ...) {
 void setup() { Serial.begin(115200); sd_mount(MISO, SCK, MOSI, 10); FILE *file = fopen("a.txt", "w");
   Serial.print(to(file, "%ld!", 70000L));
   c_fclose(file); file = fopen("a.txt", "r"); fgets(text, 20, file); c_fclose(file); Serial.print(text); to(stdout, "%s", "out");
+  Serial.print(to(0, "lost"));
   Serial.print(c_remove("a.txt")); Serial.print(c_remove("a.txt")); Serial.print(fopen("a.txt", "r") == 0); }
 void loop() {}
 """
     names = c("fopen", "fclose", "remove", "vfprintf")
-    assert uno.run(program, ["simpletools.h/sd_mount", *names], 100).text == "670000!out0-11"
+    assert uno.run(program, ["simpletools.h/sd_mount", *names], 100).text == "670000!out-10-11"

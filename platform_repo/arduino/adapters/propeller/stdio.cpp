@@ -434,6 +434,7 @@ inline FILE *fopen(const char *name, const char *mode) {
           return c < 0 ? _FDEV_EOF : c;
         },
         _FDEV_SETUP_RW);
+    fdev_set_udata(&each.stream, static_cast<Stream *>(&each.file));
     return &each.stream;
   }
   return 0;
@@ -497,39 +498,6 @@ inline void c_rewind(FILE *fp) {
   c_fseek(fp, 0, SEEK_SET);
 }
 
-//# adapter fflush
-//#   for: int fflush(FILE *fp)
-//#   kind: semantic
-//#   name: c_fflush
-//#   needs: file_of
-//#   include: <SD.h> <stdio.h>
-//#   library: SD
-//#   fidelity: exact: what was written is on the card
-//#   stack: 27 25
-inline int32_t c_fflush(FILE *fp) {
-  File *file = file_of(fp);
-  if (file) file->flush();
-  return 0;
-}
-
-//# adapter fprintf
-//#   for: int fprintf(FILE *fp, const char *fmt, ...)
-//#   kind: semantic
-//#   name: c_fprintf
-//#   needs: file_of printf_text simpletext.h/text_t simpletext.h/dport_ptr simpletext.h/TextOut simpletext.h/TextArgument
-//#   fidelity: exact, floats too; to stdout and stderr it prints on the terminal
-//#   limit: 32 bits of an integer are printed, of %lld too; at most 9 digits behind the point, then zeros
-//#   stack: 194 178
-//#   interrupt: USART_RX_vect 10
-//#   interrupt: USART_UDRE_vect 19
-template <class... Arguments>
-inline int32_t c_fprintf(FILE *fp, const char *fmt, Arguments... given) {
-  const TextArgument arguments[] = {TextArgument(), given...};
-  text_t device = text_t();
-  device.port = file_of(fp);
-  return printf_text(TextOut(device.port ? &device : dport_ptr), fmt, arguments + 1, sizeof...(given));
-}
-
 // ---------------------------------------------------------------- the console as a file
 
 //# helper console_file
@@ -547,6 +515,47 @@ inline FILE *console_file() {
 
 inline bool is_file(const FILE *file) {
   return file != 0;
+}
+
+//# helper file_stream
+//#   include: <stdio.h>
+// The file that a stream stands for; 0 for the terminal, which is none
+inline Stream *file_stream(FILE *fp) {
+  return static_cast<Stream *>(fdev_get_udata(fp));
+}
+
+//# adapter fflush
+//#   for: int fflush(FILE *fp)
+//#   kind: semantic
+//#   name: c_fflush
+//#   needs: console_file file_stream
+//#   fidelity: exact: what was written is on the card; of the terminal there is nothing to do
+//#   stack: 13 11
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
+inline int32_t c_fflush(FILE *fp) {
+  Stream *file = is_file(fp) ? file_stream(fp) : 0;
+  if (file) file->flush();
+  return 0;
+}
+
+//# adapter fprintf
+//#   for: int fprintf(FILE *fp, const char *fmt, ...)
+//#   kind: semantic
+//#   name: c_fprintf
+//#   needs: console_file file_stream printf_text simpletext.h/text_t simpletext.h/dport_ptr simpletext.h/TextOut simpletext.h/TextArgument
+//#   fidelity: exact, floats too; to stdout and stderr it prints on the terminal; -1 without a file
+//#   limit: 32 bits of an integer are printed, of %lld too; at most 9 digits behind the point, then zeros
+//#   stack: 194 176
+//#   interrupt: USART_RX_vect 10
+//#   interrupt: USART_UDRE_vect 19
+template <class... Arguments>
+inline int32_t c_fprintf(FILE *fp, const char *fmt, Arguments... given) {
+  if (!is_file(fp)) return -1;
+  const TextArgument arguments[] = {TextArgument(), given...};
+  text_t device = text_t();
+  device.port = file_stream(fp);
+  return printf_text(TextOut(device.port ? &device : dport_ptr), fmt, arguments + 1, sizeof...(given));
 }
 
 //# adapter fputs
@@ -713,16 +722,17 @@ inline int32_t c_vprintf(const char *fmt, va_list ap) {
 //#   for: int vfprintf(FILE *fp, const char *fmt, __va_list ap)
 //#   kind: semantic
 //#   name: c_vfprintf
-//#   needs: simpletext.h/ListArguments file_of printf_text simpletext.h/text_t simpletext.h/dport_ptr simpletext.h/TextOut
+//#   needs: simpletext.h/ListArguments console_file file_stream printf_text simpletext.h/text_t simpletext.h/dport_ptr simpletext.h/TextOut
 //#   include: <stdarg.h>
-//#   fidelity: exact, floats too; to stdout and stderr it prints on the terminal
+//#   fidelity: exact, floats too; to stdout and stderr it prints on the terminal; -1 without a file
 //#   limit: at most 12 values, of 32 bits; at most 9 digits behind the point, then zeros
-//#   stack: 240 224
+//#   stack: 240 222
 //#   interrupt: USART_RX_vect 10
 //#   interrupt: USART_UDRE_vect 19
 inline int32_t c_vfprintf(FILE *fp, const char *fmt, va_list ap) {
+  if (!is_file(fp)) return -1;
   ListArguments given(fmt, ap);
   text_t device = text_t();
-  device.port = file_of(fp);
+  device.port = file_stream(fp);
   return printf_text(TextOut(device.port ? &device : dport_ptr), fmt, given.values, given.count);
 }
