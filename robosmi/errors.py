@@ -101,6 +101,10 @@ class VerificationError(RobosmiError):
     exit_code = 6
 
 
+class EngineCrashError(VerificationError):
+    """A simulator itself ended without telling what the program did (exit code 6): another one may do it."""
+
+
 class InternalError(RobosmiError):
     """Our own bug (exit code 70)."""
 

@@ -19,7 +19,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
-from robosmi.errors import InternalError, MissingToolError, UsageError, VerificationError
+from robosmi.errors import EngineCrashError, InternalError, MissingToolError, UsageError, VerificationError
 from robosmi.plugins import content, registry
 from robosmi.verify.tools import end_session
 
@@ -188,22 +188,31 @@ def engine_for(mcu: str, name: str | None = None) -> Engine:
         UsageError: no engine has that name, or it does not know the microcontroller.
         MissingToolError: none that knows it is installed.
     """
+    return engines_for(mcu, name)[0]
+
+
+def engines_for(mcu: str, name: str | None = None) -> list[Engine]:
+    """The engine of that name alone, or all installed ones that know the microcontroller, in the order in which they are tried.
+
+    Raises:
+        UsageError: no engine has that name, or it does not know the microcontroller.
+        MissingToolError: none that knows it is installed.
+    """
     if name is not None:
         engine: Engine = content("engine", name)()
         if not engine.serves(mcu):
             raise UsageError(f"the engine '{name}' does not know the microcontroller '{mcu}'", fix="leave the engine out")
         if advice := engine.missing():
             raise MissingToolError(f"the engine '{name}' is not installed", fix=advice)
-        return engine
+        return [engine]
     known: list[Engine] = [content("engine", each)() for each in engine_names()]
     serving = [each for each in known if each.serves(mcu)]
-    for each in serving:
-        if each.missing() is None:
-            return each
     if not serving:
         raise UsageError(f"no engine knows the microcontroller '{mcu}'", fix="take another board")
-    advice = "; or ".join(str(each.missing()) for each in serving)
-    raise MissingToolError(f"no simulator for the microcontroller '{mcu}' is installed", fix=advice)
+    if installed := [each for each in serving if each.missing() is None]:
+        return installed
+    advices = "; or ".join(str(each.missing()) for each in serving)
+    raise MissingToolError(f"no simulator for the microcontroller '{mcu}' is installed", fix=advices)
 
 
 def engine_names() -> list[str]:
@@ -222,7 +231,8 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
     Raises:
         UsageError: no engine has that name, none knows the microcontroller, or a device is used wrongly.
         MissingToolError: the engine is not installed.
-        VerificationError: the time limit is over, the program cannot be loaded, or the engine crashed.
+        VerificationError: the time limit is over, or the program cannot be loaded.
+        EngineCrashError: the engine crashed.
     """
     chosen = engine_for(job.mcu, engine)
     question = json.dumps({"engine": chosen.name, "job": asdict(job)})
@@ -240,8 +250,10 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
         finally:
             end_session(process)  # the worker may have started a process of its own
     if process.returncode != 0 or not answer:
-        last = (complaint.strip().splitlines() or [f"it ended with {process.returncode}"])[-1]
-        raise VerificationError(f"the engine '{chosen.name}' crashed: {last}", fix="try another engine")
+        code = process.returncode
+        ended = f"its process was ended by signal {-code}" if code < 0 else f"its process ended with {code}"
+        last = (complaint.strip().splitlines() or [ended])[-1]
+        raise EngineCrashError(f"the engine '{chosen.name}' crashed: {last}", fix="try another engine: --engine NAME")
     return _trace(json.loads(answer), chosen.name)
 
 

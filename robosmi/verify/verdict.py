@@ -174,7 +174,7 @@ class Verdict:
         for scenario in self.scenarios:
             for channel in scenario.channels:
                 found.setdefault(channel.channel, []).append(channel)
-        until_ms = _rounded(min((s.until_ms for s in self.scenarios if s.until_ms is not None), default=None))
+        until_ms = _rounded(min((s.until_ms for s in self.scenarios if s.channels and s.until_ms is not None), default=None))
         return [
             {"name": name, "status": _worst(each), "events": sum(c.events for c in each), "until_ms": until_ms}
             for name, each in found.items()

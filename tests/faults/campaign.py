@@ -19,14 +19,15 @@ from typing import Any
 import robosmi
 from robosmi.errors import RobosmiError
 from robosmi.transformations.chains.models import load_models
-from robosmi.transformations.chains.verify import FOLDER, Case, Verified, _original, _Target, verify
+from robosmi.transformations.chains.verify import FOLDER, Case, Verified, _board, _original, verify
 from robosmi.transformations.verification.jobs import job
 from robosmi.transformations.verification.judging import judged
 from robosmi.transformations.verification.original_side import run_source, run_varied
 from robosmi.transformations.verification.played_devices import played
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports
+from robosmi.transformations.verification.target_side import TargetSide
 from robosmi.verify.scenario import read_scenario
-from robosmi.verify.simulation import engine_for, simulate
+from robosmi.verify.simulation import simulate
 from robosmi.verify.toolchain import compile_sketch
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -123,8 +124,7 @@ class Study:
             report = compile_sketch(self.out, keep=Path(built))
             assert report.elf is not None
             assert report.hex is not None
-            side = _Target(self._models, report, self.ports, "avr8js")
-            engine_for("atmega328p", "avr8js")
+            side = TargetSide(_board(self._models, report), report, self.ports, "avr8js")
             addresses: set[int] = set()
             for scenario, _ in self.cases:
                 asked = job(report.elf, report.hex, side.board, scenario.horizon_ms * 1000, played(self.ports, scenario, True))
@@ -158,13 +158,13 @@ class Study:
                 return Outcome("not-compiled")
             if report.hex.read_bytes() == self.machine_code:
                 return Outcome("same machine code")
-            side = _Target(self._models, report, self.ports, None)
+            side = TargetSide(_board(self._models, report), report, self.ports)
             try:
                 return self._compared(side, early)
             except RobosmiError as error:
                 return Outcome("error", error.message)
 
-    def _compared(self, side: _Target, early: bool) -> Outcome:
+    def _compared(self, side: TargetSide, early: bool) -> Outcome:
         doubt = ""
         cases = [(replace(s, horizon_ms=max(_LEAST_MS, _PART * s.horizon_ms)), s, runs) for s, runs in self.cases]
         for part in (True, False) if early else (False,):
@@ -172,7 +172,10 @@ class Study:
                 if part and short.horizon_ms >= scenario.horizon_ms:
                     continue
                 asked = short if part else scenario
-                result = judged(asked, runs, side._run(asked), self.ports, self._models.plan.concurrency is None)
+                (trace,) = side.run([asked])
+                if isinstance(trace, RobosmiError):
+                    raise trace
+                result = judged(asked, runs, trace, self.ports, self._models.plan.concurrency is None)
                 if result.first is not None:
                     first = result.first
                     functions = next((port.functions for port in self.ports if port.title == first.channel), ())

@@ -6,9 +6,7 @@ stored with the models, or made by a search; new ones are stored. Nothing else i
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -16,7 +14,7 @@ from typing import Any
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.doing import doing
 from robosmi.errors import SourceError, VerificationError
-from robosmi.metamodels import migration
+from robosmi.metamodels import migration, platform
 from robosmi.model.files import write_atomic
 from robosmi.transformations.chains.models import MigrationModels, stored_models
 from robosmi.transformations.chains.output import Generated, produce
@@ -25,8 +23,7 @@ from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.verification.difference_calls import calls_around
-from robosmi.transformations.verification.jobs import job, shows_console
-from robosmi.transformations.verification.judging import judged, why_nothing_was_compared
+from robosmi.transformations.verification.judging import ended_badly, judged, why_nothing_was_compared, without_target
 from robosmi.transformations.verification.original_side import (
     CONSOLE_CHANNEL,
     Place,
@@ -37,17 +34,17 @@ from robosmi.transformations.verification.original_side import (
     run_varied,
 )
 from robosmi.transformations.verification.originals import original_program
-from robosmi.transformations.verification.played_devices import played, signals_of
+from robosmi.transformations.verification.played_devices import signals_of
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, reads_console, texts_understood
 from robosmi.transformations.verification.scenario_search import search
 from robosmi.transformations.verification.source_reached import cover
+from robosmi.transformations.verification.target_side import LIMIT_S, NOTHING_SEEN, TargetSide
 from robosmi.verify.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.libraries import STAND_IN
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.scenario import Scenario, read_scenario
-from robosmi.verify.simulation import PinTrace, engine_for
-from robosmi.verify.simulation import simulate as run_job
+from robosmi.verify.simulation import PinTrace
 from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.toolchain import compile_sketch
 from robosmi.verify.trace_picture import trace_svg
@@ -56,8 +53,6 @@ from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_COMPILE
 
 FOLDER = "scenarios"
 """Where scenarios are stored, beside the models."""
-LIMIT_S = 60.0
-"""Seconds of this machine's time for each side of a scenario, twice so long where the source is run with other costs."""
 
 
 @dataclass
@@ -151,7 +146,7 @@ def verify(
         if report.elf is None:
             verdict.reasons.append(_too_big(report))
             return Verified(verdict, report)
-        side = _Target(models, report, ports, engine)
+        side = TargetSide(_board(models, report), report, ports, engine)
         verdict.engine = side.engine
         if not side.shows_console:
             verdict.not_compared.append(CONSOLE_CHANNEL)
@@ -171,15 +166,24 @@ def verify(
         if verdict.racy and not made.new and not any(not runs.racy_channels for _, runs in cases):
             verdict.reasons.append(f"no scenario is left: in all {verdict.racy} that were made the source differs from itself")
         doing(f"run the migrated program in {len(cases)} scenario{'s' * (len(cases) != 1)}")
-        traces = side.run([scenario for scenario, _ in cases])
+        ran = side.run([scenario for scenario, _ in cases])
+        verdict.engine = side.engine
         doing("compare what both do")
-        for (scenario, runs), trace in zip(cases, traces, strict=True):
+        undecided: list[VerificationError] = []
+        for (scenario, runs), trace in zip(cases, ran, strict=True):
             if not side.shows_console:
                 runs.channels.pop(CONSOLE_CHANNEL, None)
-            verdict.scenarios.append(judged(scenario, runs, trace, ports, plan.concurrency is None))
-        for (scenario, runs), told in zip(cases, verdict.scenarios, strict=True):
-            if verdict.first_difference == (told, told.first) and told.first is not None:
-                verdict.calls = calls_around(program, ports, scenario, runs, told.first)
+            if isinstance(trace, VerificationError):
+                verdict.scenarios.append(without_target(scenario, runs, trace))
+                undecided += [] if ended_badly(runs) else [trace]
+            else:
+                verdict.scenarios.append(judged(scenario, runs, trace, ports, plan.concurrency is None))
+        if undecided and verdict.verdict != DIFFERENT_VERDICT:
+            raise undecided[0]
+        traces = [NOTHING_SEEN if isinstance(trace, VerificationError) else trace for trace in ran]
+        if (found := verdict.first_difference) is not None:
+            scenario, runs = cases[verdict.scenarios.index(found[0])]
+            verdict.calls = calls_around(program, ports, scenario, runs, found[1])
         if verdict.nothing_compared:
             verdict.reasons.append(why_nothing_was_compared(verdict, ports))
         cover(verdict, program, [runs for _, runs in cases], made.racy_counts, plan, output, ports)
@@ -235,32 +239,9 @@ def with_verdict(made: Generated, *, strict: bool = False) -> Generated:
 # ---- both sides
 
 
-@dataclass
-class _Target:
-    models: MigrationModels
-    report: CompileReport
-    ports: list[BoundPort]
-    wanted: str | None
-
-    def __post_init__(self) -> None:
-        stored = self.models.plan.board
-        self.board = stored if stored is not None and stored.name == self.report.board else load_board(self.report.board)
-        chip = self.board.microcontroller
-        mcu = str(chip.name) if chip is not None else ""
-        self.engine = engine_for(mcu, self.wanted).name
-        self.shows_console = shows_console(mcu)
-
-    def run(self, scenarios: Sequence[Scenario]) -> list[PinTrace]:
-        """The migrated program in each scenario, as many at once as there are cores."""
-        with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-            return list(pool.map(self._run, scenarios))
-
-    def _run(self, scenario: Scenario) -> PinTrace:
-        assert self.report.elf is not None
-        assert self.report.hex is not None
-        devices = played(self.ports, scenario, target=True)
-        asked = job(self.report.elf, self.report.hex, self.board, scenario.horizon_ms * 1000, devices)
-        return run_job(asked, self.engine, LIMIT_S)
+def _board(models: MigrationModels, report: CompileReport) -> platform.Board:
+    stored = models.plan.board
+    return stored if stored is not None and stored.name == report.board else load_board(report.board)
 
 
 def _original(models: MigrationModels, folder: Path, place: Path) -> OriginalProgram:

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+from robosmi.errors import VerificationError
 from robosmi.transformations.verification.original_side import (
     CONSOLE_CHANNEL,
     DRIVEN,
@@ -79,6 +80,27 @@ def judged(
         return ScenarioVerdict(scenario, DIFFERENT_VERDICT, found, horizon_ms, crash=crash)
     reason = _doubt(scenario, runs, [c for c in found if c.status == RACY], crashed_ms)
     return ScenarioVerdict(scenario, NOT_DECIDABLE if reason else NO_DIFFERENCE, found, horizon_ms, reason)
+
+
+def ended_badly(runs: SourceRuns) -> bool:
+    """Whether nothing can be decided whatever the migrated program does: the original came to no good end."""
+    return bool(runs.given_up) or runs.nominal.status not in SETTLED
+
+
+def without_target(scenario: Scenario, runs: SourceRuns, error: VerificationError) -> ScenarioVerdict:
+    """What a scenario says in which nothing is known of the migrated program.
+
+    Args:
+        scenario: what happened.
+        runs: those of the original.
+        error: why nothing is known.
+    """
+    unknown = f"what the migrated program does in '{scenario.name}' is not known: {error.message}"
+    if runs.given_up:
+        unknown = f"{_given_up(runs)}; {unknown}"
+    elif ended_badly(runs):
+        unknown = f"{_doubt(scenario, runs, (), None)}; {unknown}"
+    return ScenarioVerdict(scenario, NOT_DECIDABLE, (), 0.0, unknown)
 
 
 def _sure(found: ChannelComparison) -> ChannelComparison:

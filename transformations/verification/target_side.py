@@ -1,0 +1,92 @@
+"""The target's side of a verification: the migrated program on a simulator, in each scenario.
+
+A simulator may crash itself, as libsimavr does where a program writes far beyond its memory. Then the next one that is installed
+is asked, unless a person has named one.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+
+from robosmi.errors import EngineCrashError, VerificationError
+from robosmi.metamodels import platform
+from robosmi.transformations.verification.jobs import job, shows_console
+from robosmi.transformations.verification.played_devices import played
+from robosmi.transformations.verification.port_devices import BoundPort
+from robosmi.verify.compile_report import CompileReport
+from robosmi.verify.scenario import Scenario
+from robosmi.verify.simulation import PinTrace, engines_for, simulate
+
+LIMIT_S = 60.0
+"""Seconds of this machine's time for each side of a scenario, twice so long where the source is run with other costs."""
+NOTHING_SEEN = PinTrace("", "crashed", 0.0, (), (), (), ())
+"""The trace of a run of which a simulator has told nothing."""
+
+
+class TargetSide:
+    """The migrated program on its board.
+
+    Attributes:
+        board: the board.
+        shows_console: whether what the program prints can be seen.
+    """
+
+    def __init__(
+        self, board: platform.Board, report: CompileReport, ports: Sequence[BoundPort], wanted: str | None = None
+    ) -> None:
+        """Look for the engines.
+
+        Args:
+            board: the board.
+            report: how the program was compiled.
+            ports: the ports.
+            wanted: the engine that a person has named, or None.
+
+        Raises:
+            UsageError: no engine has that name, or none knows the board.
+            MissingToolError: none that knows it is installed.
+        """
+        chip = board.microcontroller
+        mcu = str(chip.name) if chip is not None else ""
+        self.board = board
+        self.shows_console = shows_console(mcu)
+        self._report, self._ports = report, ports
+        self._names = [each.name for each in engines_for(mcu, wanted)]
+        self._crashed: set[str] = set()
+        self._instead: set[str] = set()
+
+    @property
+    def engine(self) -> str:
+        """The engine's name, and those of others that ran where it crashed."""
+        if not self._instead:
+            return self._names[0]
+        instead = ", ".join(name for name in self._names if name in self._instead)
+        return f"{self._names[0]} ({instead} where {' and '.join(n for n in self._names if n in self._crashed)} crashed)"
+
+    def run(self, scenarios: Sequence[Scenario]) -> list[PinTrace | VerificationError]:
+        """What the program does in each scenario, as many at once as there are cores, or why that is not known."""
+        with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+            return list(pool.map(self._run, scenarios))
+
+    def _run(self, scenario: Scenario) -> PinTrace | VerificationError:
+        assert self._report.elf is not None
+        assert self._report.hex is not None
+        devices = played(self._ports, scenario, target=True)
+        asked = job(self._report.elf, self._report.hex, self.board, scenario.horizon_ms * 1000, devices)
+        crash: VerificationError | None = None
+        for name in self._names:
+            try:
+                trace = simulate(asked, name, LIMIT_S)
+            except EngineCrashError as error:
+                crash = crash or error
+                self._crashed.add(name)
+            except VerificationError as error:
+                return crash or error
+            else:
+                if crash is not None:
+                    self._instead.add(name)
+                return trace
+        assert crash is not None
+        return crash
