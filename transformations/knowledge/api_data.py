@@ -43,6 +43,7 @@ class RegisterSettings(TypedDict, total=False):
     """`[registers]`."""
 
     names: list[str]
+    read_only: list[str]
 
 
 class PlatformSettings(TypedDict, total=False):

@@ -13,10 +13,12 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.adapter_ranges import parameter_names
-from robosmi.transformations.m2m import compound_literals, early_functions
+from robosmi.transformations.m2m import compound_literals, early_functions, excess_values
+from robosmi.transformations.m2m.declared_lists import without
 from robosmi.transformations.m2m.designated_lists import positional
 from robosmi.transformations.m2m.nested_types import before_record, tag_places
 from robosmi.transformations.m2m.old_c import word_places
+from robosmi.transformations.m2m.read_only_registers import value_of_register
 from robosmi.transformations.queries.block_braces import inside
 from robosmi.transformations.queries.own_headers import own_header
 from robosmi.transformations.queries.plan import RUN_IN_SETUP
@@ -89,6 +91,11 @@ def _out(element: ccode.Located, choice: str, text: SourceText) -> list[Replacem
     if text.blank(start, element.startOffset) and text.blank(end, text.line_end(end)):
         return [(start, text.line_end(end), "")]
     return [(element.startOffset, end, "")]
+
+
+def _out_of_list(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
+    """Some names of a declaration of several go, said by their numbers."""
+    return without(text.data, int(element.startOffset), [int(number) for number in choice.split()])
 
 
 def _rename(element: ccode.Declaration | ccode.Macro, choice: str, text: SourceText) -> list[Replacement]:
@@ -355,6 +362,7 @@ RULES: dict[str, EditRule] = {
     "linkage-of-c": _branch_out,
     "open-size": _open_size,
     "positional": lambda element, choice, text: positional(element, text.data) or [],
+    excess_values.RULE: lambda element, choice, text: excess_values.places(element, text.data),
     compound_literals.RULE: lambda element, choice, text: compound_literals.replacements(element, choice, text.data),
     "convert": _convert,
     "convert-compound": _convert_compound,
@@ -374,6 +382,7 @@ RULES: dict[str, EditRule] = {
     "share": _insert("__attribute__((weak)) "),
     "share-one": _share_one,
     "replace": _replace,
+    "value-of-register": lambda element, choice, text: value_of_register(element, choice, text.data),
     "compound-of-enumeration": _compound,
     "source-assembler": _comment,
     "return-with-value": _behind_return,
@@ -383,6 +392,7 @@ RULES: dict[str, EditRule] = {
     "inner-block": _inner_block,
     "assign-behind": _assign_behind,
     "take-out": _out,
+    "out-of-list": _out_of_list,
     "define-extern": _define_extern,
     "define-without-extern": _define_without_extern,
     "define-local": _define_local,

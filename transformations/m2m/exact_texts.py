@@ -1,7 +1,7 @@
 """Texts that fill an array of characters to its end, so that the zero byte has no room (C11 6.7.9): C++ refuses them.
 
-Each becomes a list of its characters. Texts that a macro writes, and those in lists that are written anew as a whole, stay;
-`refused_forms` tells them.
+So it does longer ones, of which compilers of C take as many characters as there is room for. Each becomes a list of characters.
+Texts that a macro writes, and those in lists that are written anew as a whole, stay; `refused_forms` tells them.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from robosmi.transformations.m2m.text_change import Change
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType, ValueType, of_use
 from robosmi.transformations.queries.initialisers import says_where, value_in
+from robosmi.typed import matches
 
 _PIECE = re.compile(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)
 _CHARACTER = re.compile(r"\\(?:x[0-9a-fA-F]+|[0-7]{1,3}|.)|[^\\]", re.DOTALL)
@@ -26,42 +27,43 @@ _SIZE = re.compile(r"\[([^\]]*)\]")
 
 def exact_texts(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """The texts that are written where they stand."""
-    for literal, written in without_zero(view, data):
-        if written:
+    for literal, size in without_zero(view, data):
+        if size:
             text = data[literal.startOffset : literal.endOffset].decode("utf-8", errors="surrogateescape")
-            yield Change(literal, "replace", _listed(text), "the array has no room for the zero byte of its text")
+            yield Change(literal, "replace", _listed(text, size), "the array has no room for the zero byte of its text")
 
 
-def without_zero(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Expression, bool]]:
-    """The texts of a unit that have as many characters as their array has elements, and whether they can be written otherwise."""
+def without_zero(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Expression, int]]:
+    """The texts of a unit for which their array has no room, and how many characters it takes; 0 where no list can say them."""
     for variable in view.of_kind(ccode.Variable):
         if variable.initializer is None or variable.valueType is None:
             continue
         found = list(_within(variable.initializer, variable.valueType, _sizes(variable.valueType), constants_of(variable)))
         anew = [(start, end) for start, end, _ in positional(variable, data) or ()] if found else []
-        for literal in found:
+        for literal, size in found:
             start, end = int(literal.startOffset), int(literal.endOffset)
             plain = data[start:end].startswith(b'"') and data[start:end].endswith(b'"')
-            yield literal, plain and not any(first <= start and end <= last for first, last in anew)
+            yield literal, size if plain and not any(first <= start and end <= last for first, last in anew) else 0
 
 
 def _sizes(use: ccode.TypeUse) -> list[str]:
     """The sizes of an array as they are written, those of a type that the program names too."""
-    made = _found(_SIZE, str(use.arrayDims or ""))
+    made = matches(_SIZE, str(use.arrayDims or ""))
     named = use.declaration.aliased if isinstance(use.declaration, ccode.Typedef) else None
     return made + (_sizes(named) if named is not None else [])
 
 
 def _within(
     value: ccode.Expression, use: ccode.TypeUse, sizes: Sequence[str], constants: Mapping[str, int]
-) -> Iterator[ccode.Expression]:
+) -> Iterator[tuple[ccode.Expression, int]]:
     kind = of_use(use)
     if kind is None or kind.depth > kind.dimensions:
         return
     text = _text(value)
     if text:
-        if len(sizes) == 1 and kind.base.endswith("char") and _known(sizes[0], constants) == len(characters(text)):
-            yield value
+        size = _known(sizes[0], constants) if len(sizes) == 1 and kind.base.endswith("char") else None
+        if size and size <= len(characters(text)):
+            yield value, size
     elif isinstance(value, ccode.InitializerList):
         inside = [each for element in value.elements if (each := value_in(element)) is not None]
         if sizes:
@@ -71,7 +73,9 @@ def _within(
         yield from _members(value, kind, constants)
 
 
-def _members(given: ccode.InitializerList, kind: ValueType, constants: Mapping[str, int]) -> Iterator[ccode.Expression]:
+def _members(
+    given: ccode.InitializerList, kind: ValueType, constants: Mapping[str, int]
+) -> Iterator[tuple[ccode.Expression, int]]:
     """The texts for the members of a structure, which come in their order or say their member."""
     members = members_of(kind)
     places = {str(member.name): place for place, member in enumerate(members)}
@@ -111,16 +115,14 @@ def _known(size: str, constants: Mapping[str, int]) -> int | None:
 def characters(literal: str) -> list[str]:
     """The bytes of a text in C as they are written, without the zero byte at its end; pieces that stand side by side are one."""
     made: list[str] = []
-    for piece in _found(_PIECE, literal.replace("\\\n", "")):
-        for each in _found(_CHARACTER, piece):
+    for piece in matches(_PIECE, literal.replace("\\\n", "")):
+        for each in matches(_CHARACTER, piece):
             plain = len(each.encode(errors="surrogateescape")) == 1 or each.startswith("\\")
             made += [each] if plain else [f"\\x{byte:02x}" for byte in each.encode(errors="surrogateescape")]
     return made
 
 
-def _found(pattern: re.Pattern[str], text: str) -> list[str]:
-    return list(pattern.findall(text))
-
-
-def _listed(literal: str) -> str:
-    return "{" + ", ".join("'" + {"'": "\\'", '\\"': '"'}.get(each, each) + "'" for each in characters(literal)) + "}"
+def _listed(literal: str, size: int) -> str:
+    """The first characters of a text as a list."""
+    shown = characters(literal)[:size]
+    return "{" + ", ".join("'" + {"'": "\\'", '\\"': '"'}.get(each, each) + "'" for each in shown) + "}"

@@ -7,8 +7,10 @@ declarations in the manner of old C are in `old_c`, variables that several decla
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Collection, Iterator, Mapping
+from itertools import chain
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
@@ -18,7 +20,9 @@ from robosmi.transformations.m2m.designated_lists import list_holders, positiona
 from robosmi.transformations.m2m.early_functions import run_in_setup
 from robosmi.transformations.m2m.empty_types import said_parameters
 from robosmi.transformations.m2m.exact_texts import exact_texts
+from robosmi.transformations.m2m.excess_values import excess_values
 from robosmi.transformations.m2m.nested_types import nested_enumerations, nested_tags
+from robosmi.transformations.m2m.read_only_registers import read_only_registers
 from robosmi.transformations.m2m.source_assembler import assembler
 from robosmi.transformations.m2m.text_change import Change, Rule
 from robosmi.transformations.m2m.written_types import gives_text, unnamed, written_type
@@ -30,8 +34,10 @@ from robosmi.transformations.queries.expression_type import (
     type_of,
 )
 from robosmi.transformations.queries.numbers import COMPARISONS
+from robosmi.transformations.queries.own_headers import included, own_macro
 from robosmi.transformations.queries.plan import RUN_IN_SETUP
 from robosmi.transformations.queries.signature_text import function_type
+from robosmi.typed import matches
 
 _NULLS = re.compile(rb"NULL|\(?\s*0[xX]?0*[uUlL]*\s*\)?")
 
@@ -139,6 +145,11 @@ def _comparisons(view: CodeView, data: bytes, functions: Mapping[str, FunctionTy
         left, right = binary.left, binary.right
         if binary.operator not in COMPARISONS or left is None or right is None:
             continue
+        one = _function(left, view)
+        two = _function(right, view) if one is not None else None
+        if one is not None and two is not None and _signature(one) != _signature(two):
+            for value in (left, right):
+                yield Change(value, "convert", "void (*)()", "C++ compares no pointers to functions that take other parameters")
         for value, other in ((left, right), (right, left)):
             given, kind = type_of(value, functions), type_of(other, functions)
             plain = isinstance(other, ccode.IntegerLiteral) and not other.value
@@ -147,6 +158,29 @@ def _comparisons(view: CodeView, data: bytes, functions: Mapping[str, FunctionTy
             if not _NULLS.fullmatch(data[other.startOffset : other.endOffset]):
                 rule = "convert" if _primary(value) else "convert-compound"
                 yield Change(value, rule, kind.spelling, "C++ compares no pointer with a number")
+
+
+def _function(value: ccode.Expression, view: CodeView) -> ccode.Function | None:
+    """The function whose address a value is, also where macros of the program stand for its name."""
+    inner = value.operand if isinstance(value, ccode.Unary) and value.operator == "&" else value
+    if not isinstance(inner, ccode.NameReference):
+        return None
+    if isinstance(inner.target, ccode.Function):
+        return inner.target
+    name, seen = str(inner.name), set[str]()
+    while name not in seen and (macro := own_macro(view.unit, name)) is not None and not macro.functionLike:
+        seen.add(name)
+        name = str(macro.body or "").strip("() &")
+    declared = (d for u in (view.unit, *included(view.unit)) for d in u.declarations) if seen else ()
+    return next((d for d in declared if isinstance(d, ccode.Function) and d.name == name), None)
+
+
+def _signature(function: ccode.Function) -> tuple[str, ...]:
+    """What tells the types of functions apart; one that says nothing of its parameters is like no other."""
+    taken = [_plain(p.valueType.spelling) for p in function.parameters if p.valueType is not None]
+    gives = _plain(function.returnType.spelling) if function.returnType is not None else ""
+    unsaid = str(function.name) if re.search(r"\(\s*\)$", function.signature) and not function.definition else ""
+    return (gives, *taken, "..." * function.variadic, unsaid)
 
 
 def _void_arithmetic(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
@@ -283,18 +317,25 @@ def _tags(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) ->
     units = view.program.units
     typedefs = {d.name: d for u in units for d in u.declarations if isinstance(d, ccode.Typedef) and d.aliased is not None}
     words = {word for u in units for d in u.declarations for word in (str(d.name),)}
-    for record in view.of_kind(ccode.Record):
+    tagged: Iterator[ccode.Record | ccode.Enumeration] = chain(view.of_kind(ccode.Record), view.of_kind(ccode.Enumeration))
+    for record in tagged:
         typedef = typedefs.get(record.name) if record.name else None
         if typedef is not None and typedef.aliased is not None and not _same(typedef.aliased, record):
             yield Change(record, "rename-tag", _fresh(f"{record.name}_", words), "the name is another type's, too")
-        for member in record.fields:
+        for member in record.fields if isinstance(record, ccode.Record) else ():
             use = member.valueType
-            if use is not None and use.declaration is not None and use.spelling.split()[:1] == [member.name]:
+            if use is not None and use.declaration is not None and member.name in _type_names(use):
                 yield Change(member, "qualify-type", "", "the member has the name of its type")
 
 
-def _same(aliased: ccode.TypeUse, record: ccode.Record) -> bool:
-    """Whether a typedef is only another way to write a record's tag."""
+def _type_names(use: ccode.TypeUse) -> list[str]:
+    """The names of types that stand in a type, without the tags of records."""
+    words = matches(r"[A-Za-z_]\w*", use.spelling)
+    return [word for before, word in itertools.pairwise(["", *words]) if before not in ("struct", "union", "enum")]
+
+
+def _same(aliased: ccode.TypeUse, record: ccode.Record | ccode.Enumeration) -> bool:
+    """Whether a typedef is only another way to write a type's tag."""
     return not aliased.pointerDepth and not aliased.arrayDims and aliased.spelling.split()[1:] == [record.name]
 
 
@@ -318,6 +359,7 @@ RULES: tuple[Rule, ...] = (
     _designated,
     compound_literals,
     exact_texts,
+    excess_values,
     said_parameters,
     run_in_setup,
     _enumerations,
@@ -325,6 +367,7 @@ RULES: tuple[Rule, ...] = (
     _comparisons,
     _void_arithmetic,
     _sizes_of_characters,
+    read_only_registers,
     *old_c.RULES,
     *shared_names.RULES,
 )
@@ -354,6 +397,8 @@ TEXT_RULES = frozenset(
         "enumeration-before",
         "tag-of-member",
         "one-element",
+        "out-of-list",
+        "excess-values",
         "inner-block",
         RUN_IN_SETUP,
         "zero-value",

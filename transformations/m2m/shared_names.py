@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 
 from robosmi.metamodels import ccode
+from robosmi.transformations.m2m.declared_lists import declarators
 from robosmi.transformations.m2m.text_change import Change, Rule
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType, declared_with_others
@@ -65,6 +66,7 @@ def tentative(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]
             and declaration.name
         ):
             by_name.setdefault(declaration.name, []).append(declaration)
+    listed: dict[ccode.Variable, bool] = {}
     for variables in by_name.values():
         sized = next((v for v in variables if not _open_array(v)), variables[0])
         kept = next((v for v in variables if v.initialised), sized)
@@ -73,9 +75,11 @@ def tentative(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]
         needed = [v for v in variables if _used_before(kept, v)]
         shown = False
         for variable in variables if len(variables) > 1 else ():
-            if variable is kept or declared_with_others(variable):
+            if variable is kept:
                 continue
-            if variable.storage.name == "unspecified":
+            if declared_with_others(variable):
+                listed[variable] = _used_before(kept, variable)
+            elif variable.storage.name == "unspecified":
                 yield Change(variable, "declare-only", "", "the variable is declared a second time")
             elif needed and variable is needed[0] and not declared_with_others(kept) and not _elsewhere(view.unit, kept):
                 shown = True
@@ -84,6 +88,33 @@ def tentative(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]
                 yield Change(variable, "take-out", "", "the variable is declared a second time")
         if shown:
             yield Change(kept, "no-static", "", "it is declared as extern where it is first used")
+    yield from _repeated_in_lists(view, data, listed)
+
+
+def _repeated_in_lists(view: CodeView, data: bytes, repeated: Mapping[ccode.Variable, bool]) -> Iterator[Change]:
+    """Names that leave a declaration of several, since another declaration defines them.
+
+    Args:
+        view: the unit.
+        data: its bytes.
+        repeated: the variables -> whether they are used before that other declaration.
+    """
+    reason = "the variable is declared a second time"
+    declared = (d for d in view.unit.declarations if isinstance(d, ccode.Variable))
+    for variables in _declared_together(declared) if repeated else ():
+        gone = [number for number, variable in enumerate(variables) if variable in repeated]
+        names = [each.name for each in declarators(data, int(variables[0].startOffset))]
+        if not gone or names != [variable.name for variable in variables]:
+            continue
+        others = [variable for variable in variables if variable not in repeated]
+        early = any(repeated[variables[number]] for number in gone)
+        if not others or (early and not any(v.initialised or v.storage.name == "staticStorage" for v in others)):
+            outside = variables[0].storage.name == "unspecified"
+            yield Change(variables[0], "declare-only" if outside else "take-out", "", reason)
+            if others:
+                yield Change(others[0], "define-behind", " ".join(v.name for v in others), "it is declared beside others")
+        else:
+            yield Change(variables[gone[0]], "out-of-list", " ".join(map(str, gone)), reason)
 
 
 def _open_array(variable: ccode.Variable) -> bool:
@@ -154,8 +185,9 @@ def common(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -
     """A variable that several files define without a value: the one with a value, else the first, is the definition."""
     unit = view.unit
     units = [u for u in unit.program.units if not is_header(u)] if unit.program is not None and not is_header(unit) else []
+    valued = {d.name for d in unit.declarations if _plain(d) and not _common(d)}
     for variable in unit.declarations if len(units) > 1 else ():
-        if not _common(variable) or not isinstance(variable, ccode.Variable):
+        if variable.name in valued or not _common(variable) or not isinstance(variable, ccode.Variable):
             continue
         others = [d for u in units if u is not unit for d in u.declarations if d.name == variable.name and _plain(d)]
         kept = next((u for u in units for d in u.declarations if d.name == variable.name and _common(d)), unit)
@@ -193,7 +225,9 @@ def _branches(unit: ccode.SourceUnit) -> Iterator[tuple[ccode.PreprocessorCondit
 
 def _plain(declaration: ccode.Declaration) -> bool:
     """Whether it is a variable that other files see, and no mere declaration."""
-    return isinstance(declaration, ccode.Variable) and declaration.storage.name == "unspecified" and bool(declaration.name)
+    if not isinstance(declaration, ccode.Variable) or not declaration.name:
+        return False
+    return declaration.storage.name == "unspecified" or (declaration.storage.name == "externStorage" and declaration.initialised)
 
 
 def _common(declaration: ccode.Declaration) -> bool:

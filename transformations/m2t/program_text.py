@@ -15,12 +15,18 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.adapters import adapters, handles_interrupts
 from robosmi.transformations.m2t.main_text import MainPart, heading, hoisted_parts, main_parts
 from robosmi.transformations.queries.main_function import main_of
-from robosmi.transformations.queries.own_headers import headers_of_types, undeclared, undeclared_variables, unit_of
+from robosmi.transformations.queries.own_headers import (
+    headers_of_types,
+    undeclared,
+    undeclared_variables,
+    unit_of,
+)
 from robosmi.transformations.queries.plan import keeps_main, target_of
 from robosmi.transformations.queries.plan_adapters import rest_levels
 from robosmi.transformations.queries.signature_text import declare
 from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, header_file, is_header
 from robosmi.transformations.queries.text_changes import decision_of
+from robosmi.transformations.queries.verdicts import IN_PLACE
 from robosmi.transformations.queries.width_types import retyped
 
 
@@ -36,27 +42,51 @@ def file_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
 
 
 def own_header(plan: migration.MigrationPlan, source: SourceText) -> dict[str, Any]:
-    """What the file of a header of the program's own shows: its text, with prototypes of what it uses before it is defined."""
+    """What the file of a header of the program's own shows: its text, with prototypes of what it uses before it is defined.
+
+    One without a guard that gets bodies is read once by each file; what it only declared could be read again and again.
+    """
     unit = source.unit
     functions = [d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition]
-    ahead = [f for f in functions if _used_before(f, unit, ()) and not _declared_anywhere(f, plan)]
-    first = min((f.startOffset for f in functions), default=0) if ahead else 0
-    first = source.line_start(first) if source.blank(source.line_start(first), first) else first
-    parts = _header_parts(source, 0, first)
+    early = [f for f in functions if _used_before(f, unit, ())]
+    declared = _declared_names(plan) if early else set()
+    ahead = [f for f in early if f.name not in declared]
+    first = _place_of_prototypes(source, functions, ahead) if ahead else 0
+    guarded = bool(unit.conditionals) or b"#pragma once" in source.data
+    parts = [MainPart("#pragma once\n", "generation", "once", [unit])] if not guarded and _gets_bodies(unit, plan) else []
+    parts += _header_parts(source, 0, first)
     parts += [MainPart(f"{_prototype(f, source, plan)};\n", "generation", "prototype", [f]) for f in ahead]
     return {"code": [*parts, *_header_parts(source, first, len(source.data))]}
+
+
+def _declared_names(plan: migration.MigrationPlan) -> set[str]:
+    """The functions of which any file of the program has a prototype."""
+    units = plan.program.units if plan.program is not None else []
+    return {str(d.name) for unit in units for d in unit.declarations if isinstance(d, ccode.Function) and not d.definition}
+
+
+def _gets_bodies(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> bool:
+    """Whether a header gets bodies of functions that it only declared."""
+    bodies = (d.element for d in plan.dispositions if IN_PLACE in d.rules and d.element is not None)
+    return any(unit_of(element) is unit for element in bodies)
+
+
+def _place_of_prototypes(source: SourceText, functions: Sequence[ccode.Function], ahead: Sequence[ccode.Function]) -> int:
+    """Where prototypes stand: before the first function, or before what uses them first where their types stand behind that."""
+    unit = source.unit
+    first = min((int(f.startOffset) for f in functions), default=len(source.data))
+    uses = [use for f in ahead for use in (f.returnType, *(p.valueType for p in f.parameters)) if use is not None]
+    types = [int(use.declaration.endOffset) for use in uses if use.declaration is not None and unit_of(use.declaration) is unit]
+    if max(types, default=0) > first:
+        named = [int(use.startOffset) for f in ahead for use in (*f.calls, *f.references) if unit_of(use) is unit]
+        within = (int(d.startOffset) for d in unit.declarations if any(d.startOffset <= at < d.endOffset for at in named))
+        first = max(first, min(within, default=first))
+    return source.line_start(first) if source.blank(source.line_start(first), first) else first
 
 
 def _header_parts(source: SourceText, start: int, end: int) -> list[MainPart]:
     pieces = source.pieces(start, end, _elements(source.unit))
     return [MainPart(_lines(p.text), "code", "retained header", p.elements or [source.unit]) for p in pieces if p.text]
-
-
-def _declared_anywhere(function: ccode.Function, plan: migration.MigrationPlan) -> bool:
-    """Whether any file of the program has a prototype of the function."""
-    units = plan.program.units if plan.program is not None else []
-    declared = (d for unit in units for d in unit.declarations if isinstance(d, ccode.Function) and not d.definition)
-    return any(d.name == function.name for d in declared)
 
 
 def program_text(
@@ -89,8 +119,9 @@ def program_text(
     elsewhere = undeclared(unit)
     ahead += elsewhere
     late = [a for a in with_own_types if _called_in(a, unit)]
-    first = min((f.startOffset for f in functions), default=len(source.data))
-    first = source.line_start(first) if source.blank(source.line_start(first), first) else first
+    first = _place_of_prototypes(source, functions, ahead)
+    if main is not None and first > heading(source, main):
+        first = heading(source, main)
     variables = undeclared_variables(unit)
     start = first if ahead or late or variables else 0
     return {

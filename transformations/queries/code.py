@@ -19,6 +19,7 @@ from robosmi.query import Q, all_contents
 from robosmi.transformations.knowledge.api_facts import ApiEntry
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.names import name_or_text
+from robosmi.transformations.queries.own_headers import all_includes
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.tokens import names_in
 from robosmi.transformations.queries.values import Values
@@ -101,7 +102,7 @@ class CodeView:
         self.unit = unit
         self.program = program
         self.api = api
-        self.includes = tuple(str(i.header) for i in unit.includes)
+        self.includes = all_includes(unit)
         self.elements: list[Element] = list(all_contents(unit))
         self.calls: list[ccode.Call] = _distinct(e for e in self.elements if isinstance(e, ccode.Call) and not e.viaMacro)
         self.own_macros: dict[str, ccode.Macro] = {str(m.name): m for m in unit.macros}

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, ancestor_of_kind
+from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.queries.tokens import names_in
 
 AUTOMATIC = ("staticStorage", "externStorage")
@@ -52,8 +53,16 @@ class Surroundings(NamedTuple):
 
     @property
     def taken(self) -> set[str]:
-        """The names at file scope of the unit."""
-        return {d.name for d in self.unit.declarations} | {m.name for m in self.unit.macros}
+        """The names at file scope of the unit, of the program's headers, and those that other files share with it."""
+        others = [u for u in self.unit.program.units if u is not self.unit] if self.unit.program is not None else []
+        units = [self.unit, *(u for u in others if is_header(u))]
+        own = {d.name for u in units for d in u.declarations} | {m.name for u in units for m in u.macros}
+        return own | {d.name for u in others if u not in units for d in u.declarations if _linked(d)}
+
+
+def _linked(declared: ccode.Declaration) -> bool:
+    """Whether other files may name a thing that a file declares."""
+    return isinstance(declared, (ccode.Function, ccode.Variable)) and declared.storage.name != "staticStorage"
 
 
 def locals_of(statements: Iterable[ccode.Statement]) -> list[ccode.Variable]:

@@ -46,6 +46,31 @@ def included(unit: ccode.SourceUnit) -> list[ccode.SourceUnit]:
     return list(found.values())
 
 
+def all_includes(unit: ccode.SourceUnit) -> tuple[str, ...]:
+    """The headers that a unit includes, those within the program's own headers at their place; for such a header, also those of
+    the files that include it."""
+    program = unit.program
+    headers = {_in_sketch(u): u for u in program.units if is_header(u)} if program is not None else {}
+    if not headers:
+        return tuple(str(include.header) for include in unit.includes)
+    found: dict[str, None] = {}
+    seen: set[int] = set()
+    around = [u for u in program.units if unit in included(u)] if program is not None and is_header(unit) else []
+    for start in (unit, *around):
+        pending = [iter(start.includes)]
+        while pending:
+            include = next(pending[-1], None)
+            if include is None:
+                pending.pop()
+                continue
+            found.setdefault(str(include.header))
+            header = headers.get(own_header(include))
+            if header is not None and id(header) not in seen:
+                seen.add(id(header))
+                pending.append(iter(header.includes))
+    return tuple(found)
+
+
 def _in_sketch(header: ccode.SourceUnit) -> str:
     return header_file(header.path.rpartition("/")[2])
 

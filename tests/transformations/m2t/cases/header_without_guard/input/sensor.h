@@ -1,0 +1,3 @@
+// what the sensors say
+int distance(); // in cm
+int level(void);

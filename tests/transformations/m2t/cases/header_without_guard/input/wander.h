@@ -1,0 +1,2 @@
+#include "sensor.h"
+void wander();

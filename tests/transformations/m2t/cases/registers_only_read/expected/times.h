@@ -1,0 +1,2 @@
+#include "tools.h"
+#define WAIT(ticks, times) waitcnt((ticks * times) + CNT)
