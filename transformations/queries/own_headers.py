@@ -79,7 +79,7 @@ def undeclared(unit: ccode.SourceUnit) -> list[ccode.Function]:
     """The functions of other files that a unit calls and declares nowhere, as old C allows; by their first calls."""
     declared = {d.name for u in (unit, *included(unit)) for d in u.declarations if isinstance(d, ccode.Function)}
     found: dict[str, ccode.Function] = {}
-    for call in sorted(all_of_kind(unit, ccode.Call), key=lambda c: int(c.startOffset)):
+    for call in sorted(all_of_kind(unit, ccode.Call), key=_start):
         callee = call.callee
         if callee is None or not callee.definition or callee.name in declared:
             continue
@@ -101,7 +101,7 @@ def undeclared_variables(unit: ccode.SourceUnit) -> list[ccode.Variable]:
         if isinstance(d, ccode.Variable) and d.storage.name == "unspecified" and d.name not in declared
     }
     found: dict[str, ccode.Variable] = {}
-    for use in sorted(all_of_kind(unit, ccode.NameReference), key=lambda r: int(r.startOffset)) if shared else ():
+    for use in sorted(all_of_kind(unit, ccode.NameReference), key=_start) if shared else ():
         outside = isinstance(use.target, ccode.ExternalSymbol) or use.target is shared.get(str(use.name))
         if outside and use.name in shared:
             found.setdefault(str(use.name), shared[str(use.name)])
@@ -120,3 +120,7 @@ def own_macro(unit: ccode.SourceUnit | None, name: str) -> ccode.Macro | None:
     """The macro of that name that a unit or one of the program's own headers in it defines, whatever the platform calls so."""
     seen = (unit, *included(unit)) if unit is not None else ()
     return next((m for u in seen for m in u.macros if m.name == name), None)
+
+
+def _start(element: ccode.Located) -> int:
+    return int(element.startOffset)
