@@ -260,8 +260,9 @@ def _function_pointer(value: ccode.Expression, wanted: ValueType) -> str:
     if isinstance(inner, ccode.Cast) and inner.target is not None:
         return "" if "(*" in inner.target.spelling else "the place wants a pointer to a function"
     if isinstance(inner, ccode.NameReference):
-        known = isinstance(inner.target, (ccode.Variable, ccode.Parameter, ccode.Field)) and inner.target.valueType is not None
-        plain = known and "(*" not in inner.target.valueType.spelling  # type: ignore[union-attr]
+        target = inner.target
+        use = target.valueType if isinstance(target, (ccode.Variable, ccode.Parameter, ccode.Field)) else None
+        plain = use is not None and "(*" not in use.spelling
         unknown = isinstance(inner.target, ccode.ExternalSymbol) and inner is not value
         return "the place wants a pointer to a function" if plain or unknown else ""
     return "the place wants a pointer to a function"

@@ -353,7 +353,11 @@ def cogs_of(view: CodeView) -> list[CogStart]:
         for call in function.calls:
             arguments = list(call.arguments)
             found.append(CogStart(call, function.name, _code_name(arguments[position]) if position < len(arguments) else ""))
-    return sorted(found, key=lambda c: int(c.call.startOffset))
+    return sorted(found, key=_start_of_call)
+
+
+def _start_of_call(start: CogStart) -> int:
+    return int(start.call.startOffset)
 
 
 def _code_name(argument: ccode.Expression) -> str:
@@ -383,7 +387,11 @@ def _distinct(calls: Iterable[ccode.Call]) -> list[ccode.Call]:
     found: dict[tuple[int, int, str], ccode.Call] = {}
     for call in calls:
         found.setdefault((int(call.startOffset), int(call.endOffset), str(call.calleeName)), call)
-    return sorted(found.values(), key=lambda c: int(c.startOffset))
+    return sorted(found.values(), key=_start)
+
+
+def _start(call: ccode.Call) -> int:
+    return int(call.startOffset)
 
 
 def _line(element: Element | None) -> int:
