@@ -77,10 +77,10 @@ def _place_of_prototypes(source: SourceText, functions: Sequence[ccode.Function]
     first = min((int(f.startOffset) for f in functions), default=len(source.data))
     uses = [use for f in ahead for use in (f.returnType, *(p.valueType for p in f.parameters)) if use is not None]
     types = [int(use.declaration.endOffset) for use in uses if use.declaration is not None and unit_of(use.declaration) is unit]
-    if max(types, default=0) > first:
+    if any(end > first for end in types):
         named = [int(use.startOffset) for f in ahead for use in (*f.calls, *f.references) if unit_of(use) is unit]
-        within = (int(d.startOffset) for d in unit.declarations if any(d.startOffset <= at < d.endOffset for at in named))
-        first = max(first, min(within, default=first))
+        starts = [int(d.startOffset) for d in unit.declarations if any(d.startOffset <= at < d.endOffset for at in named)]
+        first = next((start for start in starts if start >= first), first)
     return source.line_start(first) if source.blank(source.line_start(first), first) else first
 
 
@@ -228,7 +228,6 @@ def _stripped(pieces: Iterator[Piece]) -> Iterator[Piece]:
 def _used_before(function: ccode.Function, unit: ccode.SourceUnit, prototypes: Sequence[ccode.Function]) -> bool:
     """Whether the function is used before its definition and none of its prototypes stands before that."""
     uses = [use.startOffset for use in (*function.calls, *function.references) if ancestor_of_kind(use, ccode.SourceUnit) is unit]
-    first = min(uses, default=function.startOffset)
     uses += [use.startOffset for p in prototypes for use in (*p.calls, *p.references)]
     first = min(uses, default=function.startOffset)
     return first < function.startOffset and all(p.startOffset > first for p in prototypes)
