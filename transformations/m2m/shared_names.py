@@ -114,7 +114,7 @@ def _repeated_in_lists(view: CodeView, data: bytes, repeated: Mapping[ccode.Vari
             if others:
                 yield Change(others[0], "define-behind", " ".join(v.name for v in others), "it is declared beside others")
         else:
-            yield Change(variables[gone[0]], "out-of-list", " ".join(map(str, gone)), reason)
+            yield Change(variables[gone[0]], "out-of-list", " ".join(str(number) for number in gone), reason)
 
 
 def _open_array(variable: ccode.Variable) -> bool:

@@ -57,17 +57,14 @@ def all_includes(unit: ccode.SourceUnit) -> tuple[str, ...]:
     seen: set[int] = set()
     around = [u for u in program.units if unit in included(u)] if program is not None and is_header(unit) else []
     for start in (unit, *around):
-        pending = [iter(start.includes)]
+        pending = list(reversed(start.includes))
         while pending:
-            include = next(pending[-1], None)
-            if include is None:
-                pending.pop()
-                continue
+            include = pending.pop()
             found.setdefault(str(include.header))
             header = headers.get(own_header(include))
             if header is not None and id(header) not in seen:
                 seen.add(id(header))
-                pending.append(iter(header.includes))
+                pending += reversed(header.includes)
     return tuple(found)
 
 
