@@ -5,7 +5,7 @@
 # make fuzz  damaged and large inputs, odd environments, by hand (not in CI)
 # make evaluate  the figures of the library ranking on the labelled queries, where these are beside the checkout
 # make faults    faults and harmless rewritings in the migrated case studies, and what `verify` notices of them, by hand (not in CI)
-# make adapters  each adapter compiled alone for every microcontroller, and each one broken on purpose, by hand (not in CI)
+# make adapters  each adapter compiled alone for every microcontroller, each one broken on purpose, and whole programs of each family, by hand (not in CI)
 # make adapter-data  the built data of adapter files, after one was changed
 # make rules  the tables of docs/reference/rules.md, from the rules' data
 # make pyecore  what is leant on in pyecore without a promise, and whether it holds in other versions, by hand (not in CI)
@@ -83,6 +83,7 @@ adapters: $(VENV)/.ready system-packages
 	$(BIN)/python -m tests.adapters.alone
 	$(BIN)/python -m tests.adapters.boards
 	$(BIN)/python -m tests.adapters.mutants
+	$(BIN)/python -m tests.families
 
 faults: $(VENV)/.ready system-packages npm-packages
 	$(BIN)/python -m tests.faults

@@ -85,9 +85,22 @@ void loop() {}
     devices = [DeviceUse("levels", {"pin": pin}, {"points": [[0, level]]}) for pin, level in (("D2", 1), ("D4", 0), ("D3", 1))]
     names = s("get_states", "get_outputs", "get_directions", "set_outputs", "set_directions", "pause")
     trace = wired.run(program, names, 20, devices)
-    # 0b1011 of ports 14 to 12 is 0b011; ports 11 and 15 are not wired
+    # 0b1011 of ports 14 to 12 sets port 15, too, which is not wired; nor is port 11
     assert trace.text == "3" + "3" + str(0b01110) + str(0b101) + " 9 9 " + str(0b1001 | 0b011 << 12)
     assert [driven(trace, pin) for pin in ("D9", "D8", "A0")] == [[0, 1], [0, 1, "z"], [0, 1, 0]]
+
+
+@proves(*s("set_outputs", "set_directions"))
+def patterns_longer_than_their_ports_set_those_that_follow(uno: Uno) -> None:
+    """setOutputs.c shifts the pattern to its place and does not cut it."""
+    program = """
+void setup() { set_directions(1, 0, 0b1111); pause(1); set_outputs(1, 0, 0b1110); pause(1); set_outputs(0, 1, 0b101);
+  pause(1); set_directions(0, 0, 0xFFFFFFF1); pause(1); set_directions(0, 0, 0); }
+void loop() {}
+"""
+    wired = replace(uno, numbers={0: "9", 1: "8", 2: "A0", 3: "7", 31: "6"})
+    trace = wired.run(program, s("set_outputs", "set_directions", "pause"), 20)
+    assert [driven(trace, pin) for pin in ("D9", "D8", "A0", "D7", "D6")] == [[0, 1, "z"], [0, 1, 0], [0, 1], [0, 1], [0]]
 
 
 @proves(*s("set_pause_dt", "pause_ticks", "mark", "timeout", "wait"))

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence, Set
 from functools import lru_cache
+from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 
@@ -78,8 +79,11 @@ def connector_words(texts: Iterable[str]) -> set[str]:
 
 def _words_of(name: str, vocabulary: Set[str]) -> set[str]:
     """The words of one name (see `said`)."""
-    words = {w.lower() for w in matches(_WORDS, name) if not w.isdigit() and len(w) > 1}
-    return {part for word in words for part in _apart(word, vocabulary)} - EMPTY_WORDS
+    pieces = [(w.start(), w.group().lower()) for w in _WORDS.finditer(name)]
+    words = {word for _, word in pieces if not word.isdigit() and len(word) > 1}
+    # a trade name may have a capital inside: NeoPixel, XBee
+    whole = {one + two for (at, one), (next_at, two) in pairwise(pieces) if next_at == at + len(one)} & vocabulary
+    return ({part for word in words for part in _apart(word, vocabulary)} | whole) - EMPTY_WORDS
 
 
 def _apart(word: str, vocabulary: Set[str]) -> Sequence[str]:

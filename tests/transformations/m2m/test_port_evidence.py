@@ -58,6 +58,9 @@ def test_a_channel_of_a_converter_is_offered_pins_that_measure() -> None:
         ("ledger", {"ledger"}),
         ("LED2", {"led"}),
         ("spin", {"spin"}),
+        ("NeoPixel Strip", {"neo", "pixel", "neopixel", "strip"}),
+        ("XBee S2", {"xbee", "bee"}),
+        ("FooBar", {"foo", "bar"}),
     ],
 )
 def test_names_are_taken_apart_where_all_of_them_is_known(name: str, words: set[str]) -> None:

@@ -246,7 +246,7 @@ inline int16_t servo_us(uint8_t pin, int16_t speed, int16_t otherwise) {  // oth
 //#   kind: oneToMany
 //#   needs: ServoSlot simpletools.h/Io
 //#   pin: pin digital out servo
-//#   fidelity: widths within 1 us; returns the pin at the first call, 1 later, -3 without a free place, as there; 0 us ends the pulses
+//#   fidelity: widths within 1 us; returns the pin (the target's) at the first call, 1 later, -3 without a free place, as there; 0 us ends the pulses
 //#   limit: 12 servos at a time instead of 14, and no PWM on pins 9 and 10 of an Uno
 //#   limit: widths from 40 to 2,900 us
 //#   range: time 40..2900 or 0: the pulse is made 40 or 2,900 us long

@@ -196,7 +196,7 @@ struct PortRange {
 //#   symmetric: endPin startPin
 //#   needs: Io PortRange propeller.h/port
 //#   fidelity: levels; the pins are read one after the other, within some 5 us each
-//#   stack: 15 0
+//#   stack: 16 0
 inline uint32_t get_states(int32_t endPin, int32_t startPin) {
   PortRange range(endPin, startPin);
   uint32_t pattern = 0;
@@ -224,7 +224,7 @@ inline uint32_t get_outputs(int32_t endPin, int32_t startPin) {
 //#   symmetric: endPin startPin
 //#   needs: Io PortRange propeller.h/port
 //#   fidelity: directions; the pins are read one after the other, within some 5 us each
-//#   stack: 15 0
+//#   stack: 16 0
 inline uint32_t get_directions(int32_t endPin, int32_t startPin) {
   PortRange range(endPin, startPin);
   uint32_t pattern = 0;
@@ -237,11 +237,12 @@ inline uint32_t get_directions(int32_t endPin, int32_t startPin) {
 //#   kind: oneToMany
 //#   symmetric: endPin startPin
 //#   needs: Io PortRange propeller.h/port
-//#   fidelity: output latches; the pins change one after the other, within some 5 us each
+//#   fidelity: output latches; the pins change one after the other, within some 5 us each; what a pattern has beyond its ports sets those that follow
 //#   stack: 20 0
 inline void set_outputs(int32_t endPin, int32_t startPin, uint32_t pattern) {
   PortRange range(endPin, startPin);
-  for (int32_t number = range.first; number <= range.last; number++, pattern >>= 1) Io(port(number)).set(pattern & 1);
+  for (int32_t number = range.first; number <= range.last || (pattern && number < 32); number++, pattern >>= 1)
+    if (number <= range.last || pattern & 1) Io(port(number)).set(pattern & 1);
 }
 
 //# adapter set_directions
@@ -249,11 +250,12 @@ inline void set_outputs(int32_t endPin, int32_t startPin, uint32_t pattern) {
 //#   kind: oneToMany
 //#   symmetric: endPin startPin
 //#   needs: Io PortRange propeller.h/port
-//#   fidelity: directions; the pins change one after the other, within some 5 us each
-//#   stack: 17 0
+//#   fidelity: directions; the pins change one after the other, within some 5 us each; what a pattern has beyond its ports sets those that follow
+//#   stack: 16 0
 inline void set_directions(int32_t endPin, int32_t startPin, uint32_t pattern) {
   PortRange range(endPin, startPin);
-  for (int32_t number = range.first; number <= range.last; number++, pattern >>= 1) Io(port(number)).drive(pattern & 1);
+  for (int32_t number = range.first; number <= range.last || (pattern && number < 32); number++, pattern >>= 1)
+    if (number <= range.last || pattern & 1) Io(port(number)).drive(pattern & 1);
 }
 
 // ---------------------------------------------------------------- time

@@ -99,7 +99,7 @@ static inline int16_t servo_us(uint8_t pin, int16_t speed, int16_t otherwise) { 
 //#   needs: servo_slots simpletools.h/Io
 //#   include: <avr/interrupt.h>
 //#   pin: pin digital out servo
-//#   fidelity: widths within 4 us; returns the pin at the first call, 1 later, -3 without a free place, as there; 0 us ends the pulses
+//#   fidelity: widths within 4 us; returns the pin (the target's) at the first call, 1 later, -3 without a free place, as there; 0 us ends the pulses
 static inline int32_t servo_set(int32_t pin, int32_t time) {
   if (!io_at(pin).mask) return 0;
   volatile ServoSlot *slot = servo_slot(pin, false);

@@ -250,10 +250,11 @@ static inline uint32_t get_directions(int32_t endPin, int32_t startPin) {
 //#   kind: oneToMany
 //#   symmetric: endPin startPin
 //#   needs: Io propeller.h/port
-//#   fidelity: output latches; the pins change one after the other, within some 5 us each
+//#   fidelity: output latches; the pins change one after the other, within some 5 us each; what a pattern has beyond its ports sets those that follow
 static inline void set_outputs(int32_t endPin, int32_t startPin, uint32_t pattern) {
   int32_t first = endPin < startPin ? endPin : startPin, last = endPin < startPin ? startPin : endPin;
-  for (; first <= last; first++, pattern >>= 1) io_set(io_at(port(first)), pattern & 1);
+  for (; first <= last || (pattern && first < 32); first++, pattern >>= 1)
+    if (first <= last || pattern & 1) io_set(io_at(port(first)), pattern & 1);
 }
 
 //# adapter set_directions
@@ -261,10 +262,11 @@ static inline void set_outputs(int32_t endPin, int32_t startPin, uint32_t patter
 //#   kind: oneToMany
 //#   symmetric: endPin startPin
 //#   needs: Io propeller.h/port
-//#   fidelity: directions; the pins change one after the other, within some 5 us each
+//#   fidelity: directions; the pins change one after the other, within some 5 us each; what a pattern has beyond its ports sets those that follow
 static inline void set_directions(int32_t endPin, int32_t startPin, uint32_t pattern) {
   int32_t first = endPin < startPin ? endPin : startPin, last = endPin < startPin ? startPin : endPin;
-  for (; first <= last; first++, pattern >>= 1) io_drive(io_at(port(first)), pattern & 1);
+  for (; first <= last || (pattern && first < 32); first++, pattern >>= 1)
+    if (first <= last || pattern & 1) io_drive(io_at(port(first)), pattern & 1);
 }
 
 // ---------------------------------------------------------------- time
