@@ -27,8 +27,8 @@ _BLOCK = re.compile(
 def markdown(text: str) -> str:
     r"""A text within a line.
 
-    >>> markdown("int *p"), markdown("<script>"), markdown("[a](javascript:x)"), markdown("**b**")
-    ('int *p', '&lt;script>', '[a\\](javascript&#58;x)', '**b\\*\\*')
+    >>> markdown("int *p"), markdown("<script>"), markdown("[a](javascript:x)"), markdown("**b**"), markdown("port a[0]: read")
+    ('int *p', '&lt;script>', '[a\\](javascript&#58;x)', '**b\\*\\*', 'port a[0]: read')
     """
     if _PLAIN.fullmatch(text):
         return text
@@ -44,6 +44,8 @@ def _literal(found: re.Match[str], line: str) -> str:
     if found["address"]:
         return f"&#{ord(found[0])};"
     if found["run"] and not _may_close(line, found.start(), found.end()):
+        return found[0]
+    if found["bracket"] and line[found.end()] == ":" and not line.startswith("["):  # only a line's first brackets define a link
         return found[0]
     return "".join(f"\\{letter}" for letter in found[0])
 

@@ -19,6 +19,7 @@ from robosmi.recommend.ranking import Ranker
 from robosmi.transform import Trace
 from robosmi.transformations.knowledge.target_platform import TargetFacts, target_repository
 from robosmi.transformations.m2m.adapter_choice import AdapterChoice, settle_libraries
+from robosmi.transformations.m2m.idle_libraries import close_idle_choices
 from robosmi.transformations.m2m.library_choice import LibraryModels, choose_libraries
 from robosmi.transformations.m2m.plan_checks import plan_checks
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
@@ -219,6 +220,7 @@ def put_together(
         helpers=d.dependence.helpers,
     )
     settle_libraries(plan)
+    close_idle_choices(plan)
     mark_rewritten(plan)
     complete(plan, [*d.findings, *check(plan)], d.paths)
     plan.trace = trace.to_model()

@@ -13,6 +13,7 @@ from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.connector_names import wire_name
+from robosmi.transformations.queries.idle_ports import is_idle
 from robosmi.transformations.queries.plan_adapters import closure, setup_statements
 from robosmi.transformations.queries.port_pins import of_own_serial_port
 from robosmi.typed import distinct
@@ -60,6 +61,7 @@ def _components(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
     titles = [c.title for c in of_component]
     for component, connections in of_component.items():
         ports = [b for b in plan.portBindings if b.connection is not None and any(b.connection is c for c in connections)]
+        ports = [b for b in ports if not is_idle(plan, b)]
         if not ports:
             continue
         title = component.title if titles.count(component.title) == 1 else f"{component.title} #{component.elementId}"
@@ -71,7 +73,8 @@ def _components(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
 def _bare_pins(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
     of_pin: dict[str, list[migration.PortBinding]] = {}
     for binding in plan.portBindings:
-        if binding.connection is None and binding.pin is not None and not (_bauds(plan) and of_own_serial_port(binding)):
+        seen = (_bauds(plan) and of_own_serial_port(binding)) or is_idle(plan, binding)
+        if binding.connection is None and binding.pin is not None and not seen:
             of_pin.setdefault(str(binding.pin.label), []).append(binding)
     for label, ports in of_pin.items():
         yield _check(plan, f"what is on '{label}'", ports, list(ports))

@@ -20,6 +20,7 @@ from robosmi.transformations.m2m.source_assembler import LEFT_OUT
 from robosmi.transformations.m2m.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.binding_edits import binding_links, referred, trace_binding
+from robosmi.transformations.queries.idle_ports import is_idle
 from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plan import beside_its_declaration, called, needs_own_types
@@ -310,7 +311,17 @@ def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
-    """Drawn components that no port of the program is bound to."""
+    """Drawn components that no port of the program is bound to, and ports that are bound for nothing."""
+    for binding in plan.portBindings:
+        if is_idle(plan, binding) and binding.pin is not None:
+            yield Task(
+                rule="RS331",
+                severity=Level.info,
+                message=f"the port '{binding.name}' is bound to {binding.pin.label}, and nothing that is called uses it here",
+                effort="small",
+                fix="leave the wire out, or let it be",
+                elements=[binding],
+            )
     bound = {id(pin) for b in plan.portBindings if (pin := b.connection.pin if b.connection is not None else b.pin) is not None}
     bound |= {id(b.answer.pin) for b in plan.portBindings if b.answer is not None}
     for connection in plan.connections:

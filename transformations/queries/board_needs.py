@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.knowledge.board_models import load_board, mapped_boards
+from robosmi.transformations.queries.idle_ports import is_idle
 from robosmi.transformations.queries.loop_time import Time, loop_time
 from robosmi.transformations.queries.memory import Memory, memory
 from robosmi.transformations.queries.plan import platform_of
@@ -123,7 +124,8 @@ def _roomier(plan: migration.MigrationPlan, needs: BoardNeeds) -> str:
 
 
 def _pins(plan: migration.MigrationPlan) -> PinNeeds:
-    bound = {id(pin) for b in plan.portBindings for pin in (_pin(b), answering_pin(b)) if pin is not None}
+    used = [b for b in plan.portBindings if not is_idle(plan, b)]
+    bound = {id(pin) for b in used for pin in (_pin(b), answering_pin(b)) if pin is not None}
     drawn = {id(c.pin) for c in plan.connections if c.pin is not None} - bound
     wanted = sum(b.open for b in plan.portBindings)
     return PinNeeds(len(plan.board.pins) if plan.board is not None else 0, len(bound), len(drawn), wanted)

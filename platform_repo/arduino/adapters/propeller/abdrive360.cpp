@@ -49,8 +49,8 @@
 //# helper Drive360
 //#   port: left_servo_360 = abdrive360.left_servo 12 digital out servo
 //#   port: right_servo_360 = abdrive360.right_servo 13 digital out servo
-//#   port: left_encoder_360 = abdrive360.left_encoder 14 digital in encoder
-//#   port: right_encoder_360 = abdrive360.right_encoder 15 digital in encoder
+//#   port: left_encoder_360 = abdrive360.left_encoder 14 digital in feedback
+//#   port: right_encoder_360 = abdrive360.right_encoder 15 digital in feedback
 //#   ram: 34
 struct Drive360 {
   int32_t left, right, left_signal, right_signal;         // pins

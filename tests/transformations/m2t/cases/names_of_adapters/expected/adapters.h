@@ -486,7 +486,8 @@ inline ServoSlot *servo_slot(int32_t pin, bool make) {
 }
 
 // int servo_set(int pin, int time)
-// Widths within 1 us; returns the pin at the first call, 1 later, -3 without a free place, as there; 0 us ends the pulses
+// Widths within 1 us; returns the pin (the target's) at the first call, 1 later, -3 without a free place, as there; 0 us ends
+// the pulses
 // Limit: 12 servos at a time instead of 14, and no PWM on pins 9 and 10 of an Uno
 // Limit: widths from 40 to 2,900 us
 inline int32_t servo_set(int32_t pin, int32_t time) {

@@ -1,0 +1,3 @@
+#include "simpletools.h"
+#include "abdrive.h"
+int main() { drive_goto(40, 40); }
