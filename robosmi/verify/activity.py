@@ -17,11 +17,13 @@ from robosmi.verify.pulses import FEWEST, Pulse, pulses_of, same_wave, wave_part
 from robosmi.verify.servo_widths import servo_widths
 from robosmi.verify.simulation import ConsoleByte, PinTrace
 
-LEVEL, PULSES, WAVE, BURST, LINE, READING, HELD = "level", "pulses", "wave", "burst", "line", "reading", "held"
+LEVEL, PULSES, WAVE, BURST, LINE, READING = "level", "pulses", "wave", "burst", "line", "reading"
+HELD, PULSE = "held", "pulse"
 """The kinds of events with what they say.
 
-In this order: (0 or 1,), (width in us,), (Hz, duty), (number of pulses,), (text,), (text,), (0 or 1, us). A reading is a line of
-a program that measures; held is how long a line that is shared with a device is driven (see `driven_lines`).
+In this order: (0 or 1,), (width in us,), (Hz, duty), (number of pulses,), (text,), (text,), (0 or 1, us) twice. A reading is a
+line of a program that measures; held is how long a line that is shared with a device is driven, a pulse how long those are that
+one function makes in one go. A level that is a text is how a line is driven that the program lets go (see `driven_lines`).
 """
 
 
@@ -63,6 +65,7 @@ class ActivityEvent:
         vague_us: by how much its begin may be put otherwise, since what was before passes into it slowly.
         off: by what part of itself a wave's frequency, or each number of a reading, may be off beyond what counts as the same
             anyway, since it is off in other runs of the program.
+        exact: whether each number of a reading is the same whatever is measured, so that it may not be off at all.
     """
 
     at_us: float
@@ -74,11 +77,12 @@ class ActivityEvent:
     barely: bool = False
     vague_us: float = 0.0
     off: tuple[float, ...] = ()
+    exact: tuple[bool, ...] = ()
 
     def __str__(self) -> str:
         value = self.value[0]
         if self.kind == LEVEL:
-            return "high" if value else "low"
+            return value if isinstance(value, str) else "high" if value else "low"
         if self.kind == PULSES:
             return f"pulses of {value:.0f} us"
         if self.kind == WAVE and not value:
@@ -87,6 +91,8 @@ class ActivityEvent:
             return (
                 f"{value:.6g} Hz" if float(self.value[1]) == 0.5 else f"{value:.6g} Hz, {100 * float(self.value[1]):.3g} % high"
             )
+        if self.kind == PULSE:
+            return f"pulses {'high' if value else 'low'} for {self.value[1]:.1f} us"
         if self.kind == HELD:
             return f"held {'high' if value else 'low'} for {self.value[1]:.0f} us"
         return f"{value} pulses" if self.kind == BURST else repr(value)

@@ -12,8 +12,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from robosmi.typed import matches
-from robosmi.verify.activity import HELD, PULSES, READING, WAVE, ActivityEvent
-from robosmi.verify.driven_lines import lengths_alike
+from robosmi.verify.activity import HELD, PULSE, PULSES, READING, WAVE, ActivityEvent
+from robosmi.verify.driven_lines import lengths_alike, pulses_alike
 from robosmi.verify.servo_widths import tolerated_us
 
 _HZ = 0.015
@@ -42,23 +42,30 @@ def alike(one: ActivityEvent, other: ActivityEvent) -> bool:
         return abs(float(one.value[0]) - float(other.value[0])) <= tolerated_us(float(one.value[0]))
     if one.kind == HELD:
         return one.value[0] == other.value[0] and lengths_alike(float(one.value[1]), float(other.value[1]))
+    if one.kind == PULSE:
+        return one.value[0] == other.value[0] and pulses_alike(float(one.value[1]), float(other.value[1]))
     if one.kind == READING:
-        return _reads_alike(str(one.value[0]), str(other.value[0]), one.off or other.off)
+        return _reads_alike(str(one.value[0]), str(other.value[0]), one.off or other.off, one.exact or other.exact)
     return one.value == other.value
 
 
-def _reads_alike(one: str, other: str, off: Sequence[float] = ()) -> bool:
+def _reads_alike(one: str, other: str, off: Sequence[float] = (), exact: Sequence[bool] = ()) -> bool:
     """Whether two lines are the same, but for numbers that are off by one in their last digit, or by 1 %: measured values.
 
     Args:
         one, other: the lines.
         off: by what part more each number of them may be off.
+        exact: whether each number is none that is measured, so that it may not be off.
     """
     if one == other:
         return True
     if _NUMBER.sub("0", one) != _NUMBER.sub("0", other):
         return False
     for place, (mine, theirs) in enumerate(zip(matches(_NUMBER, one), matches(_NUMBER, other), strict=True)):
+        if mine == theirs:
+            continue
+        if (place < len(exact) and exact[place]) or not _written_alike(mine, theirs):
+            return False
         step = 10.0 ** -len(mine.partition(".")[2])
         part = _NUMBERS + (off[place] if place < len(off) else 0.0)
         if abs(float(mine) - float(theirs)) > max(1.001 * step, part * abs(float(mine))):
@@ -66,12 +73,33 @@ def _reads_alike(one: str, other: str, off: Sequence[float] = ()) -> bool:
     return True
 
 
+def _written_alike(mine: str, theirs: str) -> bool:
+    """Whether two numbers have as many decimals, and as many digits where one is filled up with zeros."""
+    if float(mine) == float(theirs) != 0:
+        return False
+    if len(mine.partition(".")[2]) != len(theirs.partition(".")[2]):
+        return False
+    digits = [each.lstrip("-").partition(".")[0] for each in (mine, theirs)]
+    filled = any(len(each) > 1 and each.startswith("0") for each in digits)
+    return not filled or len(digits[0]) == len(digits[1])
+
+
+def numbers_of(event: ActivityEvent) -> list[str]:
+    """The numbers in a text."""
+    return matches(_NUMBER, str(event.value[0]))
+
+
+def shape_of(event: ActivityEvent) -> str:
+    """A text without its numbers."""
+    return _NUMBER.sub("0", str(event.value[0]))
+
+
 def parts_off(one: ActivityEvent, other: ActivityEvent) -> tuple[float, ...]:
     """By what part of itself a wave's frequency, or each number of a reading, is off in an event that says the same."""
     if one.kind == other.kind == WAVE:
         return (_part(float(one.value[0]), float(other.value[0])),)
     if one.kind == other.kind == READING:
-        mine, theirs = (matches(_NUMBER, str(each.value[0])) for each in (one, other))
+        mine, theirs = numbers_of(one), numbers_of(other)
         return tuple(_part(float(mine[at]), float(theirs[at])) for at in range(min(len(mine), len(theirs))))
     return ()
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
+from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.alignment import aligned, alike, larger, parts_off
 from robosmi.verify.difference_words import lasts_otherwise, told_difference
 from robosmi.verify.self_difference import SelfDifference, first_self_difference, first_wrong_line
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
 SAME, DIFFERENT, NOT_EXERCISED, RACY = "same", "different", "not-exercised", "racy"
 
-_BASE_MS = {LEVEL: 45.0, PULSES: 65.0, WAVE: 45.0, BURST: 45.0, LINE: 45.0, READING: 45.0, HELD: 45.0}
+_BASE_MS = {LEVEL: 45.0, PULSES: 65.0, WAVE: 45.0, BURST: 45.0, LINE: 45.0, READING: 45.0, HELD: 45.0, PULSE: 45.0}
 """The longer of two polling periods and 5 ms; where a servo's frame makes the event, that frame too."""
-_PRINTED = (LINE, READING, HELD)
+_PRINTED = (LINE, READING, HELD, PULSE)
 _DURATION = 0.01
 _RESOLUTION_MS = 0.25
 """Nothing is claimed of the source below about 100 us, at the begin and at the end of what lasts."""

@@ -6,11 +6,14 @@ than a real one. So how long is looked at, too. What a device answers is its own
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from statistics import median
 
-from robosmi.verify.activity import HELD, ActivityEvent
+from robosmi.verify.activity import HELD, LEVEL, PULSE, ActivityEvent
+from robosmi.verify.servo_widths import EQUAL_US
 from robosmi.verify.simulation import PinTrace
 
+DRIVEN_LOW, LET_GO = "driven low", "let go"
 _SHORTEST_US = 100.0
 """What lasts less is not looked at: nothing is claimed of the source below that."""
 _AGREE = 3
@@ -25,21 +28,64 @@ def held_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
         trace: what was seen.
         pin: label of the pin.
     """
-    found: list[ActivityEvent] = []
-    for level in (0, 1):
-        held = _held(trace, pin, level)
-        lately: list[tuple[float, float]] = []
-        at_first = sum(begin - held[0][0] < _OFTEN_US for begin, _ in held)
-        for begin, length in held:
-            lately = [*[each for each in lately if begin - each[0] < _OFTEN_US][1 - _AGREE :], (begin, length)]
-            often = len(lately) == _AGREE or (at_first >= _AGREE and begin - held[0][0] < _OFTEN_US)
-            if often and len(lately) < _AGREE:
-                continue
-            told = median(each[1] for each in lately)
-            last = next((event for event in reversed(found) if event.value[0] == level), None)
-            if last is None or not lengths_alike(float(last.value[1]), told):
-                found.append(ActivityEvent(lately[0][0], HELD, (level, told)))
+    held = [(level, _held(trace, pin, level, _SHORTEST_US)) for level in (0, 1)]
+    found = [event for level, each in held for event in _lengths(HELD, level, each, lengths_alike)]
     return sorted(found, key=lambda event: event.at_us)
+
+
+def pulse_lengths(trace: PinTrace, pin: str) -> list[ActivityEvent]:
+    """How long the pulses are at a pin where one function alone makes them, in one go: an event wherever that becomes other.
+
+    Args:
+        trace: what was seen.
+        pin: label of the pin.
+    """
+    low, high = _held(trace, pin, 0, 0.0), _held(trace, pin, 1, 0.0)
+    longest = max([(length, level) for level, held in ((0, low), (1, high)) for _, length in held], default=(0.0, 0))
+    return _lengths(PULSE, 0, low, pulses_alike) if longest[1] else _lengths(PULSE, 1, high, pulses_alike)
+
+
+def _lengths(
+    kind: str, level: int, held: list[tuple[float, float]], are_alike: Callable[[float, float], bool]
+) -> list[ActivityEvent]:
+    found: list[ActivityEvent] = []
+    lately: list[tuple[float, float]] = []
+    at_first = len([begin for begin, _ in held if begin - held[0][0] < _OFTEN_US])
+    for begin, length in held:
+        lately = [*[each for each in lately if begin - each[0] < _OFTEN_US][1 - _AGREE :], (begin, length)]
+        often = len(lately) == _AGREE or (at_first >= _AGREE and begin - held[0][0] < _OFTEN_US)
+        if often and len(lately) < _AGREE:
+            continue
+        told = median(each[1] for each in lately)
+        if not found or not are_alike(float(found[-1].value[1]), told):
+            found.append(ActivityEvent(lately[0][0], kind, (level, told)))
+    return found
+
+
+def let_go_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
+    """When a line is driven low and when it is let go, of a program that never drives it high: others may pull it up.
+
+    Args:
+        trace: what was seen.
+        pin: label of the pin.
+
+    Returns:
+        The events, the first one being that of the begin, the only one where the line is not let go again, as at an output that
+        rests, or where a timer makes a wave at it.
+    """
+    changes = trace.levels(pin)
+    driven = next((number for number, (_, level) in enumerate(changes) if level == 0), len(changes))
+    found = [ActivityEvent(0.0, LEVEL, (LET_GO,))]
+    waves = any(wave.pin == pin for wave in trace.waves)
+    if waves or any(level == 1 for _, level in changes) or not any(level != 0 for _, level in changes[driven:]):
+        return found
+    ends = [at_us for at_us, _ in changes[driven + 1 :]]
+    for number, (at_us, level) in enumerate(changes[driven:]):
+        lasts_us = ends[number] - at_us if number < len(ends) else _OFTEN_US
+        value = DRIVEN_LOW if level == 0 else LET_GO
+        if lasts_us >= _SHORTEST_US and found[-1].value != (value,):
+            found.append(ActivityEvent(at_us, LEVEL, (value,)))
+    return found
 
 
 def lengths_alike(one_us: float, other_us: float) -> bool:
@@ -47,14 +93,19 @@ def lengths_alike(one_us: float, other_us: float) -> bool:
     return abs(one_us - other_us) <= _SHORTEST_US + 0.05 * max(one_us, other_us)
 
 
-def _held(trace: PinTrace, pin: str, wanted: int) -> list[tuple[float, float]]:
-    found = []
+def pulses_alike(one_us: float, other_us: float) -> bool:
+    """Whether two pulses are as long, within what interrupts delay both edges by, and 1 %."""
+    return abs(one_us - other_us) <= 2 * EQUAL_US + 0.01 * max(one_us, other_us)
+
+
+def _held(trace: PinTrace, pin: str, wanted: int, shortest_us: float) -> list[tuple[float, float]]:
+    found: list[tuple[float, float]] = []
     begun: float | None = None
     for at_us, level in trace.levels(pin):
         if level == wanted and begun is None:
             begun = at_us
         elif level != wanted and begun is not None:
-            if at_us - begun >= _SHORTEST_US:
+            if at_us - begun >= shortest_us:
                 found.append((begun, at_us - begun))
             begun = None
     return found

@@ -7,15 +7,12 @@ come is not compared, since they wobble as well. Comparing channels that are sur
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
 from robosmi.data_text import Json
 from robosmi.verify.activity import LINE, READING, ActivityEvent
-from robosmi.verify.alignment import aligned, alike
-
-_NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?")
+from robosmi.verify.alignment import aligned, alike, shape_of
 
 
 class SelfDifference(NamedTuple):
@@ -74,15 +71,11 @@ def first_wrong_line(
     runs = [source, *varied]
     rows = []
     for row in zip(*runs, target, strict=False):
-        if any(event.kind not in (LINE, READING) for event in row) or len({_shape(event) for event in row}) > 1:
+        if any(event.kind not in (LINE, READING) for event in row) or len({shape_of(event) for event in row}) > 1:
             break
         rows.append(row)
-    wobbling = {_shape(row[0]) for row in rows if any(not alike(row[0], again) for again in row[1:-1])}
+    wobbling = {shape_of(row[0]) for row in rows if any(not alike(row[0], again) for again in row[1:-1])}
     for row in rows:
-        if _shape(row[0]) not in wobbling and not alike(row[0], row[-1]):
+        if shape_of(row[0]) not in wobbling and not alike(row[0], row[-1]):
             return WrongLine(row[0], row[-1])
     return None
-
-
-def _shape(event: ActivityEvent) -> str:
-    return _NUMBER.sub("0", str(event.value[0]))

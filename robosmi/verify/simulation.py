@@ -122,6 +122,7 @@ class PinTrace:
         device_events: what devices noticed, by time.
         reached: the addresses of the instructions that ran, in bytes, where that was asked and the engine tells it.
         stack_bytes: how far the stack came down from the end of its room at most, where that was asked and the engine tells it.
+        console_baud: bits a second of the console's line as it was set at last; 0 where that is not told.
     """
 
     engine: str
@@ -133,6 +134,7 @@ class PinTrace:
     device_events: tuple[DeviceEvent, ...]
     reached: tuple[int, ...] = ()
     stack_bytes: int | None = None
+    console_baud: float = 0.0
 
     @property
     def text(self) -> str:
@@ -282,6 +284,7 @@ def _trace(answer: dict[str, Any], engine: str) -> PinTrace:
             tuple(DeviceEvent(*each) for each in answer["device_events"]),
             tuple(answer["reached"]),
             answer["stack_bytes"],
+            answer["console_baud"],
         )  # fmt: skip
     except (KeyError, TypeError) as error:
         raise InternalError(f"the engine '{engine}' answered what is no trace: {error}") from error

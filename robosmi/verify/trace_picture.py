@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from xml.sax.saxutils import escape
 
 from robosmi.verify.activity import BURST, IDLE, LEVEL, PULSES, WAVE, ActivityEvent
+from robosmi.verify.driven_lines import LET_GO
 
 WIDTH = 1000
 _LEFT, _RIGHT, _TOP = 210, 16, 64
@@ -101,7 +102,7 @@ class _Lane:
             begin = _x(event.at_us / 1000, self.horizon)
             end = _x(events[number + 1].at_us / 1000 if number + 1 < len(events) else self.horizon, self.horizon)
             if event.kind == LEVEL:
-                y = self.high if event.value[0] else self.low
+                y = self.high if event.value[0] in (1, LET_GO) else self.low
                 path += f"{'L' if joined else 'M'}{begin:.1f} {y:.1f} L{max(begin, end):.1f} {y:.1f} "
             else:
                 yield self._box(event, begin, max(end, begin + 1))

@@ -39,6 +39,7 @@ def answer(question: dict[str, Any]) -> dict[str, Any]:
         "device_events": trace.device_events,
         "reached": trace.reached,
         "stack_bytes": trace.stack_bytes,
+        "console_baud": trace.console_baud,
     }
 
 

@@ -10,7 +10,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, DRIVEN, SourceRuns
+from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, DRIVEN, PULSED, SourceRuns
 from robosmi.transformations.verification.played_devices import played
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.comparison import FirstDifference
@@ -66,7 +66,7 @@ def last_call_for(channel: str, calls: Sequence[LibraryCall], ports: Sequence[Bo
         ports: the ports, with the functions that use each.
         at_us: the instant, in microseconds.
     """
-    name = channel.removesuffix(DRIVEN)
+    name = channel.removesuffix(DRIVEN).removesuffix(PULSED)
     functions = next(
         (port.functions for port in ports if port.title and (name == port.title or name.startswith(f"{port.title} "))), ()
     )

@@ -15,6 +15,7 @@ from robosmi.errors import VerificationError
 from robosmi.transformations.verification.original_side import (
     CONSOLE_CHANNEL,
     DRIVEN,
+    PULSED,
     SETTLED,
     STANDING,
     SourceRuns,
@@ -22,6 +23,7 @@ from robosmi.transformations.verification.original_side import (
     compared,
 )
 from robosmi.transformations.verification.port_devices import BoundPort
+from robosmi.transformations.verification.seen_beside import console_speed, foreign_pin
 from robosmi.verify.activity import ActivityEvent
 from robosmi.verify.channel_order import first_disorder
 from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, RESONATOR, SAME, ChannelComparison, FirstDifference
@@ -66,9 +68,10 @@ def judged(
         compared(name, seen, [_until(events, horizon_ms) for events in target[name]], horizon_ms, runs.loop)
         for name, seen in runs.channels.items()
     )
-    found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith((DRIVEN, STANDING)))
+    found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith((DRIVEN, PULSED, STANDING)))
     found = tuple(_racy_text(each) if _is_mixed(each, runs, trace) else each for each in found)
     found = tuple(_sure(each) for each in found)
+    found = _beside(found, nominal.trace, trace, ports)
     if one_thread and all(c.status != DIFFERENT for c in found):
         found = _in_order(found, scenario, runs, target)
     if any(c.status == DIFFERENT for c in found):
@@ -80,6 +83,18 @@ def judged(
         return ScenarioVerdict(scenario, DIFFERENT_VERDICT, found, horizon_ms, crash=crash)
     reason = _doubt(scenario, runs, [c for c in found if c.status == RACY], crashed_ms)
     return ScenarioVerdict(scenario, NOT_DECIDABLE if reason else NO_DIFFERENCE, found, horizon_ms, reason)
+
+
+def _beside(
+    found: tuple[ChannelComparison, ...], source: PinTrace, target: PinTrace, ports: Sequence[BoundPort]
+) -> tuple[ChannelComparison, ...]:
+    """The channels with what is seen beside them: the speed of the console's line, and pins that are not the program's."""
+    speed = console_speed(source, target, CONSOLE_CHANNEL) if any(each.channel == CONSOLE_CHANNEL for each in found) else None
+    if speed is not None:
+        others = [each for each in found if each.channel != CONSOLE_CHANNEL]
+        found = (*others, ChannelComparison(CONSOLE_CHANNEL, DIFFERENT, speed))
+    pin = foreign_pin(source, target, ports)
+    return found if pin is None else (*found, ChannelComparison(pin.channel, DIFFERENT, pin))
 
 
 def ended_badly(runs: SourceRuns) -> bool:
@@ -117,7 +132,7 @@ def _in_order(
     target: Mapping[str, Sequence[list[ActivityEvent]]],
 ) -> tuple[ChannelComparison, ...]:
     """The channels, of which one is different if two of them do near things in the other order."""
-    same = [c.channel for c in found if c.status == SAME and not c.channel.endswith(STANDING)]
+    same = [c.channel for c in found if c.status == SAME and not c.channel.endswith((DRIVEN, PULSED, STANDING))]
     changes_ms = [float(at_ms) for settings in scenario.signals.values() for points in settings.values() for at_ms, _ in points]
     disorder = first_disorder(
         {name: runs.channels[name][0] for name in same},

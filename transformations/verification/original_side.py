@@ -11,11 +11,12 @@ from dataclasses import dataclass, replace
 from time import monotonic
 from typing import Any
 
+from robosmi.transformations.verification.exact_numbers import MEASURED, with_exact_numbers
 from robosmi.transformations.verification.played_devices import devices_at, played
 from robosmi.transformations.verification.port_devices import BoundPort, device_facts
 from robosmi.verify.activity import IDLE, LEVEL, LINE, SIGHTS, WAVE, ActivityEvent, activity, console_lines, merged, text_lines
 from robosmi.verify.comparison import NOT_EXERCISED, RACY, SAME, ChannelComparison, ClosedLoop, compare
-from robosmi.verify.driven_lines import held_levels
+from robosmi.verify.driven_lines import held_levels, let_go_levels, pulse_lengths
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_calls import with_place
 from robosmi.verify.original_coverage import coverage
@@ -27,6 +28,8 @@ from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace
 CONSOLE_CHANNEL = "console"
 DRIVEN = ", as it is driven"
 """Behind the name of a port at which a device is: the channel of what the program does to it."""
+PULSED = ", its pulses"
+"""Behind the name of a port at which one function makes all pulses: the channel of how long they are."""
 STANDING = " standing"
 """Behind the names of the wheels that a program waits for: the channel of when none of them is driven."""
 Place = tuple[str | int, ...]
@@ -57,8 +60,6 @@ _FACTORS = (
     Variation(5, early_part=0.001, line_part=_LINE_PART),
 )
 """What the program's steps cost in the varied runs; a microcontroller of another kind is about so much faster or slower."""
-_MEASURED = ("voltages", "capacitor", "ranger", "two_pin_ranger")
-"""Devices whose values two boards never measure quite alike."""
 _MOVED_MS = 20.0
 """By so much the instants of inputs are moved: the longest time between two looks of a program that polls."""
 
@@ -106,7 +107,11 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
     for port in ports:
         if port.compared and device_facts().get(port.device, {}).get("driven"):
             found[f"{port.title}{DRIVEN}"] = [held_levels(trace, port.target if target else port.source)]
-    measures = any(port.device in _MEASURED for port in ports)
+        elif port.watched and port.pulsed:
+            found[f"{port.title}{PULSED}"] = [pulse_lengths(trace, port.target if target else port.source)]
+        elif port.watched and not port.device:
+            found[f"{port.title}{DRIVEN}"] = [let_go_levels(trace, port.target if target else port.source)]
+    measures = any(port.device in MEASURED for port in ports)
     for number, device in enumerate(devices_at(ports, target)):
         facts = device_facts().get(device.kind, {})
         told = [ports[n] for n in device.ports if facts.get("tells_at") in (ports[n].pin.split() or [""])]
@@ -243,8 +248,13 @@ def run_varied(
         emptied = replace(run, trace=replace(run.trace, changes=(), waves=(), console=(), device_events=()))
         runs = SourceRuns(nominal, (*runs.varied, emptied), _by_channel(seen), loop=loop)
         if until_racy and runs.racy_channels:
-            break
-    return runs
+            return runs
+
+    def again(showing: Sequence[DeviceUse]) -> dict[str, list[list[ActivityEvent]]]:
+        run = run_original(program, scenario.horizon_ms * 1000, showing, limit_s=max(0.0, until - monotonic()))
+        return channel_events(run.trace, ports, target=False)
+
+    return replace(runs, channels=with_exact_numbers(runs.channels, devices, again)) if not runs.given_up else runs
 
 
 def _loop(trace: PinTrace, ports: Sequence[BoundPort]) -> ClosedLoop | None:

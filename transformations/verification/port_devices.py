@@ -52,6 +52,7 @@ class BoundPort:
         group: the device's name where it has several ports: the first one's `source`; empty where it has this one alone.
         settings: of the device, as far as the program says them.
         shown: whether what the program does there is compared although a device is there.
+        pulsed: whether all pulses there are made by a function that makes each in one go, so that how long they are is exact.
         averaged: whether it stands for a voltage, so that of a wave there only the share that is high counts.
         kinds: what the component is, by what it is called (`parts/port_roles.toml`).
         split: labels of the target's pins by which the component is asked and answers, where these are two; else none.
@@ -74,6 +75,7 @@ class BoundPort:
     settings: Mapping[str, Any] = field(default_factory=dict)
     shown: bool = False
     averaged: bool = False
+    pulsed: bool = False
     kinds: frozenset[str] = frozenset()
     split: tuple[str, ...] = ()
     given_up: bool = False
@@ -120,6 +122,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             uses.setdefault(use.pin, {}).setdefault(use.function, set()).add(use.direction)
     table = _table(str(plan.source.name))
     averaged = set(table.texts("averaged", ()))
+    pulses, beside = (set(table.texts(name, ())) for name in ("pulses", "pulses_beside"))
     rules, lines = table.tables("device", needed=False), set(table.table("lines").texts("functions", ()))
     found: dict[str, BoundPort] = {}
     others: list[BoundPort] = []
@@ -140,6 +143,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             str(component.title or component.partTitle) if component is not None else "",
             str(component.elementId) if component is not None else "", tuple(used), device, called, line,
             averaged=bool(used) and bool(averaged & used.keys()),
+            pulsed=not pulses.isdisjoint(used) and used.keys() <= pulses | beside,
             kinds=frozenset(kinds_of(connection)) if connection is not None else frozenset(),
             split=_split(plan, binding), given_up=not binding.open,
         )  # fmt: skip

@@ -140,7 +140,7 @@ class _Run(Bench):
         self.ended()
         state = "crashed" if told["crashed"] else "running"
         trace = self.trace(f"avr8js {_version()}", state, job.horizon_us, self.timers.waves, self._console)
-        return replace(trace, reached=tuple(told.get("reached", ())))
+        return replace(trace, reached=tuple(told.get("reached", ())), console_baud=told["baud"])
 
     def _note(self, log: list[list[Any]]) -> None:
         for kind, cycle, first, *more in log:

@@ -161,4 +161,4 @@ while (cpu.cycles < job.end) {
   if (waiting.length) deliver();
 }
 const ran = job.reached ? [...reached.keys()].filter((word) => reached[word]).map((word) => 2 * word) : [];
-write({ t: cpu.cycles, log, ask: 'end', crashed, reached: ran });
+write({ t: cpu.cycles, log, ask: 'end', crashed, reached: ran, baud: usart.baudRate });

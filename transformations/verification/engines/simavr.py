@@ -47,6 +47,9 @@ _EEPROM_WRITE_US = (3400.0, 1800.0, 1800.0, 3400.0)
 """How long that takes, by the two bits from the mode's on: erase and write, erase, write, and what is reserved (data sheets)."""
 _UART_INPUT, _UART_OUTPUT = 0, 1
 _UART_SLEEPS, _UART_ECHOES = 1, 2
+_UART_STATUS = {"uar0": 0xC0, "uar1": 0xC8}
+"""The status register of each, the same in all microcontrollers that are served; that of the rate is four further on."""
+_UART_DOUBLED, _UART_RATE = 0b10, 4
 _BUS_IN, _BUS_OUT = 0, 1
 _START, _STOP, _ADDRESSED, _ACKNOWLEDGE, _WRITE, _READ = 1, 2, 4, 8, 16, 32
 """Bits of a message on the two-wire bus."""
@@ -274,7 +277,17 @@ class _Run(Bench):
         self._library.avr_ioctl(self._avr, _code(f"uag{code[-1]}"), ctypes.byref(flags))
         flags.value &= ~(_UART_ECHOES | _UART_SLEEPS)
         self._library.avr_ioctl(self._avr, _code(f"uas{code[-1]}"), ctypes.byref(flags))
+        self._status = _UART_STATUS[code]
         self._notify(irq, lambda value: self._console.append(ConsoleByte(self.now, value & 0xFF)))
+
+    def _console_baud(self) -> float:
+        """The bits a second to which the console's line is set; 0 where nothing was sent."""
+        if not self._console:
+            return 0.0
+        status, low, high = (
+            int(self._library.avr_core_watch_read(self._avr, self._status + at)) for at in (0, _UART_RATE, _UART_RATE + 1)
+        )
+        return self._job.clock_hz / ((8 if status & _UART_DOUBLED else 16) * ((high & 0x0F) * 256 + low + 1))
 
     def send(self, data: bytes) -> None:
         """Let bytes arrive on the program's console."""
@@ -358,7 +371,7 @@ class _Run(Bench):
         self._ended_at = min(self.cycle, end)
         self.ended()
         trace = self.trace(f"simavr ({_version()})", state, self._job.horizon_us, self.timers.waves, self._console)
-        return replace(trace, stack_bytes=self._stack_bytes())
+        return replace(trace, stack_bytes=self._stack_bytes(), console_baud=self._console_baud())
 
 
 def _version() -> str:

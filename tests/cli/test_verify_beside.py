@@ -1,0 +1,80 @@
+"""`robosmi verify` of what is no event of a channel: the console's speed, foreign pins, lines that are let go, exact pulses."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tests.running import run
+from tests.tools import require_engine, require_verification
+
+PROGRAM = """#include "simpletools.h"
+int main() {
+  set_output(6, 0);
+  low(10);
+  print("begun\\n");
+  while (1) {
+    if (input(3)) print("pressed\\n");
+    set_direction(6, 1);
+    pause(50);
+    set_direction(6, 0);
+    pause(80);
+    pulse_out(9, 40);
+    pulse_out(10, 1500);
+    freqout(8, 100, 1000);
+  }
+}
+"""
+PINS = {"P3": "D3", "P6": "D6", "P8": "D8", "P9": "D9", "P10": "D10"}
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The migrated program, made once, with a scenario."""
+    require_verification("simavr")
+    folder = tmp_path_factory.mktemp("beside")
+    (folder / "p.c").write_text(PROGRAM)
+    (folder / "s.toml").write_text("horizon_ms = 1500\n[signals]\nP3 = [[0, 0], [700, 1], [1100, 0]]\n")
+    binds = [word for port, pin in PINS.items() for word in ("--bind", f"{port}={pin}")]
+    assert run("migrate", folder / "p.c", "-o", folder / "out", *binds).code in (0, 1)
+    return folder
+
+
+LOOP = r"void loop\(\) \{"
+CHANGES = {
+    "as it is": (LOOP, "void loop() { ", "", ""),
+    "slow console": (r"begin\(115200\)", "begin(9600)", "console", "set to 9615 baud"),
+    "fast console": (r"begin\(115200\)", "begin(250000)", "console", "set to 250000 baud"),
+    "a foreign pin": (LOOP, "void loop() { pinMode(12, OUTPUT); digitalWrite(12, HIGH);", "D12", "no port of the program"),
+    "a sensor's pin": (LOOP, "void loop() { pinMode(3, OUTPUT);", "D3 (P3)", "the source only reads it"),
+    "a line that is never let go": (r"set_direction\(6, 0\)", "set_direction(6, 1)", "P6, as it is driven", "missing"),
+    "a line that is never driven": (r"set_direction\(6, 1\)", "set_direction(6, 0)", "P6, as it is driven", "low is missing"),
+    "a line that is driven too long": (r"pause\(50\)", "pause(54)", "P6, as it is driven", "driven low lasts 54"),
+    "a shorter pulse": (r"pulse_out\(9, 40\)", "pulse_out(9, 10)", "P9, its pulses", "for 10.1 us instead of pulses high for 40"),
+    "a longer pulse": (r"pulse_out\(10, 1500\)", "pulse_out(10, 1560)", "P10, its pulses", "instead of pulses high for 1500"),
+    "a pulse within what may be off": (r"pulse_out\(10, 1500\)", "pulse_out(10, 1512)", "", ""),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("engine", ["simavr", "avr8js"])
+@pytest.mark.parametrize("change", CHANGES)
+def test_what_is_done_beside_channels_is_compared(change: str, engine: str, made: Path, tmp_path: Path) -> None:
+    if engine == "avr8js" and "console" not in change:
+        pytest.skip("only the console's speed is told by each engine itself")
+    require_engine(engine)
+    old, new, channel, told = CHANGES[change]
+    shutil.copytree(made / "out", tmp_path / "out")
+    sketch = tmp_path / "out" / "p" / "p.ino"
+    text, count = re.subn(old, new, sketch.read_text())
+    assert count
+    sketch.write_text(text)
+    outcome = run("verify", tmp_path / "out", "--scenario", made / "s.toml", "--engine", engine, "--json")
+    expected = (6, "different") if told else (0, "no-difference-found")
+    assert (outcome.code, outcome.result["verdict"]) == expected, outcome.result["first_difference"]
+    if told:
+        first = outcome.result["first_difference"]
+        assert first["channel"] == channel
+        assert told in first["message"]

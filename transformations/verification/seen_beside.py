@@ -1,0 +1,79 @@
+"""What a migrated program does beside its channels and the original never does: another speed of the console, and foreign pins.
+
+Neither is an event of a channel. A console of another speed shows rubbish on the person's terminal; what is at a pin that the
+program should leave alone may be switched on by it, or be driven against.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from robosmi.transformations.verification.port_devices import BoundPort
+from robosmi.verify.comparison import FirstDifference
+from robosmi.verify.simulation import PinTrace
+
+_BYTE_BITS = 10
+_FEWEST = 3
+"""So many bytes at least tell how long one takes."""
+_BAUD_PART = 0.3
+"""The speed of two lines is the same within this part: speeds that are in use are further apart."""
+_FASTEST_US = 100.0
+"""Only a line whose bytes take less tells that one is too fast: others may wait for what computes them."""
+_LATE_US = 500_000.0
+"""What begins so near to the end may come later in the source."""
+DRIVEN = (0, 1)
+
+
+def console_speed(source: PinTrace, target: PinTrace, channel: str) -> FirstDifference | None:
+    """What is different about the speed of the console's line; None where it is the same, or cannot be told.
+
+    Args:
+        source: what the original has done.
+        target: what the migrated program has done.
+        channel: the console's.
+    """
+    distances = [after.at_us - before.at_us for before, after in pairwise(source.console)]
+    if len(distances) < _FEWEST or not target.console_baud or not target.console:
+        return None
+    byte_us = min(distances)
+    theirs_us = _BYTE_BITS * 1e6 / target.console_baud
+    if theirs_us <= (1 + _BAUD_PART) * byte_us and (byte_us >= _FASTEST_US or theirs_us >= (1 - _BAUD_PART) * byte_us):
+        return None
+    message = (
+        f"its line is set to {target.console_baud:.0f} baud, so that a byte takes {theirs_us:.0f} us; "
+        f"the source sends one in {byte_us:.0f} us"
+    )
+    return FirstDifference(0.0, channel, message, None, None)  # whatever it delays comes later
+
+
+def foreign_pin(source: PinTrace, target: PinTrace, ports: Sequence[BoundPort]) -> FirstDifference | None:
+    """The first pin of the target that the program drives though the original never drives what it stands for.
+
+    Args:
+        source: what the original has done.
+        target: what the migrated program has done.
+        ports: the ports.
+    """
+    driven = _driven(source)
+    its_own = {port.target for port in ports if port.watched or port.line or port.source in driven}
+    its_own |= {pin for port in ports for pin in port.split}
+    named = {port.target: port.title for port in ports}
+    for pin, at_us in sorted(_driven(target).items(), key=lambda each: each[1]):
+        if pin not in its_own and at_us < target.simulated_us - _LATE_US:
+            what = f"{pin} ({named[pin]})" if pin in named else pin
+            why = "the source only reads it" if pin in named else "no port of the program is on it"
+            return FirstDifference(at_us / 1000, what, f"the migrated program drives {pin}, and {why}", None, None)
+    return None
+
+
+def _driven(trace: PinTrace) -> dict[str, float]:
+    """Each pin that is driven, by edges or by a timer -> since when."""
+    found: dict[str, float] = {}
+    for change in trace.changes:
+        if change.level in DRIVEN:
+            found.setdefault(change.pin, change.at_us)
+    for wave in trace.waves:
+        if wave.hz > 0:
+            found.setdefault(wave.pin, wave.at_us)
+    return found
