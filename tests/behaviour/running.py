@@ -52,6 +52,7 @@ def sketch(files: Sequence[Path], folder: Path, seconds: float, board: str = "un
         AssertionError: the sketch does not compile, or generated text gives a warning.
     """
     made = robosmi.migrate(list(files), folder / "out", target=board)
+    assert [f.message for f in made.models.plan.findings if f.rule == "RS337"] == []
     report = compile_sketch(made.sketch, board, keep=folder)
     assert report.ok, [f"{d.location}: {d.message}" for d in report.diagnostics][:5]
     said = [d for d in report.diagnostics if d.severity.name == "warning" and d.location is not None]

@@ -52,6 +52,7 @@ class Outcome:
         valid: whether gcc takes the source with the platform's real headers, and there is a main; None where these or gcc are
             not there.
         refusal: what gcc says first of a source that it does not take.
+        told: the rules by which the plan says that a compiler refuses something of it.
     """
 
     path: str
@@ -68,6 +69,7 @@ class Outcome:
     untrue: tuple[str, ...] = ()
     valid: bool | None = None
     refusal: str = ""
+    told: tuple[str, ...] = ()
 
     @property
     def of_adapters(self) -> list[str]:
@@ -120,6 +122,18 @@ class Table:
             *(f"  not taken by gcc, {o.state}: {o.path}: {o.refusal}" for o in self.outcomes if o.valid is False),
         ]
 
+    def _told(self) -> list[str]:
+        """What was said before compiling of sketches that a compiler refuses, and of sketches that it takes."""
+        refused = [o for o in self.outcomes if o.state == "not-compiled"]
+        untold = [o for o in refused if not o.told]
+        false = [o for o in self.outcomes if o.state == "compiled" and "RS337" in o.told]
+        return [
+            f"sketches that do not compile: {len(refused)}, told before by a task {len(refused) - len(untold)}; "
+            f"sketches that compile and of which RS337 says that they do not: {len(false)}",
+            *(f"  not told: {o.path}" for o in untold),
+            *(f"  told and compiles: {o.path}" for o in false),
+        ]
+
     def lines(self) -> list[str]:
         """The table as text."""
         migrated = self.count("compiled") + self.count("not-compiled")
@@ -132,6 +146,7 @@ class Table:
             f"elements without exactly one verdict: {sum(o.lost for o in self.outcomes)}",
             *self._adapters(),
             *self._valid(),
+            *self._told(),
             f"functions of programs that are not in their sketch: {sum(len(o.missing) for o in self.outcomes)}",
             *(f"  too big for the board, fits on {o.fits_on}: {o.path}" for o in self.outcomes if o.fits_on),
         ]
@@ -236,6 +251,7 @@ def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
         missing=_missing(made),
         fits_on=(report.fits_on or "none") if report.ok and not report.fits else "",
         untrue=_untrue(made),
+        told=tuple(sorted({str(f.rule) for f in plan.findings if f.rule in ("RS101", "RS312", "RS337")})),
         **taken,
     )
 

@@ -42,6 +42,7 @@ from robosmi.transformations.chains.by_hand import by_hand
 from robosmi.transformations.chains.conflicts import show_conflicts
 from robosmi.transformations.chains.edited_plan import STORED, beside_choices, only_choices_differ
 from robosmi.transformations.chains.models import FOLDER, MigrationModels
+from robosmi.transformations.chains.refused import tell_refused
 from robosmi.transformations.m2t.first_screen import Counted
 from robosmi.transformations.m2t.program_files import BENCH, ProgramGeneration
 from robosmi.transformations.m2t.terminal_text import terminal_lines
@@ -182,6 +183,8 @@ def produce(
     with nullcontext() if dry_run else at_work(output):
         manifest, places = Manifest.load(output), Places(output)
         made: Generation = generator(plan, models.files)
+        if tell_refused(plan, {file.name: file.after or "" for file in made.files}, models.files):
+            made = generator(plan, models.files)
         hand = by_hand(
             plan, places, {file.name: file.after or "" for file in made.files}, Record(places.folder, LAST, manifest.files)
         )

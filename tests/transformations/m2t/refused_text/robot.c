@@ -1,0 +1,14 @@
+#include "simpletools.h"
+#include "parts.h"
+
+static int speed = 70000;
+
+int main() {
+  us = 90; // told
+  speed = us;
+  while (1) {
+    high(3);
+    ms += 4; // told
+    print("%d\n", speed + part());
+  }
+}

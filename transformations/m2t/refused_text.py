@@ -1,0 +1,121 @@
+"""What a compiler of C++ refuses of a finished program, found by parsing it before anybody compiles it.
+
+The target's own headers need not be there: their place takes a text with the types of the language. So only complaints count that
+these headers cannot be the cause of, and of names that nobody declares only functions that the program itself defines. What is
+told of forms of C while reading (`m2m.refused_forms`) is more exact; this finds what nobody thought of.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from robosmi.transformations.t2m.c_source import clang
+
+_TYPES = b"""
+typedef __INT8_TYPE__ int8_t; typedef __INT16_TYPE__ int16_t; typedef __INT32_TYPE__ int32_t; typedef __INT64_TYPE__ int64_t;
+typedef __UINT8_TYPE__ uint8_t; typedef __UINT16_TYPE__ uint16_t; typedef __UINT32_TYPE__ uint32_t;
+typedef __UINT64_TYPE__ uint64_t; typedef __INTPTR_TYPE__ intptr_t; typedef __UINTPTR_TYPE__ uintptr_t;
+typedef __SIZE_TYPE__ size_t; typedef __PTRDIFF_TYPE__ ptrdiff_t; typedef bool boolean; typedef uint8_t byte;
+typedef unsigned int word; typedef __builtin_va_list va_list; typedef struct __file FILE;
+#define NULL __null
+"""
+_STUB = "/none/types"
+"""A folder that no machine has: the program and what stands for the target's headers are given to the parser as texts."""
+_SKETCH = "/none/sketch"
+_FLAGS = (
+    "-xc++", "-std=gnu++11", "-target", "avr", "-nostdinc", "-nostdinc++", "-fpermissive", "-w", "-ferror-limit=0",
+    "-fno-spell-checking", f"-I{_SKETCH}", f"-I{_STUB}",
+)  # fmt: skip
+_INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
+_BODIES = re.compile(rb"^((?:static )?inline [^\n]*\)) \{(?:[^\n]*\n(?:[ \t#][^\n]*\n|\n)*\}|[^\n]*\})$", re.MULTILINE)
+"""Functions of the adapters, whose bodies are none of the program's."""
+_ON_AFTER_MISSING = 0x200
+"""Option of a parse: go on after a header that is not there."""
+_SURE = re.compile(
+    r"""redefinition\ of\ '|definition\ of\ type\ '.*'\ conflicts\ with\ typedef|functions\ that\ differ\ only\ in\ their\ return
+    |excess\ elements\ in|too\ (?:many|few)\ arguments\ to\ function\ call|no\ matching\ function\ for\ call\ to\ '
+    |expression\ is\ not\ assignable|cannot\ assign\ to\ (?:variable|non-static\ data\ member|return\ value)
+    |function\ definition\ is\ not\ allowed\ here|comparison\ (?:of\ distinct\ pointer\ types|between\ pointer\ and\ integer)
+    |cannot\ initialize\ an?\ (?:parameter|variable|member\ subobject|array\ element|return\ object)
+    |assigning\ to\ '.*'\ from\ (?:incompatible\ type\ )?'[^']*'(?:\ \(aka\ '[^']*'\))?$|cannot\ cast\ from\ type
+    |indirection\ requires\ pointer\ operand|member\ reference\ base\ type\ '.*'\ is\ not\ a\ structure
+    |cannot\ jump\ from|default\ initialization\ of\ an\ object\ of\ const|static\ declaration\ of\ '.*'\ follows\ non-static
+    |conflicting\ types\ for|variable-sized\ object\ may\ not\ be\ initialized|array\ is\ too\ small\ to\ include
+    |initializer-string\ for\ char\ array\ is\ too\ long|use\ of\ undeclared\ label|redeclaration\ of\ '
+    |cannot\ increment\ value\ of\ type|array\ type\ '.*'\ is\ not\ assignable|array\ has\ incomplete\ element
+    |invalid\ operands\ to\ binary\ expression|void\ function\ '.*'\ should\ not\ return|non-void\ function\ '.*'\ should\ return
+    |called\ object\ type\ '.*'\ is\ not\ a\ function|subscripted\ value\ is\ not|incompatible\ (?:pointer|integer|operand)
+    |conversion\ from\ '.*'\ to\ '.*'\ is\ not\ allowed""",
+    re.VERBOSE,
+)
+"""Complaints about what the program itself says."""
+_UNKNOWN = re.compile(r"use of undeclared identifier '(\w+)'")
+
+
+class Refused(NamedTuple):
+    """A place of a program that a compiler refuses.
+
+    Attributes:
+        file: its name in the program's folder.
+        line: the line.
+        message: what the parser says.
+    """
+
+    file: str
+    line: int
+    message: str
+
+
+def refused_texts(files: Mapping[str, bytes], adapters: str = "adapters.h") -> list[Refused]:
+    """What a compiler refuses in the files of a program, each line once, in the order of the files.
+
+    Args:
+        files: the name of each file in the program's folder -> its bytes.
+        adapters: the file whose text is none of the program's.
+    """
+    texts = {f"{_SKETCH}/{name}": data for name, data in files.items()}
+    shown = files.get(adapters, b"")
+    texts[f"{_SKETCH}/{adapters}"] = _BODIES.sub(rb"\1;", shown)
+    for data in files.values():
+        for found in _INCLUDE.finditer(data):
+            name = found[1].decode("utf-8", "replace")
+            if name not in files:
+                texts[f"{_STUB}/{name}"] = b""
+    texts[f"{_STUB}/Arduino.h"] = _TYPES
+    virtual = clang.unsaved(texts)
+    told: dict[tuple[str, int], Refused] = {}
+    for name in files:
+        if not name.endswith(".h"):
+            for each in _complaints(f"{_SKETCH}/{name}", virtual, texts):
+                if each.file != adapters:
+                    told.setdefault((each.file, each.line), each)
+    return list(told.values())
+
+
+def _complaints(path: str, virtual: list[clang.UnsavedFile], texts: Mapping[str, bytes]) -> Iterator[Refused]:
+    unit = clang.parse(path, _FLAGS, virtual, _ON_AFTER_MISSING)
+    if unit is None:
+        return
+    library = clang.library()
+    try:
+        for number in range(library.getNumDiagnostics(unit)):
+            handle = library.getDiagnostic(unit, number)
+            if library.getDiagnosticSeverity(handle) >= clang.ERROR:
+                message = library.text(library.getDiagnosticSpelling(handle))
+                unknown = _UNKNOWN.match(message)
+                if _SURE.match(message) or (unknown is not None and _defines(texts, unknown[1])):
+                    file, offset = clang.file_offset(library.getDiagnosticLocation(handle))
+                    name = clang.file_name(file)
+                    if name.startswith(_SKETCH):
+                        yield Refused(name.removeprefix(f"{_SKETCH}/"), texts[name].count(b"\n", 0, offset) + 1, message)
+            library.disposeDiagnostic(handle)
+    finally:
+        library.disposeTranslationUnit(unit)
+
+
+def _defines(texts: Mapping[str, bytes], name: str) -> bool:
+    """Whether a file of the program defines a function."""
+    definition = re.compile(rb"\b%s[ \t]*\([^;{}()]*\)\s*\{" % name.encode())
+    return any(definition.search(text) for path, text in texts.items() if path.startswith(_SKETCH))
