@@ -32,6 +32,12 @@ _ARITHMETIC = re.compile(
 """What gcc calls for arithmetic that the machine has no instruction for."""
 _COUNTERS = re.compile(r"__gcov0\.")
 _MESSAGE = re.compile(r"^(?P<path>[^\n:]+):(?P<line>\d+):(?:(?P<column>\d+):)? (?:fatal )?error: (?P<message>.*)$", re.MULTILINE)
+_IN_MACRO = re.compile(
+    r"^<[\w-]+>: (?:fatal )?error: (?P<message>.*)\n"
+    r"(?P<path>[^\n:]+):(?P<line>\d+):(?:(?P<column>\d+):)? note: in expansion of macro",
+    re.MULTILINE,
+)
+"""A message about what a macro of the command line makes of the text; the note has its place."""
 _TWICE = re.compile(r"multiple definition of [`']([^`']+)'")
 _GENERATED = "unmodelled.c"
 
@@ -236,7 +242,7 @@ class _Build:
         done = self._start([self.tools[role], *arguments])
         if done.returncode == 0:
             return done.stdout
-        if found := _MESSAGE.search(done.stderr):
+        if found := _MESSAGE.search(done.stderr) or _IN_MACRO.search(done.stderr):
             place = Location(found["path"], int(found["line"]), int(found["column"] or 1))
             taken = found["message"].startswith("conflicting types for")
             raise VerificationError(

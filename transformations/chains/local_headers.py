@@ -34,20 +34,18 @@ def with_headers(paths: Sequence[Path], include_dirs: Sequence[Path], api: ApiIn
     """
     found = list(paths)
     seen = {os.path.realpath(path) for path in paths}
-    names = {path.name for path in paths}
     defined: set[str] | None = None
     for path in found:  # grows while it is walked
         for name in _included(path):
             if not name.lower().endswith(INCLUDED):
                 continue
             place = next((p for p in (folder / name for folder in (path.parent, *include_dirs)) if p.is_file()), None)
-            if place is not None and os.path.realpath(place) not in seen and place.name not in names:
+            if place is not None and os.path.realpath(place) not in seen:
                 if api.header_kind(name) is not None:
                     defined = _defined(paths) if defined is None else defined
                     if not _written(api.functions_of(name), defined):
                         continue
                 seen.add(os.path.realpath(place))
-                names.add(place.name)
                 found.append(place)
     return found
 

@@ -33,7 +33,7 @@ from robosmi.transformations.verification.original_side import (
     run_source,
     run_varied,
 )
-from robosmi.transformations.verification.originals import original_program
+from robosmi.transformations.verification.originals import original_program, with_stored_names
 from robosmi.transformations.verification.played_devices import signals_of
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, reads_console, texts_understood
 from robosmi.transformations.verification.scenario_search import search
@@ -248,7 +248,8 @@ def _original(models: MigrationModels, folder: Path, place: Path) -> OriginalPro
     plan = models.plan
     assert plan.program is not None
     assert plan.source is not None
-    sources = [folder / unit.path for unit in plan.program.units if not is_header(unit)]
+    stored = with_stored_names(list(plan.program.units), folder, place / "stored")
+    sources = [stored / unit.path for unit in plan.program.units if not is_header(unit)]
     return original_program(sources, load_host_model(str(plan.source.name)), place, limit_s=LIMIT_S)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
-from robosmi.transformations.queries.source_text import header_file, is_header
+from robosmi.transformations.queries.source_text import header_file, is_header, meant_unit
 
 
 def file_of(include: ccode.Include) -> ccode.SourceUnit:
@@ -18,10 +18,8 @@ def file_of(include: ccode.Include) -> ccode.SourceUnit:
 
 def own_header(include: ccode.Include) -> str:
     """File name in the sketch of the program's own header that an include means, empty where it was not carried over."""
-    wanted = str(include.header.replace("\\", "/").rpartition("/")[2])
-    program = file_of(include).program
-    units = [u for u in (program.units if program is not None else ()) if u.path.rpartition("/")[2] == wanted]
-    return header_file(wanted) if any(is_header(u) for u in units) else ""
+    unit = meant_unit(include)
+    return in_sketch(unit) if unit is not None and is_header(unit) else ""
 
 
 def unit_of(element: ccode.Located) -> ccode.SourceUnit:
@@ -33,14 +31,12 @@ def unit_of(element: ccode.Located) -> ccode.SourceUnit:
 
 def included(unit: ccode.SourceUnit) -> list[ccode.SourceUnit]:
     """The program's own headers that a unit includes, those that they include too."""
-    program = unit.program
-    headers = {_in_sketch(u): u for u in (program.units if program is not None else ()) if is_header(u)}
     found: dict[int, ccode.SourceUnit] = {}
     pending = [unit]
     while pending:
         for include in pending.pop().includes:
-            header = headers.get(own_header(include))
-            if header is not None and id(header) not in found:
+            header = meant_unit(include)
+            if header is not None and is_header(header) and id(header) not in found:
                 found[id(header)] = header
                 pending.append(header)
     return list(found.values())
@@ -50,25 +46,25 @@ def all_includes(unit: ccode.SourceUnit) -> tuple[str, ...]:
     """The headers that a unit includes, those within the program's own headers at their place; for such a header, also those of
     the files that include it."""
     program = unit.program
-    headers = {_in_sketch(u): u for u in program.units if is_header(u)} if program is not None else {}
-    if not headers:
+    if program is None or not any(is_header(u) for u in program.units):
         return tuple(str(include.header) for include in unit.includes)
     found: dict[str, None] = {}
     seen: set[int] = set()
-    around = [u for u in program.units if unit in included(u)] if program is not None and is_header(unit) else []
+    around = [u for u in program.units if unit in included(u)] if is_header(unit) else []
     for start in (unit, *around):
         pending = list(reversed(start.includes))
         while pending:
             include = pending.pop()
             found.setdefault(str(include.header))
-            header = headers.get(own_header(include))
-            if header is not None and id(header) not in seen:
+            header = meant_unit(include)
+            if header is not None and is_header(header) and id(header) not in seen:
                 seen.add(id(header))
                 pending += reversed(header.includes)
     return tuple(found)
 
 
-def _in_sketch(header: ccode.SourceUnit) -> str:
+def in_sketch(header: ccode.SourceUnit) -> str:
+    """What a header of the program's own is called in the sketch."""
     return header_file(header.path.rpartition("/")[2])
 
 
@@ -110,7 +106,7 @@ def headers_of_types(functions: Iterable[ccode.Function], unit: ccode.SourceUnit
     seen = {id(header) for header in included(unit)}
     uses = (use for f in functions for use in (f.returnType, *(p.valueType for p in f.parameters)) if use is not None)
     units = (unit_of(use.declaration) for use in uses if use.declaration is not None and use.declaration.startOffset)
-    return sorted({_in_sketch(u) for u in units if is_header(u) and id(u) not in seen})
+    return sorted({in_sketch(u) for u in units if is_header(u) and id(u) not in seen})
 
 
 def own_macro(unit: ccode.SourceUnit | None, name: str) -> ccode.Macro | None:

@@ -32,8 +32,29 @@ def _is_included(unit: ccode.SourceUnit) -> bool:
     """Whether another unit of the program includes this one, which has no main."""
     others = [u for u in unit.program.units if u is not unit] if unit.program is not None else []
     name = unit.path.rpartition("/")[2]
-    named = any(i.header.replace("\\", "/").rpartition("/")[2] == name for u in others for i in u.includes)
-    return named and not any(isinstance(d, ccode.Function) and d.name == "main" and d.definition for d in unit.declarations)
+    includes = (i for u in others for i in u.includes)
+    if not any(i.resolvedPath == unit.path or (_file_name(i) == name and meant_unit(i) is unit) for i in includes):
+        return False
+    return not any(isinstance(d, ccode.Function) and d.name == "main" and d.definition for d in unit.declarations)
+
+
+def meant_unit(include: ccode.Include) -> ccode.SourceUnit | None:
+    """The file of the program that an include means: the one that was found for it, else one of its name.
+
+    Files of one name may lie in several folders; only where nothing was found, the name alone has to do.
+    """
+    unit = include.eContainer()
+    program = unit.program if isinstance(unit, ccode.SourceUnit) else None
+    units = list(program.units) if program is not None else []
+    found = next((u for u in units if u.path == include.resolvedPath), None)
+    if found is not None:
+        return found
+    name = _file_name(include)
+    return next((u for u in units if u.path.rpartition("/")[2] == name), None)
+
+
+def _file_name(include: ccode.Include) -> str:
+    return str(include.header.replace("\\", "/").rpartition("/")[2])
 
 
 def header_file(name: str) -> str:

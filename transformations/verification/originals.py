@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from robosmi import inputs
+from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.typed import matches
 from robosmi.verify.host_model import HostModel
@@ -36,6 +37,39 @@ def original_program(
         VerificationError: the program does not compile or link, or that takes too long.
     """
     return build_original(sources, model, folder, include_folders, stand_in_headers(sources, model, include_folders), limit_s)
+
+
+def with_stored_names(units: Iterable[ccode.SourceUnit], folder: Path, place: Path) -> Path:
+    """The folder of a program's stored files, in which they include each other by the names that they are stored under.
+
+    The files of a migration lie side by side, wherever they came from; `#include "lib/util.h"` leads nowhere there. Only the name
+    of such a directive is another in the copies, so that all lines keep their numbers.
+
+    Args:
+        units: the units of the program, with the paths of their files in `folder`.
+        folder: where the files are stored.
+        place: an empty folder for copies; it is used only where a directive needs another name.
+
+    Returns:
+        `place` where the program was copied, otherwise `folder`.
+    """
+    texts = {unit.path: inputs.read_bytes(folder / unit.path, inputs.SOURCE) for unit in units}
+    changed = False
+    for unit in units:
+        lines = texts[unit.path].split(b"\n")
+        for include in unit.includes:
+            name = Path(include.resolvedPath).name
+            if include.resolvedPath in texts and name != include.header and include.line <= len(lines):
+                pattern = rb"""(["<])\s*""" + re.escape(include.header.encode()) + rb"""\s*[">]"""
+                lines[include.line - 1], count = re.subn(pattern, b'"' + name.encode() + b'"', lines[include.line - 1], count=1)
+                changed = changed or count > 0
+        texts[unit.path] = b"\n".join(lines)
+    if not changed:
+        return folder
+    for path, text in texts.items():
+        (place / path).parent.mkdir(parents=True, exist_ok=True)
+        (place / path).write_bytes(text)
+    return place
 
 
 def stand_in_headers(sources: Sequence[Path], model: HostModel, include_folders: Sequence[Path] = ()) -> dict[str, str]:
