@@ -10,6 +10,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from robosmi.typed import dynamic_attribute
+
 if TYPE_CHECKING:
     from robosmi.api import (
         check_model,
@@ -52,7 +54,7 @@ def __getattr__(name: str) -> Any:
     if name in _PLACES:
         from importlib import import_module
 
-        return getattr(import_module(_PLACES[name]), name)
+        return dynamic_attribute(import_module(_PLACES[name]), name)
     raise AttributeError(f"module 'robosmi' has no attribute '{name}'")
 
 

@@ -26,6 +26,18 @@ _TOKEN = re.compile(
 _DECODER = json.JSONDecoder()
 
 
+def json_written(
+    value: Json,
+    *,
+    indent: int | None = None,
+    sort_keys: bool = False,
+    ensure_ascii: bool = True,
+    separators: tuple[str, str] | None = None,
+) -> str:
+    """A value as a text in JSON, with the options of `json.dumps`."""
+    return json.dumps(value, indent=indent, sort_keys=sort_keys, ensure_ascii=ensure_ascii, separators=separators)
+
+
 @contextmanager
 def _readable_errors() -> Iterator[None]:
     try:

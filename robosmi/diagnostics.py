@@ -7,9 +7,10 @@ A finding is a fact about what was read or made; a task is work that is left for
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -25,8 +26,7 @@ class Severity(IntEnum):
     error = 2
 
 
-@dataclass(frozen=True, slots=True)
-class Location:
+class Location(Struct, frozen=True):
     """A place in a text file. Lines and columns count from 1; columns count bytes, as compilers do."""
 
     path: str
@@ -54,8 +54,7 @@ class Location:
         }
 
 
-@dataclass(frozen=True, slots=True)
-class FlowStep:
+class FlowStep(Struct, frozen=True):
     """One step of how a program, or a tool, comes to what a finding says.
 
     Attributes:
@@ -71,8 +70,7 @@ class FlowStep:
         return {"location": self.location.to_json(), "message": self.message}
 
 
-@dataclass(frozen=True, slots=True)
-class TextEdit:
+class TextEdit(Struct, frozen=True):
     """A change of a text that mends what a finding says, exactly as it would be typed.
 
     Attributes:
@@ -88,8 +86,7 @@ class TextEdit:
         return {"location": self.location.to_json(), "text": self.text}
 
 
-@dataclass(frozen=True, slots=True)
-class Finding:
+class Finding(Struct, frozen=True):
     """One thing worth knowing about an input or a result.
 
     Attributes:
@@ -110,7 +107,7 @@ class Finding:
     location: Location | None = None
     element: str | None = None
     fix: str | None = None
-    evidence: Mapping[str, Json] = field(default_factory=dict)
+    evidence: Mapping[str, Json] = {}
     steps: tuple[FlowStep, ...] = ()
     edits: tuple[TextEdit, ...] = ()
 
@@ -143,7 +140,5 @@ class Finding:
         }
 
 
-class Task(Finding):
+class Task(Finding, frozen=True):
     """Work that is left for a person. Same form as a finding (contract: "finding / task")."""
-
-    __slots__ = ()

@@ -13,7 +13,9 @@ import stat
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from typing import BinaryIO, NamedTuple
+from typing import BinaryIO
+
+from msgspec import Struct
 
 _MB = 1024 * 1024
 
@@ -31,7 +33,7 @@ _NO_LINK = flags("O_NOFOLLOW")
 _ODD = {stat.S_IFIFO: "a named pipe", stat.S_IFCHR: "a device", stat.S_IFBLK: "a device", stat.S_IFSOCK: "a socket"}
 
 
-class Kind(NamedTuple):
+class Kind(Struct, frozen=True):
     """A kind of file: what it is called in messages, and how many bytes it may have."""
 
     name: str

@@ -16,12 +16,14 @@ from collections.abc import Callable, Iterable
 from functools import cache
 from importlib.machinery import PathFinder
 from types import ModuleType
-from typing import Any, NamedTuple
+from typing import Any
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import InternalError, MissingToolError, RuleError, UsageError, did_you_mean
-from robosmi.typed import distinct
+from robosmi.typed import class_name, distinct, dynamic_attribute
 
 ENTRY_POINTS = "robosmi.transformations"
 BUILT_IN = "robosmi.transformations:registry"
@@ -31,7 +33,7 @@ ADDING = ("constraints",)
 """The kinds of which everything that is offered under one name counts, and not only what was offered last."""
 
 
-class BrokenPlugin(NamedTuple):
+class BrokenPlugin(Struct, frozen=True):
     """A plug-in, or something that it offers, that cannot be loaded, so that it is not there.
 
     Attributes:
@@ -50,7 +52,7 @@ class BrokenPlugin(NamedTuple):
         return f"mend, update or uninstall {self.distribution.partition(' ')[0]}"
 
 
-class Replaced(NamedTuple):
+class Replaced(Struct, frozen=True):
     """Content in whose place a plug-in has put its own: the kind and the name, whose it was, and whose it is now.
 
     Attributes:
@@ -164,7 +166,7 @@ class Registry:
             self._load(target)
         except MissingToolError as error:
             if not any(each.entry_point == target for each in self.broken):
-                self.broken.append(BrokenPlugin(distribution, target, f"{type(error.__cause__).__name__}: {error.__cause__}"))
+                self.broken.append(BrokenPlugin(distribution, target, f"{class_name(error.__cause__)}: {error.__cause__}"))
             return False
         return True
 
@@ -210,10 +212,10 @@ class Registry:
             return load(target)
         module, _, attribute = target.partition(":")
         try:
-            return getattr(importlib.import_module(module), attribute)
+            return dynamic_attribute(importlib.import_module(module), attribute)
         except (Exception, SystemExit) as error:
             raise MissingToolError(
-                f"'{target}' of the plug-in {distribution} cannot be loaded: {type(error).__name__}: {error}",
+                f"'{target}' of the plug-in {distribution} cannot be loaded: {class_name(error)}: {error}",
                 fix=f"mend, update or uninstall {distribution.partition(' ')[0]}",
             ) from error
 
@@ -227,7 +229,7 @@ def load(target: str) -> Any:
     """
     module, _, attribute = target.partition(":")
     try:
-        return getattr(importlib.import_module(module), attribute)
+        return dynamic_attribute(importlib.import_module(module), attribute)
     except (ImportError, AttributeError) as error:
         if (missing := unloadable(error)) is not None:
             raise missing from error
@@ -253,7 +255,7 @@ def registry() -> Registry:
             fill: Callable[[Registry], None] = point.load()
             fill(offered)
         except (Exception, SystemExit) as error:
-            result.broken.append(BrokenPlugin(distribution, value, f"{type(error).__name__}: {error}"))
+            result.broken.append(BrokenPlugin(distribution, value, f"{class_name(error)}: {error}"))
         else:
             result.take(offered, distribution)
     return result
@@ -306,7 +308,7 @@ def unloadable(error: BaseException) -> MissingToolError | None:
         foreign = _came_of_an_import(error)
     if not foreign:
         return None
-    cause = str(error) if isinstance(error, (ImportError, AttributeError)) else f"{type(error).__name__}: {error}"
+    cause = str(error) if isinstance(error, (ImportError, AttributeError)) else f"{class_name(error)}: {error}"
     return MissingToolError(
         f"a package that robosmi needs cannot be loaded: {cause}",
         fix="install robosmi again in a fresh environment (robosmi doctor says what is there)",
@@ -341,7 +343,7 @@ def raised_by(error: BaseException) -> RuleError | None:
     for frame, line in reversed(list(traceback.walk_tb(error.__traceback__))):
         if owner := registry().provider(frame.f_globals.get("__name__", "")):
             return RuleError(
-                f"the plug-in {owner} raised {type(error).__name__}: {error}",
+                f"the plug-in {owner} raised {class_name(error)}: {error}",
                 location=Location(frame.f_code.co_filename, line),
                 fix=f"report it to the authors of {owner.partition(' ')[0]}; ROBOSMI_DEBUG=1 shows where it happened",
             )

@@ -9,11 +9,11 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi import inputs, resources
 from robosmi.data_text import Json, as_table, as_text, line_of_key, toml_of
@@ -24,7 +24,7 @@ FILE_NAME = "robosmi.toml"
 LEVELS = ("off", "info", "warning", "error")
 
 
-class Accepted(NamedTuple):
+class Accepted(Struct, frozen=True):
     """A finding that the user has looked at and accepts: rule, element (its URI or name) and the reason."""
 
     rule: str
@@ -32,7 +32,7 @@ class Accepted(NamedTuple):
     reason: str
 
 
-class ServoTrim(NamedTuple):
+class ServoTrim(Struct, frozen=True):
     """What a person has measured of a servo that turns on.
 
     Attributes:
@@ -46,8 +46,7 @@ class ServoTrim(NamedTuple):
     place: Location
 
 
-@dataclass(frozen=True)
-class Project:
+class Project(Struct, frozen=True):
     """What the project file says; empty where there is none.
 
     Attributes:
@@ -68,13 +67,13 @@ class Project:
     hardware: Path | None = None
     target: str | None = None
     source_platform: str | None = None
-    libraries: dict[str, str] = field(default_factory=dict)
-    bind: dict[str, str] = field(default_factory=dict)
-    roles: dict[str, str] = field(default_factory=dict)
-    servos: dict[str, ServoTrim] = field(default_factory=dict)
-    severity: dict[str, str] = field(default_factory=dict)
+    libraries: dict[str, str] = {}
+    bind: dict[str, str] = {}
+    roles: dict[str, str] = {}
+    servos: dict[str, ServoTrim] = {}
+    severity: dict[str, str] = {}
     accept: tuple[Accepted, ...] = ()
-    text: str = field(default="", repr=False)
+    text: str = ""
 
     def places(self, table: str, keys: Iterable[str]) -> dict[str, Location]:
         """Where a table of the file has each of some keys; the file alone where the line of one is not found."""

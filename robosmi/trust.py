@@ -8,14 +8,13 @@ is `resources`'.
 from __future__ import annotations
 
 import hashlib
-import json
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path, PurePath
 
 from robosmi import inputs, user_folders
-from robosmi.data_text import json_of
+from robosmi.data_text import json_of, json_written
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.inputs import DATA, RECORD, read_bytes
@@ -80,7 +79,7 @@ def trust(folder: Path) -> tuple[Path, list[str]]:
     try:
         place.parent.mkdir(parents=True, exist_ok=True)
         beside = place.with_name(f"{place.name}.{os.getpid()}")
-        beside.write_text(json.dumps(files, sort_keys=True), encoding="utf-8")
+        beside.write_text(json_written(files, sort_keys=True), encoding="utf-8")
         os.replace(beside, place)
     except OSError as error:
         message = f"the trust cannot be noted: {error.strerror or error}"

@@ -469,6 +469,18 @@ def test_importing_the_package_is_light() -> None:
     assert runs[0][1] & {"pyecore", "lxml", "clang", "networkx", "jinja2", "sqlite3"} == set()
 
 
+def test_no_module_makes_data_classes() -> None:
+    found = [
+        f"{path.relative_to(ROOT)}:{node.lineno}"
+        for folder in ("robosmi", "transformations")
+        for path in sorted((ROOT / folder).rglob("*.py"))
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if (isinstance(node, ast.ImportFrom) and node.module == "dataclasses")
+        or (isinstance(node, ast.Import) and any(alias.name == "dataclasses" for alias in node.names))
+    ]
+    assert found == [], "records are structs (docs/decisions/records-are-structs.md)"
+
+
 def test_public_names_can_be_imported_and_are_no_submodules() -> None:
     submodules = {module.name for module in pkgutil.iter_modules(robosmi.__path__)}
     assert "cli" in submodules

@@ -24,7 +24,6 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -33,6 +32,7 @@ from robosmi.chain.run import ChainResult, ChainRun, Progress
 from robosmi.chain.steps import CALL, GIVEN, KINDS, Step, relative
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import RuleError, SourceError, did_you_mean
+from robosmi.typed import attribute_of, replaced
 
 if TYPE_CHECKING:
     import networkx as nx  # longer to import than most chains take
@@ -207,7 +207,7 @@ class Chain:
         for number, step in enumerate(self.steps):
             if step.kind == CALL and name in (step.name, step.makes):
                 first = step.instead_of or step.function
-                self.steps[number] = replace(self._call(function, step.makes, step.name), instead_of=first)
+                self.steps[number] = replaced(self._call(function, step.makes, step.name), instead_of=first)
                 return
         known = [step.name for step in self.steps if step.kind == CALL]
         raise SourceError(
@@ -232,7 +232,7 @@ class Chain:
             options[key] = tuple(folder / p for p in ([given] if isinstance(given, (str, Path)) else given))
         code = inspect.getsourcefile(function) if function is not None else None
         listed = (models,) if isinstance(models, str) else tuple(models)
-        title = name or getattr(function, "__name__", kind)
+        title = name or attribute_of(function, "__name__", str) or kind
         if not re.fullmatch(r"\w[\w .-]*", title):
             raise SourceError(
                 f"'{title}' cannot be a step's name", location=self.place, fix="use letters, digits, blanks, points and dashes"

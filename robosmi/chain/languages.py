@@ -8,10 +8,11 @@ A function gets the language's object first, then the models by their names: `co
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.chain.steps import Step, StepResult, relative
@@ -28,6 +29,7 @@ from robosmi.model.xml_comments import comments_lost, told
 from robosmi.query import ModelView
 from robosmi.query.erl import owner_of, technology
 from robosmi.transform import ETL, Flock
+from robosmi.typed import replaced
 from robosmi.validate import EVL
 from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
 
@@ -35,8 +37,7 @@ Choice = str | Callable[[Unsatisfied], OfferedFix | None]
 """Which fix of a finding is performed: "first", "last", or a function that chooses one (None for none)."""
 
 
-@dataclass
-class Doing:
+class Doing(Struct):
     """What a step needs while it is done.
 
     Attributes:
@@ -57,7 +58,7 @@ class Doing:
     dry_run: bool
     keep: bool
     fix: Choice | None = None
-    rewritten: list[str] = field(default_factory=list)
+    rewritten: list[str] = []
 
 
 def load(step: Step, doing: Doing) -> tuple[StepResult, Model]:
@@ -151,7 +152,7 @@ def _stored(model: Model) -> bytes:
 def _located(finding: Finding, files: Mapping[str, Path | None]) -> Finding:
     """The finding with the file of the model that its element is in, where the constraint gives no place."""
     file = files.get((finding.element or "").partition("!")[0])
-    return replace(finding, location=Location(str(file))) if file is not None and finding.location is None else finding
+    return replaced(finding, location=Location(str(file))) if file is not None and finding.location is None else finding
 
 
 def transform(step: Step, doing: Doing) -> tuple[StepResult, Model]:

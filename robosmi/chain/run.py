@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar, overload
+
+from msgspec import Struct
 
 import robosmi
 from robosmi import inputs
@@ -23,6 +24,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, RuleError, SourceError, StoppedError, did_you_mean
 from robosmi.model.files import write_atomic
 from robosmi.plugins import raised_by, unloadable
+from robosmi.typed import attribute_of
 
 if TYPE_CHECKING:
     from robosmi.chain.languages import Choice, Doing  # all languages
@@ -35,8 +37,7 @@ Progress = Callable[[Step, StepResult | None], None]
 """Told of a step: without a result before it is done, with it afterwards."""
 
 
-@dataclass
-class ChainResult:
+class ChainResult(Struct):
     """What a run did.
 
     Attributes:
@@ -44,7 +45,7 @@ class ChainResult:
         seconds: how long all took.
     """
 
-    steps: list[StepResult] = field(default_factory=list)
+    steps: list[StepResult] = []
     seconds: float = 0.0
 
     def __getitem__(self, name: str) -> StepResult:
@@ -361,7 +362,7 @@ class ChainRun:
         if step.instead_of is not None and (expected := unlike(made, step.instead_of)):
             from robosmi.query.erl import place_of
 
-            first = f"{step.instead_of.__module__}.{getattr(step.instead_of, '__qualname__', '')}"
+            first = f"{step.instead_of.__module__}.{attribute_of(step.instead_of, '__qualname__', str) or ''}"
             raise RuleError(
                 f"the function in the place of the step '{step.name}' made {described(made)} for '{step.makes}'; "
                 f"expected is {expected}",

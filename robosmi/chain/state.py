@@ -6,15 +6,16 @@ The state lies in `.robosmi/chains` beside the chain. It can be removed at any t
 from __future__ import annotations
 
 import hashlib
-import json
 import os
 from collections.abc import Iterable
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from msgspec import Struct
+from msgspec.structs import asdict
+
 from robosmi import inputs
-from robosmi.data_text import as_list, as_table, as_text, as_whole, json_of
+from robosmi.data_text import as_list, as_table, as_text, as_whole, json_of, json_written
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.model.files import digest, write_atomic
@@ -25,13 +26,12 @@ if TYPE_CHECKING:
 SCHEMA = "robosmi-chain/1"
 
 
-@dataclass
-class StepState:
+class StepState(Struct):
     """A step's last run: digest of its inputs, outputs with their digests, findings."""
 
     inputs: str
-    outputs: dict[str, str] = field(default_factory=dict)
-    findings: list[dict[str, Json]] = field(default_factory=list)
+    outputs: dict[str, str] = {}
+    findings: list[dict[str, Json]] = []
     failed: bool = False
 
 
@@ -61,8 +61,8 @@ class State:
         """Write it, whole or not at all; nothing where nothing changed, or where nothing is to be remembered."""
         if self.path is None:
             return
-        steps = {name: vars(entry) for name, entry in self.steps.items()}
-        data = (json.dumps({"schema": SCHEMA, "steps": steps}, indent=1, sort_keys=True) + "\n").encode()
+        steps = {name: asdict(entry) for name, entry in self.steps.items()}
+        data = (json_written({"schema": SCHEMA, "steps": steps}, indent=1, sort_keys=True) + "\n").encode()
         if inputs.read_bytes(self.path, inputs.RECORD) != data if self.path.is_file() else bool(steps):
             write_atomic(self.path, data)
 

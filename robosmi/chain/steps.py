@@ -7,9 +7,10 @@ chain of plain functions costs no more than the functions.
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Severity
 
@@ -28,8 +29,7 @@ CALL, GIVEN = "call", "given"
 """The kinds over values in memory: a function of values that makes a value, and a value that is given from outside."""
 
 
-@dataclass(frozen=True)
-class Step:
+class Step(Struct, frozen=True):
     """A step as it is declared. Paths are absolute.
 
     Attributes:
@@ -85,8 +85,7 @@ class Step:
         return [path for path in (self.file, self.trace) if path is not None and self.kind != "load"]
 
 
-@dataclass
-class StepResult:
+class StepResult(Struct):
     """What became of a step.
 
     Attributes:
@@ -105,13 +104,13 @@ class StepResult:
     step: Step
     state: str
     seconds: float = 0.0
-    findings: list[Finding] = field(default_factory=list)
-    written: list[str] = field(default_factory=list)
-    removed: list[str] = field(default_factory=list)
+    findings: list[Finding] = []
+    written: list[str] = []
+    removed: list[str] = []
     diff: str = ""
-    outputs: dict[str, str] = field(default_factory=dict)
-    fixed: list[str] = field(default_factory=list)
-    saved: list[str] = field(default_factory=list)
+    outputs: dict[str, str] = {}
+    fixed: list[str] = []
+    saved: list[str] = []
 
     def to_json(self) -> dict[str, Json]:
         """The step in the contract's result of `run`."""

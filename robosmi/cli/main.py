@@ -36,6 +36,7 @@ from robosmi.errors import (
     did_you_mean,
 )
 from robosmi.quoting import json_text, terminal
+from robosmi.typed import attribute_of
 
 if TYPE_CHECKING:
     from robosmi.cli.options import Options
@@ -183,7 +184,7 @@ def _end_in_order() -> None:
         raise KeyboardInterrupt
 
     for name in ("SIGTERM", "SIGHUP"):
-        number = getattr(signal, name, None)  # Windows has no SIGHUP
+        number = attribute_of(signal, name, signal.Signals)  # Windows has no SIGHUP
         if number is not None and signal.getsignal(number) is signal.SIG_DFL:  # nohup has it ignored
             signal.signal(number, asked)
 
@@ -244,7 +245,7 @@ def _lines(text: str) -> str:
 
 
 def _print_json(document: dict[str, Any]) -> None:
-    plain = (getattr(sys.stdout, "encoding", None) or "").lower().replace("-", "") != "utf8"
+    plain = (attribute_of(sys.stdout, "encoding", str) or "").lower().replace("-", "") != "utf8"
     streams.say(json_text(document, ascii_only=plain))
 
 

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from robosmi.typed import dynamic_attribute
+
 if TYPE_CHECKING:
     from robosmi.generate.gen import Gen
     from robosmi.generate.identity import region_id
@@ -30,5 +32,5 @@ def __getattr__(name: str) -> Any:
     if name in _PLACES:
         from importlib import import_module
 
-        return getattr(import_module(f"robosmi.generate.{_PLACES[name]}"), name)
+        return dynamic_attribute(import_module(f"robosmi.generate.{_PLACES[name]}"), name)
     raise AttributeError(f"module 'robosmi.generate' has no attribute '{name}'")

@@ -7,7 +7,10 @@ in a string of several lines could end it. Such places are refused; in a block o
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+
+from msgspec import Struct
+
+from robosmi.typed import replaced
 
 NOWHERE = ""
 """The place of a value that could not be quoted; `languages` has the same."""
@@ -21,8 +24,7 @@ _TOML_QUOTES = ('"""', "'''")
 _COMMENT = re.compile(r"(?:^|\s)#")
 
 
-@dataclass(frozen=True, slots=True)
-class Lines:
+class Lines(Struct, frozen=True):
     """How far a text of lines has come.
 
     Attributes:
@@ -46,15 +48,15 @@ def yaml(state: Lines, text: str) -> Lines:
     """The state behind a piece of a YAML text."""
     *lines, last = (state.line + text).split("\n")
     for line in lines:
-        state = _yaml_line(replace(state, line=""), line)
-    return replace(state, line=last)
+        state = _yaml_line(replaced(state, line=""), line)
+    return replaced(state, line=last)
 
 
 def _yaml_line(state: Lines, line: str) -> Lines:
     if not line.strip() or (line.lstrip().startswith("#") and state.block == -1 and not state.quote):
         return state
     if state.block != -1 and (found := _in_block(state, line)) is not None:
-        return replace(state, block=found)
+        return replaced(state, block=found)
     depth, quote = _brackets(line, state.depth, state.quote, ("'", '"'))
     if not depth and not quote and (opened := _BLOCK.search(line)):
         dashes = _DASHES.match(line)
@@ -94,7 +96,7 @@ def toml(state: Lines, text: str) -> Lines:
     for line in lines:
         depth, quote = _brackets(line, state.depth, state.quote, (*_TOML_QUOTES, "'", '"'))
         state = Lines(depth=max(depth, 0), quote=quote if quote in _TOML_QUOTES else "")
-    return replace(state, line=last)
+    return replaced(state, line=last)
 
 
 def toml_place(state: Lines) -> str:

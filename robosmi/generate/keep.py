@@ -9,19 +9,19 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, field
 from itertools import pairwise
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.generate.regions import CONTROLLED, PROTECTED, CommentStyle, Parts, Region, partition, styles_in
 from robosmi.generate.three_way import Chunk, by_words, chunks, stretch
-from robosmi.typed import distinct, matches
+from robosmi.typed import distinct, matches, sum_of
 
 YOURS, BASE, MIDDLE, GENERATED = "<<<<<<< yours\n", "||||||| last generated\n", "=======\n", ">>>>>>> generated\n"
 
 
-@dataclass
-class Kept:
+class Kept(Struct):
     """What becomes of a file.
 
     Attributes:
@@ -32,7 +32,7 @@ class Kept:
     """
 
     text: str
-    findings: list[Finding] = field(default_factory=list)
+    findings: list[Finding] = []
     save_old: bool = False
     refused: Finding | None = None
 
@@ -233,13 +233,12 @@ class _Merge:
         return "".join(line.text for line in lines)
 
 
-@dataclass
-class _Line:
+class _Line(Struct):
     """A line of the merged text (or several), how many lines of the person's end with it (0: not theirs), what is said of it."""
 
     text: str
     upto: int = 0
-    notes: list[tuple[str, Severity, str, str | None]] = field(default_factory=list)
+    notes: list[tuple[str, Severity, str, str | None]] = []
 
 
 def _lines(text: str) -> list[str]:
@@ -281,7 +280,7 @@ def _divider_left(text: str, others: Sequence[str]) -> int | None:
         return None
     outside = _BLOCK_COMMENT.sub(lambda comment: "\n" * comment[0].count("\n"), text).split("\n")
     found = [number for number, line in enumerate(outside, 1) if line.strip() == mark]
-    known = max(sum(line.strip() == mark for line in other.split("\n")) for other in others)
+    known = max(sum_of(line.strip() == mark for line in other.split("\n")) for other in others)
     return found[0] if len(found) > known else None
 
 

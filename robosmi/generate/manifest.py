@@ -7,12 +7,12 @@ A manifest that came with its folder from elsewhere (see `runs`) serves to compa
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
-from robosmi.data_text import json_of
+from msgspec import Struct
+
+from robosmi.data_text import Json, json_of, json_written
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.places import Places
@@ -25,8 +25,7 @@ NAME = ".robosmi.json"
 SCHEMA = "robosmi-manifest/1"
 
 
-@dataclass
-class Guarded:
+class Guarded(Struct):
     """What a run finds in its output folder and may go on with.
 
     Attributes:
@@ -35,13 +34,12 @@ class Guarded:
         reformed: files whose line ends or byte order mark were changed, and nothing else; they are made anew as they were.
     """
 
-    obsolete: set[str] = field(default_factory=set)
-    deleted: list[str] = field(default_factory=list)
-    reformed: list[str] = field(default_factory=list)
+    obsolete: set[str] = set()
+    deleted: list[str] = []
+    reformed: list[str] = []
 
 
-@dataclass
-class Manifest:
+class Manifest(Struct):
     """What the last run made.
 
     Attributes:
@@ -52,8 +50,8 @@ class Manifest:
         beside_choices: SHA-256 of what the last run wrote into the plan without the choices in it; empty where none is recorded.
     """
 
-    files: dict[str, str] = field(default_factory=dict)
-    choices: list[str] = field(default_factory=list)
+    files: dict[str, str] = {}
+    choices: list[str] = []
     found: bytes | None = None
     own: bool = True
     beside_choices: str = ""
@@ -108,10 +106,10 @@ class Manifest:
 
     def to_bytes(self) -> bytes:
         """The file's bytes, the same for the same contents."""
-        data: dict[str, object] = {"schema": SCHEMA, "choices": self.choices, "files": self.files}
+        data: dict[str, Json] = {"schema": SCHEMA, "choices": self.choices, "files": self.files}
         if self.beside_choices:
             data["beside_choices"] = self.beside_choices
-        return (json.dumps(data, indent=1, sort_keys=True) + "\n").encode()
+        return (json_written(data, indent=1, sort_keys=True) + "\n").encode()
 
     def guard(
         self, places: Places, contents: Mapping[str, bytes], *, inputs: Mapping[str, bytes | None] | None = None

@@ -10,7 +10,6 @@ Names and arguments are EGL's, in snake_case. Markers of regions are `regions`',
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +17,7 @@ from jinja2 import Environment, nodes
 from jinja2.ext import Extension
 from jinja2.parser import Parser
 from jinja2.runtime import Context
+from msgspec import Struct
 
 from robosmi.errors import RuleError, did_you_mean
 from robosmi.generate.output import Buffer, Chop, Raw, TextPart, chop, outdented
@@ -35,8 +35,7 @@ class Stop(Exception):
 _style = cache(CommentStyle)
 
 
-@dataclass
-class Comments:
+class Comments(Struct):
     """The comments that markers may be: those that the templates of one run have used so far, or of a content type."""
 
     styles: tuple[CommentStyle, ...] = ()

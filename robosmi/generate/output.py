@@ -8,9 +8,12 @@ elements that a template looks at between two pieces are those the second one co
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
 
 from robosmi.query.values import as_string
+from robosmi.typed import paired, sum_of
 
 if TYPE_CHECKING:
     from robosmi.query.values import Answer
@@ -111,7 +114,7 @@ class Buffer:
 
     def line(self) -> int:
         """The number of the last line, from 1 (EGL `out.getCurrentLineNumber()`)."""
-        return 1 + sum(part.count("\n") for part in self.parts)
+        return 1 + sum_of(part.count("\n") for part in self.parts)
 
     def _chop(self, count: int) -> None:
         for place in range(len(self.parts) - 1, -1, -1):
@@ -140,7 +143,7 @@ def outdented(text: str, indenters: Iterable[str] = ("\t", "    ")) -> str:
     return "\n".join(next((line[len(level) :] for level in levels if line.startswith(level)), line) for line in lines)
 
 
-class TextPart(NamedTuple):
+class TextPart(Struct, frozen=True):
     """A part of a template that says itself what its lines come from (`out.part`).
 
     Attributes:
@@ -175,9 +178,9 @@ class Text(str):
     def lines_of_parts(self) -> list[tuple[int, int, TextPart]]:
         """First and last line (from 0) of each named part that has text."""
         found: list[tuple[int, int, TextPart]] = []
-        line = sum(piece.count("\n") for piece in self._parts[: self.named[0].piece]) if self.named else 0
+        line = sum_of(piece.count("\n") for piece in self._parts[: self.named[0].piece]) if self.named else 0
         stops = [part.piece for part in self.named[1:]] + [len(self._parts)]
-        for part, stop in zip(self.named, stops, strict=True):
+        for part, stop in paired(self.named, stops):
             text = "".join(self._parts[part.piece : stop])
             if text:
                 found.append((line, line + text.count("\n", 0, len(text) - 1), part))
@@ -189,8 +192,8 @@ class Text(str):
         """Where it comes from: offset of a first character, offset behind the last one, elements; in order."""
         found: list[tuple[int, int, tuple[Any, ...]]] = []
         offset = part = first = 0
-        for place, last in zip(self._marks[::2], self._marks[1::2], strict=True):
-            offset += sum(len(text) for text in self._parts[part:place])
+        for place, last in paired(self._marks[::2], self._marks[1::2]):
+            offset += sum_of(len(text) for text in self._parts[part:place])
             elements = {id(element): element for element in self._seen[first:last]}
             found.append((offset, offset + len(self._parts[place]), tuple(elements.values())))
             part, first = place, last

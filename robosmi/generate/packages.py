@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Severity
@@ -21,8 +22,7 @@ from robosmi.model.commit import update
 from robosmi.model.recovery import at_work
 
 
-@dataclass(frozen=True)
-class GeneratedPackages:
+class GeneratedPackages(Struct, frozen=True):
     """What a run made.
 
     Attributes:

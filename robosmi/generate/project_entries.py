@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, MutableMapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import tomlkit
+from msgspec import Struct
 from tomlkit.exceptions import TOMLKitError
 
 from robosmi import inputs
@@ -27,8 +27,7 @@ Entries = Mapping[str, Mapping[str, str | None]]
 """Table -> key -> value; None takes the key out."""
 
 
-@dataclass(frozen=True)
-class ProjectChange:
+class ProjectChange(Struct, frozen=True):
     """A change of a project file, to be written in the same commit as what a run makes.
 
     Attributes:

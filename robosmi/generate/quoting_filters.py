@@ -18,6 +18,7 @@ from robosmi import quoting
 from robosmi.errors import did_you_mean
 from robosmi.query.values import as_string
 from robosmi.quoting import Quoted
+from robosmi.typed import attribute_of
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -76,11 +77,11 @@ class Declaration(Extension):
         known = (*LANGUAGES, NOTHING)
         if not isinstance(language, nodes.Const) or language.value not in known:
             said = repr(language.value) if isinstance(language, nodes.Const) else "this"
-            near = did_you_mean(str(getattr(language, "value", "")), known)
+            near = did_you_mean(str(language.value) if isinstance(language, nodes.Const) else "", known)
             raise TemplateSyntaxError(
                 f"{said} is no language{near}; there are: {', '.join(known)}", line, parser.name, parser.filename
             )
-        if getattr(parser, "quoting", language.value) != language.value:
+        if attribute_of(parser, "quoting", str) not in (None, language.value):
             raise TemplateSyntaxError("a template declares one language", line, parser.name, parser.filename)
         parser.quoting = language.value  # type: ignore[attr-defined]
         return []

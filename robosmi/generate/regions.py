@@ -10,9 +10,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
 from functools import cache, cached_property
-from typing import NamedTuple
+
+from msgspec import Struct
+
+from robosmi.typed import replaced
 
 PROTECTED, CONTROLLED = "protected", "controlled"
 
@@ -26,8 +28,7 @@ CONTENT_TYPES: dict[str, tuple[tuple[str, str], ...]] = {
 """The comments of EGL's content types, as start and end; the first one is that of `start_preserve(id, enabled)`."""
 
 
-@dataclass(frozen=True)
-class CommentStyle:
+class CommentStyle(Struct, frozen=True, dict=True):
     """The two parts of a comment; the second is empty where a comment ends with its line."""
 
     start: str = ""
@@ -48,8 +49,7 @@ class CommentStyle:
         return (f"{self.start} " if self.start else "", f" {self.end}" if self.end else "")
 
 
-@dataclass(frozen=True)
-class Region:
+class Region(Struct, frozen=True):
     """A region of a text.
 
     Attributes:
@@ -80,16 +80,16 @@ class Region:
     def holding(self, contents: str, enabled: bool) -> Region:
         """The same region with other contents, on or off."""
         same = enabled == self.enabled and self.opening.endswith("\n")
-        return replace(self, contents=contents, enabled=enabled, opening=self.opening if same else "")
+        return replaced(self, contents=contents, enabled=enabled, opening=self.opening if same else "")
 
     def as_in(self, other: Region) -> Region:
         """The same region with what a person has in theirs: contents, state, and the blanks of the markers."""
         if (other.kind, other.style) != (self.kind, self.style):
             return self.holding(other.contents, other.enabled)
-        return replace(other, line=self.line)
+        return replaced(other, line=self.line)
 
 
-class BrokenMarker(NamedTuple):
+class BrokenMarker(Struct, frozen=True):
     """A marker that no region has: where it stands, its region's id, and what is wrong with it.
 
     Attributes:
@@ -102,12 +102,11 @@ class BrokenMarker(NamedTuple):
     crowded: bool = False
 
 
-@dataclass
-class Parts:
+class Parts(Struct):
     """A text taken apart: plain texts and regions in their order, and markers that belong to no region."""
 
-    pieces: list[str | Region] = field(default_factory=list)
-    broken: list[BrokenMarker] = field(default_factory=list)
+    pieces: list[str | Region] = []
+    broken: list[BrokenMarker] = []
 
     def regions(self) -> list[Region]:
         """All regions in their order."""
@@ -199,7 +198,7 @@ def _partition(text: str, style: CommentStyle, first_line: int, broken: list[Bro
             if outer > done:
                 pieces.append(text[done:outer])
             done = start.end() + marker.end()
-            pieces.append(replace(opened, contents=text[inner : start.start()], closing=text[start.start() : done]))
+            pieces.append(replaced(opened, contents=text[inner : start.start()], closing=text[start.start() : done]))
             opened = None
     if opened is not None:
         broken.append(BrokenMarker(opened.line, opened.identity, "it is never ended"))
@@ -208,7 +207,7 @@ def _partition(text: str, style: CommentStyle, first_line: int, broken: list[Bro
     return pieces
 
 
-class Merged(NamedTuple):
+class Merged(Struct, frozen=True):
     """What `merge` gives.
 
     Attributes:

@@ -5,23 +5,24 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias, cast
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding
 from robosmi.generate.output import Text
 from robosmi.generate.regions import CommentStyle, partition
 from robosmi.generate.three_way import line_map
+from robosmi.typed import paired
 
 if TYPE_CHECKING:
     from robosmi.model.driver import Item
     from robosmi.model.dynamic import Dynamic
 
 
-@dataclass(slots=True, eq=False, repr=False)
-class Write:
+class Write(Struct, eq=False):
     """A text on its way into a file.
 
     Attributes:
@@ -47,8 +48,7 @@ class Write:
     line: int = 0
 
 
-@dataclass(frozen=True)
-class TextLink:
+class TextLink(Struct, frozen=True):
     """Lines of a generated file and the elements they come from.
 
     Attributes:
@@ -72,8 +72,7 @@ class TextLink:
     step: str = ""
 
 
-@dataclass(slots=True)
-class FileChange:
+class FileChange(Struct):
     """A file that a run made, changed or not.
 
     Attributes:
@@ -114,7 +113,7 @@ class FileChange:
         """Where its lines come from, by the text as it stands in the file."""
         there = _lines(self.after or "")
         stops = [origin.line for origin in self.origins[1:]] + [max(len(there), 1)]
-        for origin, stop in zip(self.origins, stops, strict=True):
+        for origin, stop in paired(self.origins, stops):
             yield from self._links(origin, there, stop)
 
     def _links(self, origin: Write, there: list[str], stop: int) -> Iterator[TextLink]:
@@ -165,8 +164,7 @@ class TextTrace:
         return next((k for k in self._by_path.get(path, ()) if k.region == identity), None)
 
 
-@dataclass
-class Generation:
+class Generation(Struct, dict=True):
     """What a run made.
 
     Attributes:
@@ -181,10 +179,10 @@ class Generation:
 
     folder: Path
     files: Sequence[FileChange]
-    messages: list[str] = field(default_factory=list)
-    findings: list[Finding] = field(default_factory=list)
-    written: list[str] = field(default_factory=list)
-    removed: list[str] = field(default_factory=list)
+    messages: list[str] = []
+    findings: list[Finding] = []
+    written: list[str] = []
+    removed: list[str] = []
     done: bool = True
 
     def file(self, name: str) -> FileChange:

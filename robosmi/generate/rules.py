@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeAlias
+
+from msgspec import Struct
 
 from robosmi.errors import RuleError
 from robosmi.model.driver import Model
@@ -25,8 +26,7 @@ Flag: TypeAlias = "bool | Function"
 Formatter = Callable[[str], str]
 
 
-@dataclass(eq=False, repr=False)
-class GenerationRule:
+class GenerationRule(Struct, eq=False, dict=True):
     """A rule. Everything that may be a function is called with the element, or with nothing where the rule has no type.
 
     Attributes:

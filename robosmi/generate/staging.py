@@ -7,9 +7,10 @@ elsewhere are kept too. Everything is decided here and handed over to be written
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import overload
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
@@ -24,10 +25,10 @@ from robosmi.generate.text_form import FileText, read, same_text
 from robosmi.model.commit import commit
 from robosmi.model.recovery import look_only
 from robosmi.model.runs import is_noted, note
+from robosmi.typed import paired
 
 
-@dataclass(slots=True, eq=False, repr=False)
-class Pending:
+class Pending(Struct, eq=False):
     """A file of a run.
 
     Attributes:
@@ -107,7 +108,7 @@ class Staging:
         """
         queue, self._queue = self._queue, []
         files = [self.file(one.name) for one in queue]
-        for one, file in zip(queue, files, strict=True):
+        for one, file in paired(queue, files):
             text, name = one.text, file.name
             if not file.touched and file.text is None and one.overwrite and not one.append and file.before == text.encode():
                 file.text = file.made = text  # the common case of a second run

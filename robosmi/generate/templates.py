@@ -31,6 +31,7 @@ from robosmi.model.driver import ModelElement, features_of, name_of, type_of
 from robosmi.model.ecore import EObject
 from robosmi.query.problems import unknown_property
 from robosmi.template_files import TemplateFiles
+from robosmi.typed import class_name, dynamic_attribute
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -88,7 +89,7 @@ class _Environment(SandboxedEnvironment):
         if not allowed(obj, attribute):
             raise refused(obj, attribute)
         try:
-            found = getattr(obj, attribute)
+            found = dynamic_attribute(obj, attribute)
             if attribute in ("format", "format_map"):  # their texts reach for attributes too
                 return self.wrap_str_format(found) or found
             return found
@@ -241,7 +242,7 @@ class Templates:
             return RuleError(
                 f"{error.message}", location=place, fix="correct the name, or give the value with the rule's parameters"
             )
-        return RuleError(f"{type(error).__name__}: {error}", location=place, fix="correct the template, or what it calls")
+        return RuleError(f"{class_name(error)}: {error}", location=place, fix="correct the template, or what it calls")
 
     def _place(self, name: str, error: BaseException | None) -> Location:
         """The innermost place in a template that an error passed through, else the template."""

@@ -8,16 +8,17 @@ from __future__ import annotations
 import codecs
 import re
 from collections import Counter
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.generate.three_way import line_map
 from robosmi.model.files import digest
-from robosmi.typed import matches
+from robosmi.typed import matches, paired
 
 _END = re.compile(r"\r\n|\r|\n")
 
 
-class FileText(NamedTuple):
+class FileText(Struct, frozen=True):
     """The text of a file and its form.
 
     Attributes:
@@ -49,7 +50,7 @@ class FileText(NamedTuple):
         *lines, last = text.split("\n")
         there = self.text.split("\n")[: len(self.ends)]
         own = {new: self.ends[old] for old, new in line_map(there, lines).items()}
-        moved = dict(zip(there, self.ends, strict=False))
+        moved = dict(paired(there, self.ends, strict=False))
         return "".join(f"{line}{own.get(number) or moved.get(line, usual)}" for number, line in enumerate(lines)) + last
 
 

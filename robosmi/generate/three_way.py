@@ -15,11 +15,12 @@ import re
 from bisect import bisect_left
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
-from dataclasses import dataclass
 from difflib import SequenceMatcher
 from typing import TypeVar
 
-from robosmi.typed import matches
+from msgspec import Struct
+
+from robosmi.typed import matches, paired
 
 T = TypeVar("T")
 Span = tuple[int, int]
@@ -31,8 +32,7 @@ _ALIKE = 0.5
 """So much of the words both sides keep, or what matches does so by chance."""
 
 
-@dataclass(frozen=True)
-class Chunk:
+class Chunk(Struct, frozen=True):
     """A stretch of the three texts.
 
     Attributes:
@@ -194,7 +194,7 @@ def _runs(base: Sequence[str], other: Sequence[str]) -> Iterator[tuple[int, int,
         anchors = [(a + i, b + unique[i]) for i in _rising(unique)]
         if anchors:
             starts, stops = [(a, b), *anchors], [*anchors, (stop_a, stop_b)]
-            work += [(i, end_i, j, end_j) for (i, j), (end_i, end_j) in zip(starts, stops, strict=True)]
+            work += [(i, end_i, j, end_j) for (i, j), (end_i, end_j) in paired(starts, stops)]
             continue
         length = _equal(base, other, range(stop_a - 1, a - 1, -1), range(stop_b - 1, b - 1, -1))
         stop_a, stop_b = stop_a - length, stop_b - length
@@ -231,7 +231,7 @@ def _between(
     base: Sequence[str], ours: Sequence[str], theirs: Sequence[str], start: list[int], stop: list[int]
 ) -> Iterator[Chunk]:
     """What lies between two runs that both kept."""
-    spans = [(a, b) for a, b in zip(start, stop, strict=True)]
+    spans = [(a, b) for a, b in paired(start, stop)]
     was, mine, other = stretch(base, spans[0]), stretch(ours, spans[1]), stretch(theirs, spans[2])
     if not was and not mine and not other:
         return

@@ -10,13 +10,13 @@ folder where it is: one that was moved or sent has no way back.
 from __future__ import annotations
 
 import base64
-import json
 import zlib
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 
-from robosmi.data_text import Json, as_list, as_table, as_text, as_texts, json_of
+from msgspec import Struct
+
+from robosmi.data_text import Json, as_list, as_table, as_text, as_texts, json_of, json_written
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.manifest import NAME as MANIFEST
@@ -35,8 +35,7 @@ _BASE64 = ":"
 """What a text in Base64 begins with; those of earlier versions are in Base85, which takes much longer and has no colon."""
 
 
-@dataclass
-class Undone:
+class Undone(Struct):
     """What was put back.
 
     Attributes:
@@ -44,8 +43,8 @@ class Undone:
         removed: files that were not there before.
     """
 
-    restored: list[str] = field(default_factory=list)
-    removed: list[str] = field(default_factory=list)
+    restored: list[str] = []
+    removed: list[str] = []
 
 
 def keep_before(
@@ -81,9 +80,11 @@ def keep_before(
         return outside or {}
     files = {name: [_packed(before[name]), digest(new) if (new := after[name]) is not None else None] for name in changed}
     elsewhere = {path: [_packed(old), digest(new) if new is not None else None] for path, (old, new) in beyond.items()}
-    state = {"schema": SCHEMA, "files": files} | ({"outside": elsewhere} if elsewhere else {})
+    state: dict[str, Json] = {"schema": SCHEMA, "files": files}
+    if elsewhere:
+        state["outside"] = elsewhere
     place = place_of(folder, STATE)
-    return {**(outside or {}), place: (_bytes(place, OUTPUT), f"{json.dumps(state, indent=1, sort_keys=True)}\n".encode())}
+    return {**(outside or {}), place: (_bytes(place, OUTPUT), f"{json_written(state, indent=1, sort_keys=True)}\n".encode())}
 
 
 def _packed(data: bytes | None) -> str | None:

@@ -11,6 +11,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from robosmi.typed import dynamic_attribute
+
 if TYPE_CHECKING:
     from robosmi.model.driver import Model
     from robosmi.model.ecore import DynamicEObject, EObject
@@ -37,7 +39,7 @@ def __getattr__(name: str) -> Any:
     if name in _PLACES:
         from importlib import import_module
 
-        return getattr(import_module(f"robosmi.model.{_PLACES[name]}"), name)
+        return dynamic_attribute(import_module(f"robosmi.model.{_PLACES[name]}"), name)
     raise AttributeError(f"module 'robosmi.model' has no attribute '{name}'")
 
 

@@ -8,11 +8,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from robosmi.model.driver import Held, Item, ModelElement, Node
+from robosmi.typed import dynamic_attribute
 
 
 def feature_value(element: Node, name: str) -> Held:
     """What a feature of an element holds, by its name."""
-    value: Held = getattr(element, name)
+    value: Held = dynamic_attribute(element, name)
     return value
 
 

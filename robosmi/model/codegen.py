@@ -10,12 +10,12 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import pyecoregen.ecore as pyecoregen
 from jinja2.sandbox import SandboxedEnvironment
+from msgspec import Struct, field
 from multigen.jinja import JinjaGenerator
 
 from robosmi import inputs, resources
@@ -31,12 +31,12 @@ from robosmi.model.package_problems import problems_of
 from robosmi.model.package_types import Notes
 from robosmi.model.package_view import Mixins, PackageView, view_of
 from robosmi.template_files import TemplateFiles
+from robosmi.typed import sum_of
 
 MIXINS = "mixins.py"
 
 
-@dataclass
-class PackageRun:
+class PackageRun(Struct, dict=True):
     """What one run of the generator works on: the packages with everything that holds for all of them."""
 
     packages: list[Package]
@@ -102,8 +102,7 @@ class PackageGenerator(pyecoregen.EcoreGenerator, _Sandboxed):
         return made
 
 
-@dataclass(frozen=True)
-class Rendered:
+class Rendered(Struct, frozen=True):
     """What was generated.
 
     Attributes:
@@ -138,7 +137,7 @@ def render(metamodels: Sequence[Path], folder: Path | None = None) -> Rendered:
         run.mixins = {path: found for p in run.all() if (found := _mixins(folder, path := "/".join(run.names.module(p))))}
     files = PackageGenerator().render(run)
     sources = {"/".join([*run.names.module(p), "__init__.py"]): p.source for p in run.all()}
-    classes = sum(isinstance(c, Class) for p in run.all() for c in p.classifiers)
+    classes = sum_of(isinstance(c, Class) for p in run.all() for c in p.classifiers)
     return Rendered(files, sources, [*run.notes.findings, *_namespaces(run)], classes)
 
 

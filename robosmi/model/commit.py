@@ -10,7 +10,6 @@ This holds when a process is killed; nothing is promised for a machine that lose
 from __future__ import annotations
 
 import functools
-import json
 import secrets
 import stat
 from collections.abc import Callable, Collection, Mapping
@@ -18,6 +17,7 @@ from contextlib import ExitStack, suppress
 from pathlib import Path
 from typing import ParamSpec, TypeVar
 
+from robosmi.data_text import json_written
 from robosmi.diagnostics import Location
 from robosmi.errors import ChangedMeanwhileError, InternalError, SourceError, StoppedError
 from robosmi.model.elsewhere import Elsewhere, changes, drop, wait
@@ -198,7 +198,7 @@ def _untouched_elsewhere(files: Elsewhere) -> None:
 def _journal(moved: Mapping[str, str], removed: Collection[str]) -> tuple[str, bytes]:
     """A name for the run, and its journal."""
     run = secrets.token_hex(16)
-    return run, json.dumps({"run": run, "move": moved, "remove": sorted(removed)}).encode()
+    return run, json_written({"run": run, "move": moved, "remove": sorted(removed)}).encode()
 
 
 def _write(held: OpenFolder, contents: Mapping[str, bytes], removed: Collection[str], seen: Seen, elsewhere: Elsewhere) -> None:

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeAlias, TypeGuard
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model import structure
 from robosmi.model.ecore import DynamicEObject, EClass, EClassifier, EEnumLiteral, EObject, Scalar
+from robosmi.typed import class_name, dynamic_attribute
 
 Node: TypeAlias = "EObject | ModelElement"
 """An element of any technology."""
@@ -244,7 +245,7 @@ class Model(ABC):
 
     def __repr__(self) -> str:
         place = f" of {self.path.name}" if self.path is not None else ""
-        return f"<{type(self).__name__} {self.name}{place}>"
+        return f"<{class_name(self)} {self.name}{place}>"
 
     def _repr_html_(self) -> str:
         from robosmi.model.html_table import html_table, tree_html  # for notebooks only
@@ -388,6 +389,6 @@ def label(element: Node) -> str:
     kind = name_of(type_of(element))
     known = set(features_of(element))
     for feature in LABELS:
-        if feature in known and isinstance(value := getattr(element, feature), (str, int)) and value != "":
+        if feature in known and isinstance(value := dynamic_attribute(element, feature), (str, int)) and value != "":
             return f"{kind} {value}"
     return kind

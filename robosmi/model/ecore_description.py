@@ -7,33 +7,39 @@ so the generator works on these. They are made by `ecore_loader`; Ecore's own ty
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.model.datatypes import ECORE_URI, XML_TYPE_URI
 from robosmi.model.ordering import post_order
+from robosmi.typed import class_name
 
 if TYPE_CHECKING:
     from robosmi.model.ecore_xml import EcoreNode
 
 
-@dataclass(eq=False, repr=False)
-class DescribedElement:
-    """Anything with a name and a place.
+class _Described(Struct, eq=False, kw_only=True):
+    """What a description tells of, which constructors take by its name alone.
 
     Attributes:
         node: what stands in the file there; None for Ecore's own.
     """
 
+    node: EcoreNode | None = None
+
+
+class DescribedElement(_Described):
+    """Anything with a name and a place."""
+
     name: str
     location: Location
     documentation: str = ""
-    node: EcoreNode | None = field(default=None, kw_only=True)
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__} {self.name}>"
+        return f"<{class_name(self)} {self.name}>"
 
 
 def _nothing(node: EcoreNode, feature: str) -> list[DescribedElement]:
@@ -41,7 +47,6 @@ def _nothing(node: EcoreNode, feature: str) -> list[DescribedElement]:
     return []
 
 
-@dataclass(eq=False, repr=False)
 class Package(DescribedElement):
     """An EPackage.
 
@@ -56,8 +61,8 @@ class Package(DescribedElement):
     source: Path = Path()
     parent: Package | None = None
     find: Callable[[EcoreNode, str], list[DescribedElement]] = _nothing
-    classifiers: list[Classifier] = field(default_factory=list)
-    subpackages: list[Package] = field(default_factory=list)
+    classifiers: list[Classifier] = []
+    subpackages: list[Package] = []
 
     @property
     def root(self) -> Package:
@@ -85,12 +90,11 @@ class Package(DescribedElement):
             stack.extend(reversed(package.subpackages))
 
 
-@dataclass(eq=False, repr=False)
 class Classifier(DescribedElement):
     """An EClassifier."""
 
     package: Package = None  # type: ignore[assignment]
-    type_parameters: list[TypeParameter] = field(default_factory=list, repr=False, kw_only=True)
+    type_parameters: list[TypeParameter] = []
 
     @property
     def path(self) -> str:
@@ -98,14 +102,12 @@ class Classifier(DescribedElement):
         return f"{self.package.path}.{self.name}"
 
 
-@dataclass(eq=False, repr=False)
 class DataType(Classifier):
     """An EDataType; `instance_class` is the Java class it stands for."""
 
     instance_class: str = ""
 
 
-@dataclass(eq=False, repr=False)
 class Literal(DescribedElement):
     """An EEnumLiteral; `text` is what model files say."""
 
@@ -113,21 +115,18 @@ class Literal(DescribedElement):
     text: str = ""
 
 
-@dataclass(eq=False, repr=False)
 class Enumeration(DataType):
     """An EEnum."""
 
-    literals: list[Literal] = field(default_factory=list)
+    literals: list[Literal] = []
 
 
-@dataclass(eq=False, repr=False)
 class TypeParameter(DescribedElement):
     """An ETypeParameter. Generated code has no type parameters: the first bound stands for it."""
 
-    bounds: list[Classifier | TypeParameter] = field(default_factory=list)
+    bounds: list[Classifier | TypeParameter] = []
 
 
-@dataclass(eq=False, repr=False)
 class Typed(DescribedElement):
     """An ETypedElement. `type` is None for an operation without a result."""
 
@@ -149,7 +148,6 @@ class Typed(DescribedElement):
         return self.type
 
 
-@dataclass(eq=False, repr=False)
 class Feature(Typed):
     """An EAttribute or EReference."""
 
@@ -171,24 +169,22 @@ class Feature(Typed):
         return f"{self.owner.path}.{self.name}"
 
 
-@dataclass(eq=False, repr=False)
 class Operation(Typed):
     """An EOperation."""
 
     owner: Class = None  # type: ignore[assignment]
-    parameters: list[Typed] = field(default_factory=list)
-    type_parameters: list[TypeParameter] = field(default_factory=list)
+    parameters: list[Typed] = []
+    type_parameters: list[TypeParameter] = []
 
 
-@dataclass(eq=False, repr=False)
 class Class(Classifier):
     """An EClass."""
 
     abstract: bool = False
     interface: bool = False
-    supertypes: list[Class] = field(default_factory=list)
-    features: list[Feature] = field(default_factory=list)
-    operations: list[Operation] = field(default_factory=list)
+    supertypes: list[Class] = []
+    features: list[Feature] = []
+    operations: list[Operation] = []
 
     def ancestors(self) -> list[Class]:
         """All supertypes, direct and indirect, each once, farthest first in Ecore's order."""

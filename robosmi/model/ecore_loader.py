@@ -10,10 +10,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 from copy import copy
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, RobosmiError
@@ -41,8 +42,7 @@ _KIND_PREFIX = re.compile(r"[\w.-]*:E\w+\s+")
 _SHOWN = 20
 
 
-@dataclass(frozen=True)
-class Problem:
+class Problem(Struct, frozen=True):
     """Why a metamodel cannot be used.
 
     Attributes:
@@ -143,9 +143,8 @@ class MetamodelReader:
             node, parent = stack.pop()
             package = Package(
                 self._name(file, node, "package"), self._place(file, node), _documentation(node), node.get("nsURI"),
-                node.get("nsPrefix") or node.get("name"), file.path, parent,
+                node.get("nsPrefix") or node.get("name"), file.path, parent, node=node, find=partial(self._referred, file),
             )  # fmt: skip
-            package.node, package.find = node, partial(self._referred, file)
             self._built[node] = package
             (outermost if parent is None else parent.subpackages).append(package)
             for child in node.tagged("eClassifiers"):
@@ -179,7 +178,7 @@ class MetamodelReader:
                 self._built[child] = made.literals[index]
         elif node.kind == "EDataType":
             java = node.get("instanceClassName") or node.get("instanceTypeName")
-            made = DataType(self._name(file, node, "data type"), place, text, package, java)
+            made = DataType(self._name(file, node, "data type"), place, text, package, instance_class=java)
             self._type_parameters(file, node, made.type_parameters)
         else:
             made = self._class(file, node, package)
@@ -271,7 +270,10 @@ class MetamodelReader:
             if found is None:
                 continue
             if not isinstance(found, (Classifier, TypeParameter) if kind is Classifier else kind):
-                place, wanted = self._place(file, node), {Class: "class", Feature: "feature"}.get(kind, "classifier")
+                place, wanted = (
+                    self._place(file, node),
+                    "class" if kind is Class else "feature" if kind is Feature else "classifier",
+                )
                 self.problem(
                     "a reference leads to the wrong kind",
                     place,

@@ -14,6 +14,7 @@ from robosmi.model.datatypes import is_data_type, real, to_text
 from robosmi.model.ecore import DynamicEObject, EObject
 from robosmi.model.features import as_package, eclass_of, is_off
 from robosmi.model.pyecore_internals import proxy_place, xmi_id_of
+from robosmi.typed import dynamic_attribute
 
 WIDTH = 80
 _NAMED = (("eAnnotations", "parts", None), ("name", "text", None))
@@ -165,7 +166,7 @@ def _value(element: DynamicEObject, name: str) -> Any:
         return ()  # they are given with their arguments
     if name == "eType" and element.eGenericType is not None:
         return None
-    value = getattr(element, name, None)
+    value = dynamic_attribute(element, name, None)
     if name == "defaultValueLiteral" and value is None:
         return _default(element)
     if name in ("eTypeParameters", "eKeys", "eGenericExceptions", "eExceptions") and value is None:
@@ -175,7 +176,7 @@ def _value(element: DynamicEObject, name: str) -> Any:
 
 def _default(feature: DynamicEObject) -> str | None:
     """The text of a default that is given as a value, as generated packages do; None if it is that of the type."""
-    value = getattr(feature, "default_value", None)
+    value = dynamic_attribute(feature, "default_value", None)
     kind = real(feature.eType)
     return None if value is None or value == kind.default_value else str(to_text(kind)(value))
 

@@ -7,7 +7,6 @@ places with the files of the folder, or go. A file that somebody has changed in 
 
 from __future__ import annotations
 
-import json
 import os
 import stat
 from collections.abc import Iterator, Mapping
@@ -15,11 +14,12 @@ from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
-from robosmi.data_text import Json, as_list, as_table, as_text, json_of
+from robosmi.data_text import Json, as_list, as_table, as_text, json_of, json_written
 from robosmi.inputs import OUTPUT
 from robosmi.model.files import digest
 from robosmi.model.open_folder import OpenFolder
 from robosmi.model.runs import ELSEWHERE, keep, kept, unkeep
+from robosmi.typed import paired
 
 Elsewhere = Mapping[Path, tuple[bytes | None, bytes | None]]
 """Files outside of an output folder that belong to its commit: what each holds, and what it is to hold; None for no file."""
@@ -54,8 +54,8 @@ def wait(folder: Path, run: str, files: Elsewhere) -> None:
     waiting = [
         _Waiting(str(path), f".{path.name}.robosmi-{run}", _digest(old), _digest(new)) for path, (old, new) in files.items()
     ]
-    keep(folder, ELSEWHERE, json.dumps({"run": run, "files": waiting}))
-    for one, (_, new) in zip(waiting, files.values(), strict=True):
+    keep(folder, ELSEWHERE, json_written({"run": run, "files": waiting}))
+    for one, (_, new) in paired(waiting, files.values()):
         path = Path(one.path)
         try:
             with OpenFolder(path.parent) as around:

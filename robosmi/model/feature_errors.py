@@ -10,6 +10,7 @@ from typing import Any
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model import ecore
 from robosmi.model.ecore import EEnum, EObject
+from robosmi.typed import class_name, dynamic_attribute
 
 
 class UnknownFeatureError(ModelError, AttributeError):
@@ -32,7 +33,7 @@ def declared_features(cls: type) -> dict[str, Any]:
             for name, feature in base.__dict__.items():
                 if isinstance(feature, ecore.EStructuralFeature):
                     known[name] = feature.eType if isinstance(feature.eType, ecore.EEnum) else None
-        if getattr(cls, "eClass", None) is not None:
+        if dynamic_attribute(cls, "eClass", None) is not None:
             _CACHE[cls] = known
     return known
 
@@ -41,7 +42,7 @@ def unknown_feature(element: EObject, name: str) -> UnknownFeatureError:
     """The error for a name that is no feature of the element, with the nearest that is."""
     known = declared_features(type(element))
     return UnknownFeatureError(
-        f"{type(element).__name__} has no feature '{name}'{did_you_mean(name, known)}",
+        f"{class_name(element)} has no feature '{name}'{did_you_mean(name, known)}",
         fix=f"use one of: {', '.join(sorted(known))}",
     )
 

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from robosmi.model.ecore import EBag, ECollection, EList, EObject, EOrderedSet, ESet, EStructuralFeature
+from robosmi.typed import class_name, dynamic_attribute
 
 _query: Callable[[Any], Any] | None = None
 
@@ -26,8 +27,8 @@ class Queried:
 
     def __getattr__(self, name: str) -> Any:
         if name[0] == "_" or _query is None:
-            raise AttributeError(f"'{type(self).__name__}' has no attribute '{name}'")
-        return getattr(_query(self), name)
+            raise AttributeError(f"'{class_name(self)}' has no attribute '{name}'")
+        return dynamic_attribute(_query(self), name)
 
     def _repr_html_(self) -> str:
         from robosmi.model.show import items_html  # for notebooks only
@@ -37,7 +38,7 @@ class Queried:
     def _ask(self, name: str, *arguments: Any, **options: Any) -> Any:
         if _query is None:
             raise AttributeError(f"'{name}' is an operation of queries: import robosmi.query")
-        return getattr(_query(self), name)(*arguments, **options)
+        return dynamic_attribute(_query(self), name)(*arguments, **options)
 
     def select(self, condition: Callable[[Any], Any], kind: Any = None) -> Any:
         """The values for which the condition holds, as queries give them."""

@@ -13,7 +13,7 @@ from robosmi.model.datatypes import is_data_type, real
 from robosmi.model.ecore import EClass, EClassifier, EGenericType, EObject, EPackage, EReference, EStructuralFeature, Package
 from robosmi.model.ordering import post_order
 from robosmi.model.pyecore_internals import declared_type_of, set_features_of
-from robosmi.typed import distinct
+from robosmi.typed import distinct, dynamic_attribute
 
 
 def eclass_of(kind: EClassifier | type | None) -> Any:
@@ -23,7 +23,7 @@ def eclass_of(kind: EClassifier | type | None) -> Any:
         return kind
     if kind is ecore.EObject:
         return ecore.EObject.eClass
-    return getattr(kind, "eClass", kind) if isinstance(kind, type) else kind
+    return dynamic_attribute(kind, "eClass", kind) if isinstance(kind, type) else kind
 
 
 def supertypes(eclass: EClass) -> list[EClass]:
@@ -84,8 +84,8 @@ def is_abstract(eclass: EClass) -> bool:
 
 def is_off(element: EObject, name: str) -> bool:
     """Whether a flag that is on by default was switched off; pyecore says False of what was never set as well."""
-    feature = type(element).__dict__.get(name) or getattr(type(element), name)
-    return feature in set_features_of(element) and not getattr(element, name)
+    feature = type(element).__dict__.get(name) or dynamic_attribute(type(element), name)
+    return feature in set_features_of(element) and not dynamic_attribute(element, name)
 
 
 def root_package(package: Package) -> EPackage:

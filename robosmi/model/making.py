@@ -18,6 +18,7 @@ from robosmi.model.pyecore_internals import (
     set_features_of,
 )
 from robosmi.model.structure import walk
+from robosmi.typed import dynamic_attribute
 
 if TYPE_CHECKING:
     from robosmi.model.driver import Held
@@ -46,7 +47,7 @@ def new(kind: Kind, /, **features: Any) -> Any:
     made = of_ecore(cls) if cls.__module__ == "pyecore.ecore" else cls()
     for name, value in features.items():
         if known[name].many:
-            getattr(made, name).extend(value)
+            dynamic_attribute(made, name).extend(value)
         elif value is not None:
             setattr(made, name, value)
     return made
@@ -92,7 +93,7 @@ def unlink(element: Any) -> list[DynamicEObject]:
 
 
 def _forget(owner: EObject, feature: EStructuralFeature, value: Held) -> None:
-    held = getattr(owner, key_of(feature))
+    held = dynamic_attribute(owner, key_of(feature))
     if not feature.many:
         if held is value:
             setattr(owner, key_of(feature), None)

@@ -13,6 +13,7 @@ from functools import cache
 
 from robosmi.model.ecore import Package
 from robosmi.model.pyecore_internals import is_element
+from robosmi.typed import dynamic_attribute
 
 BUILT_IN = ("ccode", "hardware", "platform", "trace", "migration")
 """The names of the built-in metamodels, each a package of `robosmi.metamodels`."""
@@ -46,7 +47,7 @@ def _with_subpackages(packages: Iterable[Package]) -> Iterator[Package]:
     while pending:
         package = pending.pop()
         yield package
-        epackage = package if is_element(package) else getattr(package, "eClass", package)
+        epackage = package if is_element(package) else dynamic_attribute(package, "eClass", package)
         pending.extend(reversed(list(epackage.eSubpackages)))
 
 

@@ -28,6 +28,7 @@ from robosmi.model.pyecore_internals import (
     read,
     target_in,
 )
+from robosmi.typed import class_name
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
 def refused(element: EObject, name: str) -> ReadOnlyError:
     """The error for a change of an element that is built on demand."""
     return ReadOnlyError(
-        f"{type(element).__name__}.{name} cannot be changed: the model is a view of its source and read-only",
+        f"{class_name(element)}.{name} cannot be changed: the model is a view of its source and read-only",
         fix="read the source into a model of its own and change that",
     )
 

@@ -7,7 +7,8 @@ type, or inherited from two sides, is `Any` to them. Names and types are decided
 from __future__ import annotations
 
 from collections.abc import Hashable
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Severity
 from robosmi.model.ecore_description import Class, Feature, Operation, Typed, is_known
@@ -26,6 +27,7 @@ from robosmi.model.package_types import (
 )
 from robosmi.model.python_names import python_name
 from robosmi.model.source_text import call, docstring, string
+from robosmi.typed import dynamic_attribute
 
 _FLAGS = {"ordered": True, "unique": True, "changeable": True} | dict.fromkeys(
     ("derived", "transient", "volatile", "unsettable"), False
@@ -33,8 +35,7 @@ _FLAGS = {"ordered": True, "unique": True, "changeable": True} | dict.fromkeys(
 """Flag of a feature -> what Ecore has where nothing is said."""
 
 
-@dataclass
-class FeatureText:
+class FeatureText(Struct):
     """A feature: `name: type = EAttribute(...)`, and its documentation."""
 
     line: str
@@ -112,7 +113,7 @@ class ClassMembers:
             arguments.append(f"lower={feature.lower}")
         if feature.upper != 1:
             arguments.append(f"upper={feature.upper}")
-        arguments += [f"{flag}={not usual}" for flag, usual in _FLAGS.items() if getattr(feature, flag) != usual]
+        arguments += [f"{flag}={not usual}" for flag, usual in _FLAGS.items() if dynamic_attribute(feature, flag) != usual]
         if feature.is_reference and feature.containment:
             arguments.append("containment=True")
         if not feature.is_reference and feature.is_id:

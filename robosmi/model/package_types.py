@@ -6,8 +6,9 @@ Tables and small functions over descriptions. What cannot be said gives a note, 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.model.ecore_description import (
@@ -56,11 +57,10 @@ _MOST_DIGITS = 4000
 """Of a whole number in source code; Python reads 4,300."""
 
 
-@dataclass
-class Notes:
+class Notes(Struct):
     """What a person should know about what was generated."""
 
-    findings: list[Finding] = field(default_factory=list)
+    findings: list[Finding] = []
 
     def add(self, rule: str, severity: Severity, element: DescribedElement, path: str, message: str, fix: str) -> None:
         """Note one thing about one element of the metamodel."""

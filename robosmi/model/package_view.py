@@ -7,7 +7,8 @@ One `PackageView` for one EPackage. Names come from `package_names`, types from 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Severity
 from robosmi.model.ecore_description import Class, DataType, DescribedElement, Enumeration, Package, is_known
@@ -23,8 +24,7 @@ Mixins = Mapping[str, Mapping[str, frozenset[str]]]
 """Module path with slashes -> name of a class -> names that the person's `mixins.py` defines for it."""
 
 
-@dataclass
-class ClassView:
+class ClassView(Struct):
     """A class as texts: the lines before it, `class X(Y):`, its docstring, what it holds."""
 
     decorators: list[str]
@@ -33,8 +33,7 @@ class ClassView:
     members: ClassMembers
 
 
-@dataclass
-class EnumerationView:
+class EnumerationView(Struct):
     """An enumeration as texts: its name, literals and the call that makes it."""
 
     name: str
@@ -44,8 +43,7 @@ class EnumerationView:
     made: str
 
 
-@dataclass
-class PackageView:
+class PackageView(Struct):
     """A package as texts, made by `view_of`."""
 
     constants: list[str]
@@ -55,14 +53,14 @@ class PackageView:
     datatypes: list[str]
     classes: list[ClassView]
     links: Links
-    standard_imports: list[str] = field(default_factory=list)
-    own_imports: list[str] = field(default_factory=list)
-    package_imports: list[str] = field(default_factory=list)
-    typing_imports: list[str] = field(default_factory=list)
-    later: list[str] = field(default_factory=list)
-    data_aliases: list[str] = field(default_factory=list)
-    class_aliases: list[str] = field(default_factory=list)
-    symbols: dict[str, str] = field(default_factory=dict)
+    standard_imports: list[str] = []
+    own_imports: list[str] = []
+    package_imports: list[str] = []
+    typing_imports: list[str] = []
+    later: list[str] = []
+    data_aliases: list[str] = []
+    class_aliases: list[str] = []
+    symbols: dict[str, str] = {}
 
 
 def view_of(

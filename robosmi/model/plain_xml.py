@@ -20,7 +20,7 @@ from robosmi.model.files import read_input
 from robosmi.model.strict import FeatureValueError, UnknownFeatureError
 from robosmi.model.xml_guard import read_tree, root_offset
 from robosmi.model.xml_values import checked, typed, written
-from robosmi.typed import distinct
+from robosmi.typed import class_name, distinct
 
 if TYPE_CHECKING:
     from lxml.etree import _Element
@@ -150,7 +150,7 @@ class XmlElement(ModelElement):
 
     def __repr__(self) -> str:
         shown = "".join(f" {_local(n)}={v!r}" for n, v in self._node.attrib.items() if _local(n) in ("id", "name", "title"))
-        return f"<{type(self).__name__}{shown}>"
+        return f"<{class_name(self)}{shown}>"
 
 
 class XmlModel(Model):

@@ -39,6 +39,7 @@ from robosmi.model.ecore import (
     Scalar,
     Value,
 )
+from robosmi.typed import attribute_of
 
 F = TypeVar("F", bound=EObject)
 
@@ -128,7 +129,7 @@ def is_value(slot: Any) -> TypeGuard[EValue]:
 
 def is_static(cls: type) -> bool:
     """Whether a class was generated."""
-    return bool(getattr(cls, IS_STATIC, False))
+    return attribute_of(cls, IS_STATIC, bool) or False
 
 
 def hold(holder: EValue, value: Value) -> None:

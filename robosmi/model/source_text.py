@@ -6,12 +6,12 @@ leaves the text alone at any line length from 88 on. Nothing of metamodels here.
 
 from __future__ import annotations
 
-import json
 import re
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 
+from robosmi.data_text import json_written
 from robosmi.quoting import visible
 
 WIDTH = 88
@@ -21,7 +21,7 @@ def string(text: str) -> str:
     """A text as a Python literal; what cannot be seen, or turns the direction of text, is an escape."""
     if '"' in text and "'" not in text:
         return repr(text)
-    return visible(json.dumps(text, ensure_ascii=False))
+    return visible(json_written(text, ensure_ascii=False))
 
 
 def docstring(text: str, indent: str) -> str:

@@ -22,6 +22,7 @@ from robosmi.model.feature_errors import (
 )
 from robosmi.model.lean import is_prepared, prepare
 from robosmi.model.structure import resource_of
+from robosmi.typed import class_name, dynamic_attribute
 
 __all__ = ["Element", "EnumLiteral", "FeatureValueError", "UnknownFeatureError", "enum_literal"]
 
@@ -79,7 +80,7 @@ class Element(_Base):
         def eGet(self, feature: Any) -> Any:
             """The value of a feature, given by its name in the metamodel or itself."""
             name = feature if isinstance(feature, str) else feature.name
-            return getattr(self, self._renamed.get(name, name))
+            return dynamic_attribute(self, self._renamed.get(name, name))
 
         def eSet(self, feature: Any, value: Any) -> None:
             """Set a feature, given by its name in the metamodel or itself."""
@@ -114,11 +115,11 @@ class Element(_Base):
                     return
                 raise unknown_feature(self, name)
             if expected is not None and value.__class__ is str:
-                raise literal_wanted(type(self).__name__, name, expected, value)
+                raise literal_wanted(class_name(self), name, expected, value)
             try:
                 object.__setattr__(self, name, value)
             except TypeError as error:
-                raise FeatureValueError(f"{type(self).__name__}.{name} does not take {value!r}: {error}") from error
+                raise FeatureValueError(f"{class_name(self)}.{name} does not take {value!r}: {error}") from error
 
         def __getattr__(self, name: str) -> Any:
             if name[:2] == "__":
@@ -137,12 +138,12 @@ class Element(_Base):
             for n in ("name", "title", "label", "path", "elementId", "line")
             if n in known and self.eIsSet(n)
         ]
-        return f"<{type(self).__name__}{' ' if shown else ''}{' '.join(shown)}>"
+        return f"<{class_name(self)}{' ' if shown else ''}{' '.join(shown)}>"
 
 
 def enum_literal(enumeration: type[_Literal], name: str) -> _Literal:
     """The literal of a generated enumeration by its name, which it has."""
-    found: _Literal = getattr(enumeration, name)
+    found: _Literal = dynamic_attribute(enumeration, name)
     return found
 
 

@@ -14,6 +14,7 @@ from robosmi.model.ecore import EPackage
 from robosmi.model.feature_errors import FeatureValueError, UnknownFeatureError, literal_wanted
 from robosmi.model.pyecore_internals import is_static
 from robosmi.model.strict import INTERNAL, Element
+from robosmi.typed import dynamic_attribute
 
 
 def make_strict(package: EPackage) -> None:
@@ -27,7 +28,7 @@ def make_strict(package: EPackage) -> None:
         one = pending.pop()
         pending.extend(one.eSubpackages)
         for classifier in one.eClassifiers:
-            cls = getattr(classifier, "python_class", None)
+            cls = dynamic_attribute(classifier, "python_class", None)
             if not isinstance(classifier, ecore.EClass) or cls is None or issubclass(cls, Element):
                 continue
             if not is_static(cls) and "__setattr__" not in cls.__dict__:
@@ -35,7 +36,7 @@ def make_strict(package: EPackage) -> None:
 
 
 def _set(self: Any, name: str, value: Any) -> None:
-    feature = getattr(type(self), name, None)
+    feature = dynamic_attribute(type(self), name, None)
     if feature is None and name[:1] != "_" and name not in INTERNAL:
         known = [str(f.name) for f in self.eClass.eAllStructuralFeatures()]
         raise UnknownFeatureError(

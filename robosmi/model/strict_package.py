@@ -24,6 +24,7 @@ from robosmi.model.feature_values import FeatureCollection
 from robosmi.model.pyecore_internals import first_listeners_of, quick_constructor, set_first_listeners, set_key
 from robosmi.model.python_names import MEMBER
 from robosmi.model.strict import Element
+from robosmi.typed import attribute_of, dynamic_attribute
 
 _Type = TypeVar("_Type", bound=type)
 _Value = TypeVar("_Value")
@@ -90,7 +91,7 @@ if TYPE_CHECKING:
         def __init__(self, *, key: str | None = None, value: str | None = None) -> None: ...
 
 else:
-    EAttribute, EReference = map(quick_constructor, (ecore.EAttribute, ecore.EReference))
+    EAttribute, EReference = (quick_constructor(each) for each in (ecore.EAttribute, ecore.EReference))
     _INIT = Element.__init__
 
     class MetaEClass(ecore.MetaEClass):
@@ -126,8 +127,8 @@ else:
                     feature.derived_class = FeatureCollection
                 if feature.name == key:
                     continue
-                other = getattr(cls, feature.name, None)
-                hidden = other is not None and getattr(other, "name", None) != feature.name
+                other = dynamic_attribute(cls, feature.name, None)
+                hidden = other is not None and attribute_of(other, "name", str) != feature.name
                 if feature.name in MEMBER or feature.name.startswith("__") or hidden:
                     set_key(feature, key)
                     cls._renamed = {**cls._renamed, feature.name: key}
@@ -142,14 +143,14 @@ else:
     def __getattr__(name: str) -> Any:
         """pyecore's data types and classes by name."""
         if name.startswith("E") and hasattr(ecore, name):
-            return getattr(ecore, name)
+            return dynamic_attribute(ecore, name)
         raise AttributeError(name)
 
     EStringToStringMapEntry = type(ecore.EObject)("EStringToStringMapEntry", (Element,), {})
     EStringToStringMapEntry.eClass = ecore.EClass("EStringToStringMapEntry", metainstance=EStringToStringMapEntry)
     for _name in ("key", "value"):
         setattr(EStringToStringMapEntry, _name, EAttribute(name=_name, eType=ecore.EString))
-        EStringToStringMapEntry.eClass.eStructuralFeatures.append(getattr(EStringToStringMapEntry, _name))
+        EStringToStringMapEntry.eClass.eStructuralFeatures.append(dynamic_attribute(EStringToStringMapEntry, _name))
 
 
 def find_classifier(classifiers: dict[str, Classifier]) -> Callable[[str], Classifier | None]:
@@ -327,7 +328,7 @@ def inherit(cls: Any, *bases: Any) -> None:
 
 def _is_defined(module: str) -> bool:
     """Whether the classes of a module are there, be it still importing."""
-    return getattr(sys.modules.get(module), "_defined", False)
+    return attribute_of(sys.modules.get(module), "_defined", bool) or False
 
 
 _WAITING: list[tuple[ModuleType, list[str], Callable[[], None]]] = []

@@ -18,6 +18,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, SourceError, did_you_mean
 from robosmi.model.driver import Model, ModelElement, name_of
 from robosmi.model.strict import FeatureValueError, UnknownFeatureError
+from robosmi.typed import class_name, paired
 
 _DELIMITERS = ",;\t|"
 
@@ -45,18 +46,18 @@ class Row(ModelElement):
     def __getattr__(self, name: str) -> Any:
         place = type(self)._places.get(name)  # type: ignore[attr-defined]
         if place is None:
-            raise _unknown(type(self).__name__, name, self._features())
+            raise _unknown(class_name(self), name, self._features())
         return self._values[place]
 
     def __setattr__(self, name: str, value: Any) -> None:
         place = type(self)._places.get(name)  # type: ignore[attr-defined]
         if place is None:
-            raise _unknown(type(self).__name__, name, self._features())
+            raise _unknown(class_name(self), name, self._features())
         self._values[place] = type(self)._check(name, value)  # type: ignore[attr-defined]
 
     def __repr__(self) -> str:
-        shown = ", ".join(f"{c}={v!r}" for c, v in list(zip(self._features(), self._values, strict=True))[:3])
-        return f"<{type(self).__name__} {shown}>"
+        shown = ", ".join(f"{c}={v!r}" for c, v in list(paired(self._features(), self._values))[:3])
+        return f"<{class_name(self)} {shown}>"
 
 
 class Table:

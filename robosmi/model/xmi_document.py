@@ -6,9 +6,10 @@ A document holds the elements of one file and what is still to be done about the
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeAlias
+
+from msgspec import Struct
 
 from robosmi.model.ecore import DynamicEObject, EObject, Package
 from robosmi.model.xmi_plan import ClassPlan, FeatureEntry
@@ -38,8 +39,7 @@ class ForeignRoot(Exception):
     """The file's root is no model element of the user's: it is an Ecore metamodel."""
 
 
-@dataclass
-class Document:
+class Document(Struct):
     """One file as it was read.
 
     Attributes:
@@ -52,8 +52,8 @@ class Document:
     """
 
     path: Path
-    roots: list[DynamicEObject] = field(default_factory=list)
-    ids: dict[str, DynamicEObject] = field(default_factory=dict)
-    references: list[tuple[EObject, FeatureEntry, str, int, bool]] = field(default_factory=list)
-    parts: list[tuple[EObject, FeatureEntry, str, int, int]] = field(default_factory=list)
-    counted: list[tuple[EObject, ClassPlan, int]] = field(default_factory=list)
+    roots: list[DynamicEObject] = []
+    ids: dict[str, DynamicEObject] = {}
+    references: list[tuple[EObject, FeatureEntry, str, int, bool]] = []
+    parts: list[tuple[EObject, FeatureEntry, str, int, int]] = []
+    counted: list[tuple[EObject, ClassPlan, int]] = []

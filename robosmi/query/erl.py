@@ -24,6 +24,7 @@ from robosmi.query.problems import unknown_type
 from robosmi.query.run import Run, current_run
 from robosmi.query.types import EolType, resolve, type_named
 from robosmi.query.values import as_string
+from robosmi.typed import attribute_of, class_name, sum_of
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -208,7 +209,7 @@ def failed(
     if isinstance(error, RecursionError) and (found := foreign_code.endless(error)) is not None:
         said = f"{what} fails{about}: the function '{found[0]}' calls itself without end"
         return RuleError(said, location=found[1], fix=foreign_code.END)
-    said = f"{what} fails{about}: {type(error).__name__}: {error}"
+    said = f"{what} fails{about}: {class_name(error)}: {error}"
     world = isinstance(error, (OSError, MemoryError, RecursionError))  # a full disk or a deep input is no bug of a rule
     if is_own(_module_of(owner or function)) and not world:
         return InternalError(said, location=place, fix="this is a bug of robosmi: please report it with this place")
@@ -241,17 +242,16 @@ def _shown(element: Item, models: Iterable[Model]) -> str:
 
 def code_of(function: Function) -> CodeType | None:
     """The code of a function below its decorators; None for what has no Python source."""
-    code: CodeType | None = getattr(inspect.unwrap(function), "__code__", None)
-    return code
+    return attribute_of(inspect.unwrap(function), "__code__", CodeType)
 
 
 def _module_of(function: Function) -> str:
-    return str(getattr(inspect.unwrap(function), "__module__", ""))
+    return attribute_of(inspect.unwrap(function), "__module__", str) or ""
 
 
 def called(function: Function | str) -> str:
     """The name of a rule, given by it or as its function."""
-    return function if isinstance(function, str) else str(getattr(function, "__name__", function))
+    return function if isinstance(function, str) else attribute_of(function, "__name__", str) or str(function)
 
 
 def place_of(function: Function) -> Location | None:
@@ -285,7 +285,7 @@ def arity(function: Function) -> int:
     except (TypeError, ValueError):
         return 0
     positional = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
-    return sum(p.kind in positional and p.default is inspect.Parameter.empty for p in parameters)
+    return sum_of(p.kind in positional and p.default is inspect.Parameter.empty for p in parameters)
 
 
 def told(given: Any, element: Item) -> Any:

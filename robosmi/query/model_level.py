@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from robosmi.model.driver import Model, TypeHandle, name_of, unknown_type
 from robosmi.query.collections import Q
 from robosmi.query.run import current_run
+from robosmi.typed import attribute_of
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -61,7 +62,7 @@ def create_instance(kind: Answer) -> Any:
 def is_instantiable(kind: Answer) -> bool:
     """Whether elements of the type can be made."""
     model, own = _of_model(kind)
-    return not (model.read_only or getattr(own, "abstract", False) or getattr(own, "interface", False))
+    return not (model.read_only or any(attribute_of(own, name, bool) for name in ("abstract", "interface")))
 
 
 def _contents(model: Model) -> Q[Any]:
@@ -98,6 +99,6 @@ MODELS: dict[str, Function] = {
 LITERALS: dict[str, Function] = {
     "get_name": lambda literal: literal.name,
     "get_value": lambda literal: literal.value,
-    "get_literal": lambda literal: getattr(literal, "literal", None) or literal.name,
+    "get_literal": lambda literal: attribute_of(literal, "literal", str) or literal.name,
 }
 """Operations of enumeration literals; `name`, `value` and `literal` are properties too."""

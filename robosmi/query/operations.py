@@ -21,6 +21,7 @@ from robosmi.query.problems import OperandError, describe, unknown_operation
 from robosmi.query.run import current_run
 from robosmi.query.values import collection_kind, equal
 from robosmi.query.words import snake
+from robosmi.typed import dynamic_attribute
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -73,7 +74,7 @@ def _built_in(target: Any, name: str) -> Function | None:
     for table in _tables(target):
         if (found := table.get(name)) is not None:
             return found
-    return getattr(Q, name) if name in FIRST_ORDER else None
+    return dynamic_attribute(Q, name) if name in FIRST_ORDER else None
 
 
 def call(target: V, name: str, *arguments: W, **options: AnyKind) -> Dynamic:
@@ -115,7 +116,7 @@ def call_built_in(target: V, name: str, *arguments: W, **options: AnyKind) -> Dy
     of_collections = plain in TABLES["Collection"]
     receiver = collection(target) if plain in FIRST_ORDER or (of_collections and collection_kind(target) is not None) else target
     if isinstance(receiver, Q) and of_collections:
-        function = (lambda other: equal(receiver, other)) if plain == "equals" else getattr(receiver, plain, None)
+        function = (lambda other: equal(receiver, other)) if plain == "equals" else dynamic_attribute(receiver, plain, None)
         assert function is not None
         return _guarded(function, plain, arguments, options)
     return _guarded(function, plain, (receiver, *arguments), options)

@@ -6,6 +6,7 @@ from inspect import getmembers_static
 from typing import Any
 
 from robosmi.errors import UsageError, did_you_mean
+from robosmi.typed import class_name
 
 
 class Settings:
@@ -29,7 +30,7 @@ class Settings:
         if type(self) is self._settled and name[:1] != "_" and name not in self.__dict__ and not hasattr(type(self), name):
             known = sorted({n for n in (*self.__dict__, *_settable(type(self))) if n[:1] != "_"})
             raise UsageError(
-                f"{type(self).__name__} has no setting '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(known)}"
+                f"{class_name(self)} has no setting '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(known)}"
             )
         super().__setattr__(name, value)
 

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from typing import TypeVar
 
 from robosmi.errors import UsageError
+from robosmi.typed import class_name
 
 T = TypeVar("T")
 
@@ -37,7 +38,7 @@ def verdict_of(answer: T, says: str, fix: str) -> T:
     elif isinstance(answer, Iterator):
         given = "a generator or another iterator (it has a `yield`?)"
     elif type(answer) in (list, tuple, dict, set, frozenset):
-        given = f"a plain {type(answer).__name__}"
+        given = f"a plain {class_name(answer)}"
     elif inspect.isroutine(answer):
         given = f"the function {answer.__name__!r}, which was not called"
     else:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import json
 import re
 
-from robosmi.data_text import Json
+from robosmi.data_text import Json, json_written
 from robosmi.quoting.text import one_line, visible
 
 _PLAIN = re.compile(r"[A-Za-z0-9_/(][\w./()+:@,;=<>~^*&!?$%-]*(?: +[\w./()+:@,;=<>~^*&!?$%-]+)*")
@@ -25,7 +24,7 @@ def toml(text: str) -> str:
     '"5\\" \\u007f"'
     """
     whole = text.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
-    return _unseen_as_escapes(json.dumps(whole, ensure_ascii=False), long="U")
+    return _unseen_as_escapes(json_written(whole, ensure_ascii=False), long="U")
 
 
 def yaml(text: str) -> str:
@@ -82,7 +81,7 @@ def json_text(document: Json, *, ascii_only: bool = False) -> str:
         document: what `json.dumps` takes.
         ascii_only: whether all that is not ASCII is written as an escape.
     """
-    return _unseen_as_escapes(json.dumps(document, indent=1, ensure_ascii=ascii_only), lines=True)
+    return _unseen_as_escapes(json_written(document, indent=1, ensure_ascii=ascii_only), lines=True)
 
 
 def _unseen_as_escapes(text: str, *, lines: bool = False, long: str = "") -> str:
@@ -94,6 +93,6 @@ def _unseen_as_escapes(text: str, *, lines: bool = False, long: str = "") -> str
             return letter
         if code < 0x10000:
             return f"\\u{code:04x}"
-        return f"\\{long}{code:08x}" if long else json.dumps(letter)[1:-1]
+        return f"\\{long}{code:08x}" if long else json_written(letter)[1:-1]
 
     return text if visible(text) == text else "".join(escape(letter) for letter in text)

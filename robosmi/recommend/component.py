@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.data_text import json_of
@@ -21,8 +21,7 @@ from robosmi.errors import SourceError
 _FORM = 'a component is {"id": ..., "title": ...} with label, family, tags, properties, description, connectors if known'
 
 
-@dataclass(frozen=True)
-class ComponentQuery:
+class ComponentQuery(Struct, frozen=True):
     """One component for which a library is sought.
 
     Attributes:
@@ -42,7 +41,7 @@ class ComponentQuery:
     label: str = ""
     family: str = ""
     tags: tuple[str, ...] = ()
-    properties: Mapping[str, str] = field(default_factory=dict)
+    properties: Mapping[str, str] = {}
     description: str = ""
     connectors: tuple[str, ...] = ()
     part_id: str = ""
@@ -111,7 +110,7 @@ def _kind(value: object) -> str:
     return names.get(type(value), "a number")
 
 
-class _Reader(NamedTuple):
+class _Reader(Struct, frozen=True):
     """Takes values of one kind out of an object, or says which key is wrong."""
 
     given: dict[str, object]

@@ -9,13 +9,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.errors import PlatformDataError
 from robosmi.recommend.evidence import Evidence
 from robosmi.recommend.lexicon import Lexicon
 from robosmi.recommend.part_words import PartWords
 from robosmi.recommend.ranking import Decision
+from robosmi.typed import paired, sum_of
 
 DECISIONS: tuple[Decision, ...] = ("library", "optional", "none")
 
@@ -28,7 +30,7 @@ surely another device says otherwise; the best candidate's evidence; whether a d
 best candidate's lead over the second."""
 
 
-class DecisionModel(NamedTuple):
+class DecisionModel(Struct, frozen=True):
     """Coefficients, in the order of `FEATURES`.
 
     Attributes:
@@ -96,11 +98,11 @@ def softmax(values: Sequence[float]) -> list[float]:
     """exp(v) / sum of exp, without overflow."""
     highest = max(values)
     powers = [math.exp(value - highest) for value in values]
-    return [power / sum(powers) for power in powers]
+    return [power / sum_of(powers) for power in powers]
 
 
 def _dot(row: Sequence[float], features: Sequence[float]) -> float:
-    return sum(a * b for a, b in zip(row, features, strict=True))
+    return sum_of(a * b for a, b in paired(row, features))
 
 
 def _row(data: Mapping[str, object], name: str) -> tuple[float, ...]:

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from robosmi.errors import UsageError
 from robosmi.recommend.component import ComponentQuery
@@ -47,8 +48,7 @@ _WHERE = {
 }
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Knowledge:
+class Knowledge(Struct, frozen=True, eq=False):
     """What the ranker knows besides the index.
 
     Attributes:

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
-from functools import lru_cache
+
+from msgspec import Struct
 
 from robosmi.recommend.index import FIELDS, LibraryIndex
 from robosmi.recommend.part_words import PartWords
 from robosmi.recommend.words import StopWords, chunks, is_model, parts
+from robosmi.typed import paired, remembered, sum_of
 
 FIELD_WEIGHTS = (3.0, 2.0, 1.0, 1.6, 0.35)
 """What a word counts by the field of the library that has it: name, header, keyword, meta, ident (BM25F)."""
@@ -29,8 +30,7 @@ _PER_LETTER = 0.93
 _MOST_LETTERS = 4
 
 
-@dataclass(slots=True)
-class Evidence:
+class Evidence(Struct):
     """What speaks for one library.
 
     Attributes:
@@ -60,11 +60,11 @@ class EvidenceFinder:
 
     def __init__(self, index: LibraryIndex, stop: StopWords) -> None:
         self.index, self.stop = index, stop
-        filled = [sum(1 for length in lengths if length) for lengths in index.lengths]
-        self._average = [sum(lengths) / max(count, 1) or 1.0 for lengths, count in zip(index.lengths, filled, strict=True)]
-        self._hits = lru_cache(maxsize=1024)(self._model_hits)
-        self._words_of = lru_cache(maxsize=4096)(self._name_words)
-        self._scored = lru_cache(maxsize=512)(self._word_scores)
+        filled = [sum_of(1 for length in lengths if length) for lengths in index.lengths]
+        self._average = [sum_of(lengths) / max(count, 1) or 1.0 for lengths, count in paired(index.lengths, filled)]
+        self._hits = remembered(1024)(self._model_hits)
+        self._words_of = remembered(4096)(self._name_words)
+        self._scored = remembered(512)(self._word_scores)
 
     def rarity(self, word: str) -> float:
         """ln(1 + (N - df + 0.5) / (df + 0.5)), the idf of BM25; 0 for a word that no library has."""
@@ -172,7 +172,7 @@ class EvidenceFinder:
             return value
         if len(pieces) > 1:
             halves = [weight(piece) for piece in pieces[1:] if piece not in self.stop]
-            return sum(halves) / len(halves) if halves else 0.0
+            return sum_of(halves) / len(halves) if halves else 0.0
         if is_model(pieces[0]):
             like = (w for n, w in part.models.items() if n.startswith(pieces[0]) or pieces[0].startswith(n))
             return 0.85 * max(like, default=0.0)

@@ -10,17 +10,18 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
 from datetime import date
 from decimal import Decimal
 from pathlib import Path
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi import resources
 from robosmi.errors import RobosmiError, UsageError
 from robosmi.recommend.history_database import Collision, Database, Statements, Values, database, unusable
 from robosmi.recommend.ranking import Choices
 from robosmi.recommend.words import models
+from robosmi.typed import dynamic_attribute, replaced, sum_of
 
 _KEY = "part_id = :part_id AND title = :title AND library = :library AND version = :version AND target = :target"
 _LATER = "last_used = CASE WHEN last_used < :last_used THEN :last_used ELSE last_used END"
@@ -30,8 +31,7 @@ _SHOWN = 40  # characters of a value that does not belong where it is
 _Row = tuple[Sequence[str], int]
 
 
-@dataclass(frozen=True, order=True)
-class HistoryEntry:
+class HistoryEntry(Struct, frozen=True, order=True):
     """How often one library was chosen for one part.
 
     Attributes:
@@ -55,7 +55,7 @@ class HistoryEntry:
     component: str = ""
 
 
-class Targets(NamedTuple):
+class Targets(Struct, frozen=True):
     """The targets whose earlier choices count for one: those for itself; where there are none, those for its like.
 
     Attributes:
@@ -187,13 +187,13 @@ class History:
         Raises:
             UsageError: an entry names no library, or neither identifier nor title of a part.
         """
-        listed = [replace(entry, count=1) for entry in entries]
+        listed = [replaced(entry, count=1) for entry in entries]
         if any(not entry.library or not (entry.part_id or entry.title) for entry in listed):
             raise UsageError("a choice needs a part and a library", fix="name both")
 
         def count(statements: Statements) -> int:
             more = f"UPDATE {{table}} SET count = count + 1, component = :component, {_LATER} WHERE {_KEY}"
-            return sum(
+            return sum_of(
                 statements.run(more, _key(entry, "component", "last_used"))
                 or statements.run(_INSERT, _key(entry, "component", "count", "last_used"))
                 for entry in listed
@@ -293,7 +293,7 @@ class ForgivingHistory:
 
 
 def _key(entry: HistoryEntry, *more: str) -> Values:
-    return {name: getattr(entry, name) for name in ("part_id", "title", "library", "version", "target", *more)}
+    return {name: dynamic_attribute(entry, name) for name in ("part_id", "title", "library", "version", "target", *more)}
 
 
 def _counted(rows: Sequence[_Row], among: Targets | None) -> dict[str, int]:

@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, fields
 from datetime import date
 from typing import Any
 
-from robosmi.data_text import json_of
+from msgspec.structs import asdict, astuple
+
+from robosmi.data_text import json_of, json_written
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.quoting import csv_cell, csv_text
@@ -22,14 +22,14 @@ from robosmi.recommend.history import HistoryEntry
 SCHEMA = "robosmi/history/1"
 """Names the JSON form."""
 
-COLUMNS = tuple(field.name for field in fields(HistoryEntry))
+COLUMNS = HistoryEntry.__struct_fields__
 _TEXTS = tuple(name for name in COLUMNS if name != "count")
 _NEEDED = ("part_id", "title", "library", "count", "last_used")
 
 
 def to_json(entries: Iterable[HistoryEntry]) -> str:
     """`{"schema", "entries": [{part_id, title, library, count, last_used, version, target, component}]}`."""
-    return json.dumps({"schema": SCHEMA, "entries": [asdict(entry) for entry in entries]}, indent=1, ensure_ascii=False) + "\n"
+    return json_written({"schema": SCHEMA, "entries": [asdict(entry) for entry in entries]}, indent=1, ensure_ascii=False) + "\n"
 
 
 def to_csv(entries: Iterable[HistoryEntry]) -> str:
@@ -37,7 +37,7 @@ def to_csv(entries: Iterable[HistoryEntry]) -> str:
     out = io.StringIO()
     writer = csv.writer(out)
     writer.writerow(COLUMNS)
-    writer.writerows([csv_cell(str(getattr(entry, name))) for name in COLUMNS] for entry in entries)
+    writer.writerows([csv_cell(str(value)) for value in astuple(entry)] for entry in entries)
     return out.getvalue()
 
 

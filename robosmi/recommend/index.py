@@ -13,16 +13,17 @@ from __future__ import annotations
 import re
 import struct
 from collections.abc import Sequence
-from dataclasses import dataclass
-from functools import lru_cache
 from itertools import accumulate
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.recommend.tfidf import Postings
+from robosmi.typed import remembered
 
 if TYPE_CHECKING:
     from robosmi.recommend.library_api import HeaderApi
@@ -48,8 +49,7 @@ Facts = tuple[Sequence[int], tuple[bytes, ...]]
 """Which libraries have a word: their numbers, ascending, and for each of `FIELDS` how often (a byte a library, or empty)."""
 
 
-@dataclass(frozen=True, slots=True)
-class Library:
+class Library(Struct, frozen=True):
     """Facts about one library, as it declares them; empty where it declares nothing.
 
     Attributes:
@@ -85,7 +85,7 @@ class Library:
         return next((file for file in self.main if is_named_like(file, self.name)), self.main[0])
 
 
-class Header(NamedTuple):
+class Header(Struct, frozen=True):
     """One public header: its number, that of its library, its bare file name, and whether a program includes it."""
 
     id: int
@@ -135,12 +135,12 @@ class LibraryIndex:
         self.copies, self.used_by, self.interfaces = runs["copies"], runs["used_by"], runs["interfaces"]
         self.lengths = tuple(runs[f"length_{field}"] for field in FIELDS)
         # a drawing has the same few words and candidates again and again
-        self.postings = lru_cache(maxsize=256)(self._postings)
-        self.identifiers = lru_cache(maxsize=256)(self._identifiers)
-        self.facts = lru_cache(maxsize=1024)(self._facts)
-        self.library = lru_cache(maxsize=2048)(self._library)
-        self.library_named = lru_cache(maxsize=2048)(self._library_named)
-        self.header = lru_cache(maxsize=4096)(self._header)
+        self.postings = remembered(256)(self._postings)
+        self.identifiers = remembered(256)(self._identifiers)
+        self.facts = remembered(1024)(self._facts)
+        self.library = remembered(2048)(self._library)
+        self.library_named = remembered(2048)(self._library_named)
+        self.header = remembered(4096)(self._header)
 
     @property
     def documents(self) -> int:

@@ -7,14 +7,13 @@ earlier file that a later one has, too, keeps its number and is found in nothing
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
-from functools import lru_cache
 from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from robosmi.recommend.index import FIELDS, Facts, Header, Library, LibraryIndex
 from robosmi.recommend.tfidf import Postings
+from robosmi.typed import paired, remembered, replaced
 
 if TYPE_CHECKING:
     from robosmi.recommend.library_api import HeaderApi
@@ -48,12 +47,12 @@ class LayeredIndex(LibraryIndex):
         self.used_by = self._highest(self._joined(lambda layer: layer.used_by), last)
         self.interfaces = self._joined(lambda layer: layer.interfaces)
         self.lengths = tuple(list(chain.from_iterable(layer.lengths[n] for layer in self._layers)) for n in range(len(FIELDS)))
-        self.postings = lru_cache(maxsize=256)(lambda term: self._counts(lambda layer: layer.postings(term)))
-        self.identifiers = lru_cache(maxsize=256)(lambda term: self._counts(lambda layer: layer.identifiers(term)))
-        self.facts = lru_cache(maxsize=1024)(self._facts)
-        self.library = lru_cache(maxsize=2048)(self._library)
-        self.library_named = lru_cache(maxsize=2048)(self._library_named)
-        self.header = lru_cache(maxsize=4096)(self._header)
+        self.postings = remembered(256)(lambda term: self._counts(lambda layer: layer.postings(term)))
+        self.identifiers = remembered(256)(lambda term: self._counts(lambda layer: layer.identifiers(term)))
+        self.facts = remembered(1024)(self._facts)
+        self.library = remembered(2048)(self._library)
+        self.library_named = remembered(2048)(self._library_named)
+        self.header = remembered(4096)(self._header)
 
     def close(self) -> None:
         """Close the files."""
@@ -120,14 +119,14 @@ class LayeredIndex(LibraryIndex):
             for place, library in enumerate(found):
                 if library + self._first[n] not in self._hidden:
                     libraries.append(library + self._first[n])
-                    for column, values in zip(columns, given, strict=True):
+                    for column, values in paired(columns, given):
                         column.append(values[place] if values else 0)
         return libraries, tuple(bytes(column) if any(column) else b"" for column in columns) if libraries else ()
 
     def _library(self, number: int) -> Library:
         n = self._layer(self._first, number)
         own = self._layers[n].library(number - self._first[n])
-        return own if not n else replace(own, id=number)
+        return own if not n else replaced(own, id=number)
 
     def _header(self, number: int) -> Header:
         n = self._layer(self._first_header, number)

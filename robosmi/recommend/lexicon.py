@@ -11,7 +11,9 @@ import csv
 import io
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import Literal, NamedTuple, cast, get_args
+from typing import Literal, cast, get_args
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -28,7 +30,7 @@ stands for any ending. `is`: names of other entries, apart by +."""
 _FIX = f"write {','.join(COLUMNS)}; names apart by |"
 
 
-class KnownDevice(NamedTuple):
+class KnownDevice(Struct, frozen=True):
     """One entry.
 
     Attributes:
@@ -106,7 +108,7 @@ class Lexicon:
         return list(found.items())
 
 
-class _Row(NamedTuple):
+class _Row(Struct, frozen=True):
     names: tuple[str, ...]
     kinds: tuple[str, ...]
     need: Need

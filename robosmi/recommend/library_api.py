@@ -6,18 +6,18 @@ spelling; nothing is compiled, so of a condition in a header all branches are th
 
 from __future__ import annotations
 
-import json
 import zlib
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any
 
-from robosmi.data_text import Json, as_list, as_table, as_text, as_texts, json_of
+from msgspec import Struct
+
+from robosmi.data_text import Json, as_list, as_table, as_text, as_texts, json_of, json_written
 
 _LARGEST = 1 << 26  # bytes; the largest library of the shipped index has 0.4 MB
 
 
-class ApiFunction(NamedTuple):
+class ApiFunction(Struct, frozen=True):
     """A free function or a method.
 
     Attributes:
@@ -39,8 +39,7 @@ class ApiFunction(NamedTuple):
         return f"{'static ' if self.static else ''}{self.returns}{blank}{self.name}{self.parameters}"
 
 
-@dataclass(frozen=True, slots=True)
-class ApiClass:
+class ApiClass(Struct, frozen=True):
     """A class or structure with what is public in it; what it inherits is in its bases.
 
     Attributes:
@@ -58,8 +57,7 @@ class ApiClass:
     methods: tuple[ApiFunction, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class HeaderApi:
+class HeaderApi(Struct, frozen=True):
     """What one header declares.
 
     Attributes:
@@ -73,8 +71,8 @@ class HeaderApi:
     include: str
     classes: tuple[ApiClass, ...] = ()
     functions: tuple[ApiFunction, ...] = ()
-    constants: Mapping[str, str] = field(default_factory=dict)
-    enums: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    constants: Mapping[str, str] = {}
+    enums: Mapping[str, tuple[str, ...]] = {}
 
     def __bool__(self) -> bool:
         """Whether it declares anything."""
@@ -117,7 +115,7 @@ class HeaderApi:
                     tuple(as_texts(c["constructors"])),
                     tuple(_function(method) for method in as_list(c["methods"])),
                 )
-                for c in map(as_table, as_list(row["classes"]))
+                for c in (as_table(each) for each in as_list(row["classes"]))
             )
             return HeaderApi(
                 as_text(row["header"]),
@@ -131,7 +129,7 @@ class HeaderApi:
             raise ValueError(f"it lacks or misuses {error}") from error
 
 
-class LibraryApi(NamedTuple):
+class LibraryApi(Struct, frozen=True):
     """What a library offers; no headers where nothing is known of it.
 
     Attributes:
@@ -177,7 +175,7 @@ class LibraryApi(NamedTuple):
 
 def packed(headers: Iterable[HeaderApi]) -> bytes:
     """The compact form."""
-    rows = [
+    rows: list[Json] = [
         [
             h.file, h.include,
             [[c.name, c.kind, c.bases, c.constructors, [_row(method) for method in c.methods]] for c in h.classes],
@@ -185,7 +183,7 @@ def packed(headers: Iterable[HeaderApi]) -> bytes:
         ]
         for h in headers
     ]  # fmt: skip
-    return zlib.compress(json.dumps(rows, ensure_ascii=False, separators=(",", ":")).encode(), 9)
+    return zlib.compress(json_written(rows, ensure_ascii=False, separators=(",", ":")).encode(), 9)
 
 
 def unpacked(data: bytes) -> tuple[HeaderApi, ...]:
@@ -196,7 +194,7 @@ def unpacked(data: bytes) -> tuple[HeaderApi, ...]:
     """
     try:
         text = zlib.decompressobj().decompress(data, _LARGEST)
-        return tuple(map(_header, as_list(json_of(text))))
+        return tuple(_header(each) for each in as_list(json_of(text)))
     except (zlib.error, RecursionError, TypeError) as error:
         raise ValueError(str(error)) from error
 
@@ -206,8 +204,8 @@ def _header(row: Json) -> HeaderApi:
     return HeaderApi(
         as_text(file),
         as_text(include),
-        tuple(map(_class, as_list(classes))),
-        tuple(map(_packed_function, as_list(functions))),
+        tuple(_class(each) for each in as_list(classes)),
+        tuple(_packed_function(each) for each in as_list(functions)),
         {name: as_text(value) for name, value in as_table(constants).items()},
         {name: tuple(as_texts(values)) for name, values in as_table(enums).items()},
     )
@@ -215,7 +213,7 @@ def _header(row: Json) -> HeaderApi:
 
 def _class(row: Json) -> ApiClass:
     name, kind, bases, constructors, methods = as_list(row)
-    made = tuple(map(_packed_function, as_list(methods)))
+    made = tuple(_packed_function(each) for each in as_list(methods))
     return ApiClass(as_text(name), as_text(kind), tuple(as_texts(bases)), tuple(as_texts(constructors)), made)
 
 

@@ -7,11 +7,13 @@ kept: names, counts of words, identifiers' words, includes, declarations; never 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+
+from msgspec import Struct
 
 from robosmi.recommend.index import FIELDS, INTERFACES
 from robosmi.recommend.library_api import HeaderApi
 from robosmi.recommend.words import words
+from robosmi.typed import sum_of
 
 _INCLUDED = {
     "wire.h": "i2c",
@@ -23,8 +25,7 @@ _INCLUDED = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class HeaderRecord:
+class HeaderRecord(Struct, frozen=True):
     """One public header of a library.
 
     Attributes:
@@ -38,12 +39,11 @@ class HeaderRecord:
     file: str
     main: bool
     counts: Mapping[str, int]
-    identifiers: Mapping[str, int] = field(default_factory=dict)
+    identifiers: Mapping[str, int] = {}
     includes: Sequence[str] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class LibraryRecord:
+class LibraryRecord(Struct, frozen=True):
     """One library.
 
     Attributes:
@@ -66,8 +66,8 @@ class LibraryRecord:
     depends: tuple[str, ...] = ()
     url: str = ""
     license: str = ""
-    said: Mapping[str, int] = field(default_factory=dict)
-    keywords: Mapping[str, int] = field(default_factory=dict)
+    said: Mapping[str, int] = {}
+    keywords: Mapping[str, int] = {}
     classes: Sequence[str] = ()
     copies: int = 1
     in_registry: bool = False
@@ -92,7 +92,7 @@ class LibraryRecord:
     def interfaces(self) -> int:
         """How it speaks to a device, a bit for each of `index.INTERFACES`."""
         spoken = {_INCLUDED.get(name.rsplit("/", 1)[-1].lower()) for header in self.headers for name in header.includes}
-        return sum(1 << number for number, name in enumerate(INTERFACES) if name in spoken)
+        return sum_of(1 << number for number, name in enumerate(INTERFACES) if name in spoken)
 
 
 def used_by(libraries: Iterable[LibraryRecord]) -> dict[str, int]:

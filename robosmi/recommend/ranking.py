@@ -7,7 +7,9 @@ the historical configuration data" and gives none; ours is `utility`. Whoever im
 
 from __future__ import annotations
 
-from typing import Any, Literal, NamedTuple, Protocol
+from typing import Any, Literal, Protocol
+
+from msgspec import Struct
 
 from robosmi.recommend.component import ComponentQuery
 
@@ -15,7 +17,7 @@ Decision = Literal["library", "optional", "none"]
 """Take a library; a library would help, the core alone does as well; none is needed."""
 
 
-class Candidate(NamedTuple):
+class Candidate(Struct, frozen=True):
     """One library that may serve a component.
 
     Attributes:
@@ -43,7 +45,7 @@ class Candidate(NamedTuple):
         }
 
 
-class Recommendation(NamedTuple):
+class Recommendation(Struct, frozen=True):
     """The answer for one component.
 
     Attributes:

@@ -14,9 +14,11 @@ import math
 import re
 from bisect import bisect_left
 from collections.abc import Sequence
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
-from robosmi.typed import distinct, matches
+from msgspec import Struct
+
+from robosmi.typed import distinct, matches, paired
 
 _WORD = re.compile(r"[^\W_]+")
 
@@ -35,7 +37,7 @@ class Documents(Protocol):
         """The headers in which the word occurs; two empty sequences if in none."""
 
 
-class Contribution(NamedTuple):
+class Contribution(Struct, frozen=True):
     """What one word of the title adds to the score of one header.
 
     Attributes:
@@ -84,7 +86,7 @@ def score_headers(collection: Documents, terms: Sequence[str]) -> dict[int, floa
     for term in terms:
         headers, counts = collection.postings(term)
         rarity = idf(collection.documents, len(headers))
-        for header, tf in zip(headers, counts, strict=True):
+        for header, tf in paired(headers, counts):
             weight = weights.get(tf)
             if weight is None:
                 weight = weights[tf] = tf_weight(tf)

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from functools import lru_cache
 
-from robosmi.typed import distinct, matches
+from msgspec import Struct
+
+from robosmi.typed import distinct, matches, remembered
 
 _CHUNK = re.compile(r"[^\W_]+")
 _CAMEL = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+|[^\W\d_A-Za-z]+")
@@ -32,8 +32,7 @@ _TERMS = frozenset(("i2c", "i2s", "mp3", "mp4", "rs232", "rs422", "rs485", "ps2"
 _LONGEST = 3  # chunks that one model number is put together of at most ("24 LC 256")
 
 
-@dataclass(frozen=True, slots=True)
-class StopWords:
+class StopWords(Struct, frozen=True):
     """Words that tell no library from another, as stems in lower case: of makers, and of the language."""
 
     makers: frozenset[str] = frozenset()
@@ -49,7 +48,7 @@ def chunks(text: str) -> list[str]:
     return matches(_CHUNK, text)
 
 
-@lru_cache(maxsize=65536)
+@remembered(65536)
 def stem(word: str) -> str:
     """A word without the plural's s ("sensors", "switches" stay comparable with "sensor", "switch"). Lower case in and out."""
     if len(word) <= 3 or word[-1] != "s" or word.endswith(("ss", "us", "is")) or _DIGIT.search(word):
@@ -59,7 +58,7 @@ def stem(word: str) -> str:
     return word[:-3] + "y" if word.endswith("ies") and len(word) > 4 else word[:-1]
 
 
-@lru_cache(maxsize=65536)
+@remembered(65536)
 def parts(chunk: str) -> tuple[str, ...]:
     """A chunk in lower case, and the words it is made of if these are several ("QuadStepper": quadstepper, quad, stepper).
 
@@ -77,7 +76,7 @@ def words(text: str) -> Iterator[str]:
         yield from parts(chunk)
 
 
-@lru_cache(maxsize=65536)
+@remembered(65536)
 def is_model(word: str) -> bool:
     """Whether a word in lower case may be a model number: letters and digits, three or more, no size, housing, term."""
     return (

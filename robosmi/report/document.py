@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
+
+from msgspec import Struct, field
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.project import Accepted
+from robosmi.typed import replaced
 
 if TYPE_CHECKING:
     from robosmi.data_text import Json
@@ -16,8 +18,7 @@ if TYPE_CHECKING:
 SCHEMA = "robosmi/1"
 
 
-@dataclass
-class Report:
+class Report(Struct):
     """What one command found and made.
 
     Attributes:
@@ -34,16 +35,16 @@ class Report:
     """
 
     command: str
-    result: Mapping[str, Json] = field(default_factory=dict)
+    result: Mapping[str, Json] = {}
     rest: Callable[[], Mapping[str, Json]] | None = None
-    findings: list[Finding] = field(default_factory=list)
-    tasks: list[Finding] = field(default_factory=list)
-    artifacts: list[dict[str, str]] = field(default_factory=list)
+    findings: list[Finding] = []
+    tasks: list[Finding] = []
+    artifacts: list[dict[str, str]] = []
     ok: bool = True
     failure_code: int = 1
-    lines: list[str] = field(default_factory=list)
+    lines: list[str] = []
     then: Callable[[], None] | None = None
-    timings: dict[str, float] = field(default_factory=dict)
+    timings: dict[str, float] = {}
     started: float = field(default_factory=time.perf_counter)
 
     def judge(self, severity: Mapping[str, str], accept: tuple[Accepted, ...]) -> None:
@@ -62,7 +63,7 @@ class Report:
             if level or reason is not None:
                 evidence = dict(finding.evidence) | ({"accepted": reason} if reason is not None else {})
                 severity_now = Severity.info if reason is not None else Severity[level or "info"]
-                finding = replace(finding, severity=severity_now, evidence=evidence)
+                finding = replaced(finding, severity=severity_now, evidence=evidence)
             judged.append(finding)
         self.findings = judged
 

@@ -15,6 +15,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from threading import Lock
 from typing import Any, Protocol
 
+from robosmi.data_text import json_written
 from robosmi.errors import RobosmiError, UsageError
 from robosmi.quoting import html
 
@@ -153,7 +154,7 @@ class _Handler(BaseHTTPRequestHandler):
         return path
 
     def _json(self, status: HTTPStatus, value: dict[str, Any]) -> None:
-        self._reply(status, json.dumps(value), "application/json")
+        self._reply(status, json_written(value), "application/json")
 
     def _reply(self, status: HTTPStatus, text: str, kind: str, nonce: str = "none") -> None:
         data = text.encode("utf-8", "replace")

@@ -8,12 +8,12 @@ same files give the same bytes.
 from __future__ import annotations
 
 import hashlib
-import json
 import re
 from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from robosmi.data_text import json_written
 from robosmi.diagnostics import Finding, Location, Severity, Task
 from robosmi.errors import PlatformDataError
 from robosmi.report.document import Report
@@ -44,7 +44,7 @@ def sarif_text(report: Report, exit_code: int, base: Path | None = None, about: 
         about: the file that the command is about: the place of findings that have none, without which code scanning services
             refuse them.
     """
-    return json.dumps(sarif_document(report, exit_code, base, about), indent=1, ensure_ascii=True) + "\n"
+    return json_written(sarif_document(report, exit_code, base, about), indent=1, ensure_ascii=True) + "\n"
 
 
 def sarif_document(report: Report, exit_code: int, base: Path | None = None, about: Path | None = None) -> dict[str, Any]:

@@ -7,8 +7,9 @@ either metamodel may lack them, or as types of the models. The copy itself is `c
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeVar, cast, overload
+
+from msgspec import Struct
 
 from robosmi.errors import RuleError, UsageError, did_you_mean
 from robosmi.model.driver import TypeHandle, class_of
@@ -24,6 +25,7 @@ from robosmi.query.values import collection_kind
 from robosmi.query.verdicts import guarded
 from robosmi.transform.assignment import assign
 from robosmi.transform.conservative_copy import ConservativeCopy, restore_order
+from robosmi.typed import paired
 
 if TYPE_CHECKING:
     from robosmi.functions import Function as AnyFunction
@@ -35,8 +37,7 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 
-@dataclass(eq=False)
-class Mapping:
+class Mapping(Struct, eq=False):
     """A retyping or deletion, of a type or of a package.
 
     Attributes:
@@ -58,8 +59,7 @@ class Mapping:
     cascade: bool = False
 
 
-@dataclass(eq=False)
-class MigrateRule:
+class MigrateRule(Struct, eq=False):
     """A rule for the elements of a type.
 
     Attributes:
@@ -168,7 +168,10 @@ class Flock(Settings):
             RuleError: what became of it is not of that class.
         """
         if collection_kind(original) is not None:
-            return cast("Dynamic", Q([e for e in map(self._equivalent, cast("Iterable[EObject]", original)) if e is not None]))
+            return cast(
+                "Dynamic",
+                Q([e for e in (self._equivalent(each) for each in cast("Iterable[EObject]", original)) if e is not None]),
+            )
         made: Item = self._copy.value(original) if original is not None else None
         if kind is None:
             return cast("Dynamic", made)
@@ -231,7 +234,7 @@ class Flock(Settings):
             for old, new in list(self._equivalents.values()):
                 if new is not None:
                     restore_order(old, new, self._equivalent)
-        for original, fitting in zip(elements, rules, strict=True):
+        for original, fitting in paired(elements, rules):
             self._apply(original, fitting)
 
     def _check(self) -> None:

@@ -6,9 +6,10 @@ The rules are a Flock migration; this object only brings the models together. `r
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+
+from msgspec import Struct
 
 from robosmi.errors import RuleError
 from robosmi.model.ecore import EObject, Package
@@ -17,10 +18,10 @@ from robosmi.model.features import eclass_of
 from robosmi.model.metamodel import Metamodel
 from robosmi.model.metamodels import built_in
 from robosmi.transform.flock import Flock
+from robosmi.typed import dynamic_attribute
 
 
-@dataclass
-class ModelMigration:
+class ModelMigration(Struct, dict=True):
     """A step between two versions.
 
     Attributes:
@@ -37,7 +38,7 @@ class ModelMigration:
     @cached_property
     def _metamodel(self) -> Metamodel:
         older = [p for p in Metamodel.load(self.old).epackages if self._new.get(p.nsURI) is None]
-        for feature in (f for p in older for c in p.eClassifiers for f in getattr(c, "eStructuralFeatures", ())):
+        for feature in (f for p in older for c in p.eClassifiers for f in dynamic_attribute(c, "eStructuralFeatures", ())):
             kind = eclass_of(feature.eType)
             current = self._new.get(kind.ePackage.nsURI) if kind.ePackage not in older else None
             if current is not None:

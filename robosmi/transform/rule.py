@@ -10,16 +10,18 @@ import inspect
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import cache
 from types import CodeType, FunctionType
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
 
 from robosmi.errors import InternalError, RuleError, did_you_mean
 from robosmi.model.driver import Model, TypeHandle, class_of
 from robosmi.model.ordering import post_order
 from robosmi.query.erl import RuleType, arity, called, failed, place_of, type_name
 from robosmi.query.verdicts import guarded
+from robosmi.typed import attribute_of, paired
 
 if TYPE_CHECKING:
     from robosmi.functions import Function, NamedFunction
@@ -27,8 +29,7 @@ if TYPE_CHECKING:
     from robosmi.query.erl import RuleKind
 
 
-@dataclass(frozen=True, eq=False)
-class Rule:
+class Rule(Struct, frozen=True, eq=False):
     """A rule.
 
     Attributes:
@@ -91,7 +92,7 @@ def declare(body: NamedFunction, transform: Any, to: Any, name: str | None, **op
         raise wrong(
             f"has {len(targets)} target types and {len(names)} parameters for targets", "give each target a parameter and a type"
         )
-    for parameter, kind in zip(parameters, [source, *targets], strict=True):
+    for parameter, kind in paired(parameters, [source, *targets]):
         if kind is None:
             raise wrong(
                 f"does not say of which type '{parameter}' is",
@@ -122,7 +123,7 @@ def _compiled(annotation: str) -> CodeType:
 
 def _annotation(body: NamedFunction, parameter: str) -> Any:
     function = inspect.unwrap(body) if hasattr(body, "__wrapped__") else body
-    kind = getattr(function, "__annotations__", {}).get(parameter)
+    kind = (attribute_of(function, "__annotations__", dict) or {}).get(parameter)
     if kind is None or kind is Any or kind == "Any":
         return None
     if not isinstance(kind, str):
@@ -136,7 +137,7 @@ def _annotation(body: NamedFunction, parameter: str) -> Any:
 def _nonlocals(body: NamedFunction) -> dict[str, Any]:
     """The variables of enclosing functions that a function uses (`inspect.getclosurevars` looks at more, and takes long)."""
     found = {}
-    for name, cell in zip(body.__code__.co_freevars, body.__closure__ or (), strict=True):
+    for name, cell in paired(body.__code__.co_freevars, body.__closure__ or ()):
         with suppress(ValueError):  # not set yet
             found[name] = cell.cell_contents
     return found
@@ -167,7 +168,7 @@ class BoundRule:
             self.kind.models = self._having(models)[:1]
         self.lazy = rule.lazy or (self.kind.primitive is not None and not rule.abstract)
         self.width = len(rule.targets)
-        for name, given in zip(rule.names, rule.targets, strict=True):
+        for name, given in paired(rule.names, rule.targets):
             if given not in makers:
                 makers[given] = self._maker(name, given)
         self.makers = [makers[given] for given in rule.targets]
@@ -236,7 +237,7 @@ class BoundRule:
             except (Exception, SystemExit) as error:
                 raise failed(error, f"making the targets of the rule {self.name}", self.body, source, self.models) from error
         made = []
-        for make, init in zip(self.makers, self.init, strict=True):
+        for make, init in paired(self.makers, self.init):
             try:
                 made.append(make() if init is None else init(source) if arity(init) else init())
             except (Exception, SystemExit) as error:

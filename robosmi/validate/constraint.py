@@ -6,8 +6,9 @@ A constraint is a function whose name is the constraint's. Declarations know no 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar, overload
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import RuleError
@@ -25,8 +26,7 @@ GLOBAL = "<Global>"
 """The name of the context of constraints without one, as EVL has it."""
 
 
-@dataclass(frozen=True)
-class Fix:
+class Fix(Struct, frozen=True):
     """A way to repair what a constraint found.
 
     Attributes:
@@ -82,8 +82,7 @@ class Constrained(Protocol):
         """Whether none of its constraints is evaluated unless asked for."""
 
 
-@dataclass(frozen=True, eq=False)
-class Constraint:
+class Constraint(Struct, frozen=True, eq=False):
     """Something that must hold (a constraint), or should (a critique), for every element of a context.
 
     Attributes:

@@ -7,14 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RuleError, UsageError
 from robosmi.model.driver import Model
 from robosmi.query.erl import failed, place_in_model, technology, told
 from robosmi.query.values import as_string
+from robosmi.typed import dynamic_attribute, sum_of
 from robosmi.validate.constraint import Constraint, Fix
 
 if TYPE_CHECKING:
@@ -68,12 +70,11 @@ def _recorders(models: list[Model]) -> Iterator[Callable[[], Any]]:
     changed = [technology(m) for m in models]
     yield lambda: Recording([m for m in changed if isinstance(m, EmfModel)])
     for model in changed:
-        if not isinstance(model, EmfModel) and (own := getattr(type(model), "recording", None)) is not None:
+        if not isinstance(model, EmfModel) and (own := dynamic_attribute(type(model), "recording", None)) is not None:
             yield lambda model=model, own=own: own(model)  # type: ignore[misc]
 
 
-@dataclass(eq=False)
-class Unsatisfied:
+class Unsatisfied(Struct, eq=False):
     """A constraint that an element does not satisfy.
 
     Attributes:
@@ -91,8 +92,8 @@ class Unsatisfied:
     element: Item
     message: str
     default_message: bool = False
-    extras: Mapping[str, Held] = field(default_factory=dict)
-    fixes: list[OfferedFix] = field(default_factory=list)
+    extras: Mapping[str, Held] = {}
+    fixes: list[OfferedFix] = []
     fixed: bool = False
     advice: str | None = None
 
@@ -110,8 +111,7 @@ class Unsatisfied:
         return f"<{self.name} of {self.element!r}: {self.message}>"
 
 
-@dataclass(frozen=True)
-class Applied:
+class Applied(Struct, frozen=True):
     """A fix that was performed: of which finding, what, and the error if it failed and was rolled back."""
 
     of: Unsatisfied
@@ -214,7 +214,7 @@ class Validation:
         for a in self.fixed:
             done, why = ("fixed", "") if a.error is None else ("not fixed", f": {a.error.message}")
             lines.append(f"{done} {a.of.name}: {a.title}{why}")
-        counts = [(sum(u.severity is level for u in self.unsatisfied), level.name) for level in reversed(Severity)]
+        counts = [(sum_of(u.severity is level for u in self.unsatisfied), level.name) for level in reversed(Severity)]
         said = ", ".join(f"{count} {name}{'s' if count != 1 and name != 'info' else ''}" for count, name in counts if count)
         return "\n".join([*lines, said or "all constraints are satisfied"])
 

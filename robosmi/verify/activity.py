@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from itertools import pairwise
 from statistics import median
 
+from msgspec import Struct
+
+from robosmi.typed import paired, replaced, sum_of
 from robosmi.verify.pulses import FEWEST, Pulse, pulses_of, same_wave, wave_parts
 from robosmi.verify.servo_widths import servo_widths
 from robosmi.verify.simulation import ConsoleByte, PinTrace
@@ -27,8 +29,7 @@ one function makes in one go. A level that is a text is how a line is driven tha
 """
 
 
-@dataclass(frozen=True)
-class Sight:
+class Sight(Struct, frozen=True):
     """How closely one looks.
 
     Attributes:
@@ -50,8 +51,7 @@ _CLEAR = 1.2
 """A pause is clearly longer or shorter than another when it is so many times as long, or less than that part of it."""
 
 
-@dataclass(frozen=True)
-class ActivityEvent:
+class ActivityEvent(Struct, frozen=True):
     """From `at_us` on something is so.
 
     Attributes:
@@ -126,10 +126,10 @@ def activity(trace: PinTrace, pin: str, sight: Sight = SIGHTS[0], pulses: Sequen
             unclear.append(near)
     drives_servo = any(_is_frames(run) for run in runs)
     found: list[ActivityEvent] = []
-    for run, doubtful in zip(runs, unclear, strict=True):
+    for run, doubtful in paired(runs, unclear):
         if not (drives_servo and len(run) == 1 and _is_servo_pulse(run[0])):  # a single frame moves nothing
             events = _run(run, _until(trace, pin), sight)
-            found += [replace(event, unclear=True) for event in events] if doubtful else events
+            found += [replaced(event, unclear=True) for event in events] if doubtful else events
     return merged([IDLE, *found])
 
 
@@ -212,7 +212,7 @@ def _wave(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[Activity
     """A wave by the middle of its periods, and its end."""
     periods = sorted(after.begin - before.begin for before, after in pairwise(pulses))
     middle = periods[len(periods) // 10 : len(periods) - len(periods) // 10] or periods
-    period = sum(middle) / len(middle)
+    period = sum_of(middle) / len(middle)
     duty = min(1.0, median(p.end - p.begin for p in pulses) / period)
     ended = pulses[-1].begin + period
     return [ActivityEvent(pulses[0].begin, WAVE, (1e6 / period, round(duty, 3)), len(pulses)), *_end(ended, horizon_us, sight)]

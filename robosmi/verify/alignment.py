@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
-from robosmi.typed import matches
+from msgspec import Struct
+
+from robosmi.typed import matches, paired
 from robosmi.verify.activity import HELD, PULSE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.driven_lines import lengths_alike, pulses_alike
 from robosmi.verify.servo_widths import tolerated_us
@@ -61,7 +62,7 @@ def _reads_alike(one: str, other: str, off: Sequence[float] = (), exact: Sequenc
         return True
     if _NUMBER.sub("0", one) != _NUMBER.sub("0", other):
         return False
-    for place, (mine, theirs) in enumerate(zip(matches(_NUMBER, one), matches(_NUMBER, other), strict=True)):
+    for place, (mine, theirs) in enumerate(paired(matches(_NUMBER, one), matches(_NUMBER, other))):
         if mine == theirs:
             continue
         if (place < len(exact) and exact[place]) or not _written_alike(mine, theirs):
@@ -114,8 +115,7 @@ def _part(one: float, other: float) -> float:
     return abs(one - other) / max(abs(one), abs(other)) if one != other else 0.0
 
 
-@dataclass(frozen=True)
-class Alignment:
+class Alignment(Struct, frozen=True):
     """What belongs together.
 
     Attributes:
@@ -161,8 +161,7 @@ def aligned(
     return Alignment(_pairs(best[3]), best[1], best[2])
 
 
-@dataclass(frozen=True)
-class _Way:
+class _Way(Struct, frozen=True):
     """A pair and those before it."""
 
     pair: tuple[int, int]

@@ -16,7 +16,7 @@ from typing import Any, ClassVar, TypeVar
 
 from robosmi.errors import UsageError, VerificationError
 from robosmi.plugins import content, registry
-from robosmi.typed import distinct
+from robosmi.typed import class_name, distinct
 from robosmi.verify.simulation import ConsoleByte, DeviceEvent, DeviceUse, PinChange, PinTrace, Wave
 
 Seen = TypeVar("Seen", PinChange, Wave, ConsoleByte, DeviceEvent)
@@ -202,7 +202,7 @@ class Device:
         self.bench = bench
         self.number = number
         self.pins = pins
-        kind = type(self).__name__
+        kind = class_name(self)
         known_pins = (*self.pin_names, *self.optional_pin_names)
         for what, given, known in (("pin", pins, known_pins), ("setting", settings, tuple(self.setting_names))):
             if unknown := sorted({*given} - {*known}):

@@ -7,18 +7,17 @@ is content (`Board.claims`); whether it holds is told here. Answers are kept by 
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 
 from robosmi import inputs, resources
-from robosmi.data_text import as_table, json_of
+from robosmi.data_text import as_table, json_of, json_written
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import did_you_mean
 from robosmi.model.files import write_atomic
-from robosmi.typed import distinct
+from robosmi.typed import distinct, paired
 from robosmi.verify import archives
 from robosmi.verify.boards import Board, Claim
 from robosmi.verify.compile_report import OTHER_FACTS
@@ -66,12 +65,12 @@ def _pin_findings(
         cause = f"the core's files cannot be compiled as the file of the board '{board.name}' says: {found}"
         yield Finding(OTHER_FACTS, Severity.error, cause, _place(board.file, "variant ="), fix=fix)
         return
-    numbers = dict(zip(wanted, _numbers(found.get(_TOLD, b""), _SIZES["long"]), strict=True))
-    for claim, each in zip(claims, asked, strict=True):
+    numbers = dict(paired(wanted, _numbers(found.get(_TOLD, b""), _SIZES["long"])))
+    for claim, each in paired(claims, asked):
         values = [_value(table, numbers[expression], found) for table, expression in each]
         if values[0] == values[1]:
             continue
-        others = zip(claim.choices, values[2:], strict=True)
+        others = paired(claim.choices, values[2:])
         told = next((choice for choice, value in others if value == values[0]), "no such pin" if values[0] is None else values[0])
         yield Finding(
             OTHER_FACTS, Severity.error,
@@ -119,7 +118,7 @@ def _answers(wanted: Sequence[str], board: Board, check: DataTable, toolchain: T
         found = arrays(inputs.read_text(made, inputs.OUTPUT).splitlines())
     with suppress(OSError):
         kept.parent.mkdir(parents=True, exist_ok=True)
-        write_atomic(kept, json.dumps({name: data.hex() for name, data in found.items()}).encode())
+        write_atomic(kept, json_written({name: data.hex() for name, data in found.items()}).encode())
     return found
 
 

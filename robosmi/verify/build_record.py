@@ -5,14 +5,14 @@ It is read by whoever asks whether that program still is the sketch's. It is wri
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeVar
 
+from msgspec import Struct
+
 from robosmi import inputs
-from robosmi.data_text import Json, json_of
+from robosmi.data_text import Json, json_of, json_written
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 
@@ -22,8 +22,7 @@ SCHEMA = "robosmi-build/1"
 V = TypeVar("V", str, int)
 
 
-@dataclass(frozen=True)
-class BuildRecord:
+class BuildRecord(Struct, frozen=True):
     """What a kept program was made from.
 
     Attributes:
@@ -42,16 +41,16 @@ class BuildRecord:
     stand_ins: tuple[str, ...]
     sources: dict[str, str]
     program: str
-    sizes: dict[str, int] = field(default_factory=dict)
-    outside: dict[str, str] = field(default_factory=dict)
+    sizes: dict[str, int] = {}
+    outside: dict[str, str] = {}
 
     def to_bytes(self) -> bytes:
         """The record's file."""
-        values = {
+        values: dict[str, Json] = {
             "schema": SCHEMA, "board": self.board, "fits": self.fits, "stand_ins": list(self.stand_ins),
             "sources": self.sources, "program": self.program, "sizes": self.sizes, "outside": self.outside,
         }  # fmt: skip
-        return (json.dumps(values, indent=1, sort_keys=True) + "\n").encode()
+        return (json_written(values, indent=1, sort_keys=True) + "\n").encode()
 
 
 def record_at(path: Path) -> BuildRecord | None:
@@ -82,7 +81,7 @@ def _record(data: Json) -> BuildRecord:
         raise ValueError("it is no object")
     schema = data.get("schema")
     if schema != SCHEMA:
-        raise ValueError(f"its schema is {json.dumps(schema)}, not {SCHEMA}" if "schema" in data else "it has no 'schema'")
+        raise ValueError(f"its schema is {json_written(schema)}, not {SCHEMA}" if "schema" in data else "it has no 'schema'")
     stand_ins, fits = data.get("stand_ins"), data.get("fits")
     if not isinstance(fits, bool):
         raise _wrong(data, "fits", "true or false")

@@ -8,9 +8,11 @@ inputs come a little earlier or later. A source whose values differ from its own
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from msgspec import Struct
+
+from robosmi.typed import replaced
 from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.alignment import aligned, alike, larger, parts_off
 from robosmi.verify.difference_words import lasts_otherwise, told_difference
@@ -34,8 +36,7 @@ RESONATOR = 0.005
 """A board's resonator may be off by so much: times drift by it."""
 
 
-@dataclass(frozen=True)
-class FirstDifference:
+class FirstDifference(Struct, frozen=True):
     """Where two programs differ first.
 
     Attributes:
@@ -63,8 +64,7 @@ def _event_json(event: ActivityEvent | None) -> dict[str, Json] | None:
     return None if event is None else {"at_ms": round(event.at_us / 1000, 3), "what": str(event)}
 
 
-@dataclass(frozen=True)
-class ChannelComparison:
+class ChannelComparison(Struct, frozen=True):
     """What became of one channel in one scenario.
 
     Attributes:
@@ -84,8 +84,7 @@ class ChannelComparison:
     itself: SelfDifference | None = None
 
 
-@dataclass(frozen=True)
-class EventTolerance:
+class EventTolerance(Struct, frozen=True):
     """How far an event may be off beyond the base.
 
     Attributes:
@@ -99,8 +98,7 @@ class EventTolerance:
     parts: tuple[float, ...] = ()
 
 
-@dataclass(frozen=True)
-class ClosedLoop:
+class ClosedLoop(Struct, frozen=True):
     """That a program waits for what it drives by what that tells, which ends when the last small step of it is seen.
 
     Whether that step is needed hangs on the last microsecond, in the source as on the target. Runs of the source tell how far
@@ -184,7 +182,7 @@ def compare(
     if allowed is None or _ends_differ(source, varied, horizon_ms, allowed):
         return _racy(channel, source, target, varied, horizon_ms)
     off = allowed or [EventTolerance()]
-    source = [replace(event, off=allowed[at].parts) for at, event in enumerate(source)]
+    source = [replaced(event, off=allowed[at].parts) for at, event in enumerate(source)]
 
     def in_time(own: int, other: int) -> bool:
         vague_ms = _vague_ms(source[own], target[other])
@@ -241,12 +239,12 @@ def _racy(
     theirs = target[before.other] if before.other < len(target) else None
     if mine is not None and (theirs is not None or mine.at_us / 1000 < horizon_ms - 3 * _tau(mine, 20.0)):
         message = f"{mine} {'are' if mine.kind == PULSES else 'is'} missing" if theirs is None else f"{theirs} instead of {mine}"
-        return replace(found, status=DIFFERENT, difference=FirstDifference(mine.at_us / 1000, channel, message, mine, theirs))
+        return replaced(found, status=DIFFERENT, difference=FirstDifference(mine.at_us / 1000, channel, message, mine, theirs))
     wrong = first_wrong_line(source, target, varied)
     if wrong is not None:
         message = f"{wrong.target} instead of {wrong.source}, which the source prints in each run, though other lines change"
         first = FirstDifference(wrong.source.at_us / 1000, channel, message, wrong.source, wrong.target)
-        return replace(found, status=DIFFERENT, difference=first)
+        return replaced(found, status=DIFFERENT, difference=first)
     return found
 
 

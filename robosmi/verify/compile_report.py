@@ -5,9 +5,10 @@ No tool is run and no message is read here; `toolchain` makes the report, `messa
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.data_text import Json
 from robosmi.diagnostics import Finding, Severity
@@ -67,8 +68,7 @@ class StackBound(NamedTuple):
                 "unknown": list(self.unknown), "deepest": list(self.deepest)}  # fmt: skip
 
 
-@dataclass(frozen=True)
-class CompileReport:
+class CompileReport(Struct, frozen=True):
     """The result of a compile check.
 
     Attributes:
@@ -103,10 +103,10 @@ class CompileReport:
     diagnostics: tuple[Finding, ...] = ()
     warnings_elsewhere: int = 0
     seconds: float = 0.0
-    elf: Path | None = field(default=None, compare=False)
-    hex: Path | None = field(default=None, compare=False)
-    commands: tuple[dict[str, Json], ...] = field(default=(), compare=False)
-    database: Path | None = field(default=None, compare=False)
+    elf: Path | None = None
+    hex: Path | None = None
+    commands: tuple[dict[str, Json], ...] = ()
+    database: Path | None = None
 
     @property
     def exit_code(self) -> int:

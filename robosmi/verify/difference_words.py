@@ -7,7 +7,8 @@ event that comes later than it should is not one that the other program does not
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from robosmi.verify.activity import PULSES, ActivityEvent
 from robosmi.verify.alignment import Alignment, alike
@@ -16,8 +17,7 @@ _MOST = 20_000
 """So many events of a run are looked through at most."""
 
 
-@dataclass(frozen=True)
-class ToldDifference:
+class ToldDifference(Struct, frozen=True):
     """A difference in words.
 
     Attributes:
@@ -80,8 +80,7 @@ def lasts_otherwise(event: ActivityEvent, source_ms: float, target_ms: float) ->
     return f"{event} {verb} {target_ms:.2f} ms instead of {source_ms:.2f} ms"
 
 
-@dataclass(frozen=True)
-class _Sides:
+class _Sides(Struct, frozen=True):
     """Both runs, and which of their events belong together."""
 
     source: Sequence[ActivityEvent]

@@ -11,10 +11,11 @@ import re
 import shutil
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass
 from importlib import metadata
 from operator import attrgetter
 from pathlib import Path
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding
 from robosmi.errors import MissingToolError
@@ -55,8 +56,7 @@ _ORIGINALS = "verify runs the original, and so compares the migrated program wit
 _UPLOAD = "upload puts a compiled sketch on its board"
 
 
-@dataclass(frozen=True)
-class ToolStatus:
+class ToolStatus(Struct, frozen=True):
     """One thing that is needed.
 
     Attributes:

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
+
+from msgspec import Struct
 
 from robosmi import resources
 from robosmi.errors import MissingToolError
@@ -20,8 +21,7 @@ TOOLS = ("command", "linker", "names", "rename", "coverage", "archiver", "places
 """The programs that building takes, as `host.toml` names them."""
 
 
-@dataclass(frozen=True)
-class HostModel:
+class HostModel(Struct, frozen=True):
     """A host model.
 
     Attributes:

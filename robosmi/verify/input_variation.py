@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
+from robosmi.typed import replaced
 from robosmi.verify.simulation import DeviceUse
 
 
@@ -53,7 +53,7 @@ def vary_inputs(
     def settings(given: Mapping[str, Any]) -> dict[str, Any]:
         return {name: signal(value) if _is_signal(value) else value for name, value in given.items()}
 
-    return [replace(use, settings=settings(use.settings)) for use in devices]
+    return [replaced(use, settings=settings(use.settings)) for use in devices]
 
 
 def _is_signal(value: Any) -> bool:

@@ -9,21 +9,19 @@ All are written, or none. The record's form is `build_record`'s, building is don
 from __future__ import annotations
 
 import hashlib
-import json
 import re
 from collections.abc import Iterable
 from contextlib import suppress
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from robosmi import inputs
-from robosmi.data_text import as_list, as_table, json_of
+from robosmi.data_text import as_list, as_table, json_of, json_written
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.model.commit import update
-from robosmi.typed import matches
+from robosmi.typed import matches, replaced
 from robosmi.verify.build_record import FOLDER, BuildRecord, record_at
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.libraries import STAND_IN
@@ -95,10 +93,10 @@ def compile_into(
             contents[_record_name(sketch)] = record.to_bytes()
         if report.elf is not None and report.hex is not None:
             contents |= {report.elf.name: inputs.read_bytes(report.elf, inputs.OUTPUT), report.hex.name: program}
-            report = replace(report, elf=folder / report.elf.name, hex=folder / report.hex.name)
+            report = replaced(report, elf=folder / report.elf.name, hex=folder / report.hex.name)
     _refuse_others(folder, sketch, contents)
     update(folder, contents)
-    return replace(report, database=folder / DATABASE)
+    return replaced(report, database=folder / DATABASE)
 
 
 def _refuse_others(folder: Path, sketch: Sketch, contents: Iterable[str]) -> None:
@@ -186,4 +184,4 @@ def _record_name(sketch: Sketch) -> str:
 
 
 def _json(value: Any) -> bytes:
-    return (json.dumps(value, indent=1) + "\n").encode()
+    return (json_written(value, indent=1) + "\n").encode()

@@ -9,12 +9,11 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable
-from dataclasses import replace
 from pathlib import Path
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, FlowStep, Location, Severity
-from robosmi.typed import distinct
+from robosmi.typed import distinct, replaced
 from robosmi.verify.compile_report import (
     COMPILER_ERROR,
     COMPILER_WARNING,
@@ -58,7 +57,7 @@ def compiler_findings(text: str, patterns: DataTable, folder: Path) -> tuple[lis
             if last is not None:
                 notes = [*findings[last].listed("notes"), {"message": match["message"], "location": place.to_json()}]
                 steps = (*findings[last].steps, FlowStep(place, match["message"]))
-                findings[last] = replace(findings[last], evidence={**findings[last].evidence, "notes": notes}, steps=steps)
+                findings[last] = replaced(findings[last], evidence={**findings[last].evidence, "notes": notes}, steps=steps)
             continue
         finding = _finding(match["message"], _SEVERITY[match["severity"]], place, patterns)
         if own is None and finding.severity is Severity.warning:

@@ -12,14 +12,15 @@ import re
 import subprocess
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from time import monotonic
 
+from msgspec import Struct
+
 from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, MissingToolError, VerificationError
-from robosmi.typed import matches
+from robosmi.typed import matches, paired
 from robosmi.verify import archives
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.temporary import temporary_folder
@@ -42,8 +43,7 @@ _TWICE = re.compile(r"multiple definition of [`']([^`']+)'")
 _GENERATED = "unmodelled.c"
 
 
-@dataclass(frozen=True)
-class OriginalProgram:
+class OriginalProgram(Struct, frozen=True):
     """A program that is ready to run.
 
     Attributes:
@@ -99,8 +99,7 @@ def missing_tools(model: HostModel) -> str | None:
     return None
 
 
-@dataclass
-class _Build:
+class _Build(Struct, dict=True):
     model: HostModel
     folder: Path
     until: float
@@ -116,7 +115,7 @@ class _Build:
         flags = [*self._flags("machine"), *self._flags("program"), *self._flags("hooks")]
         flags += [f"-I{path}" for path in include_folders] + self._headers() + ["-isystem", str(more)]
         objects = [self.folder / f"{number}-{path.stem}.o" for number, path in enumerate(sources)]
-        jobs = [["command", *flags, "-c", str(path), "-o", str(target)] for path, target in zip(sources, objects, strict=True)]
+        jobs = [["command", *flags, "-c", str(path), "-o", str(target)] for path, target in paired(sources, objects)]
         for _ in self._map(jobs):
             pass
         joined, named = self.folder / "joined.o", self.folder / "program.o"
@@ -261,8 +260,7 @@ class _Build:
             raise MissingToolError(error.message, fix=self.model.install) from error
 
 
-@dataclass(frozen=True)
-class _Names:
+class _Names(Struct, frozen=True):
     """The global names of an object or archive, and the place and size of its coverage counters."""
 
     defined: frozenset[str]

@@ -9,11 +9,13 @@ from __future__ import annotations
 import json
 import tempfile
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from msgspec import Struct
+
 from robosmi.errors import InternalError, MissingToolError
+from robosmi.typed import sum_of
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.tools import run
@@ -21,8 +23,7 @@ from robosmi.verify.tools import run
 _COUNTER_BYTES = 8
 
 
-@dataclass(frozen=True)
-class SourceCoverage:
+class SourceCoverage(Struct, frozen=True):
     """How often runs have reached each line and branch.
 
     Attributes:
@@ -51,7 +52,7 @@ class SourceCoverage:
 
 def _percent(counts: Iterable[int]) -> float:
     known = list(counts)
-    return 100.0 * sum(count > 0 for count in known) / len(known) if known else 100.0
+    return 100.0 * sum_of(count > 0 for count in known) / len(known) if known else 100.0
 
 
 def reached(program: OriginalProgram, counts: bytes) -> frozenset[int]:

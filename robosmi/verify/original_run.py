@@ -14,11 +14,13 @@ import signal
 import struct
 import subprocess
 from collections.abc import Sequence
-from dataclasses import dataclass
 from time import monotonic
+
+from msgspec import Struct
 
 from robosmi.errors import UsageError, VerificationError
 from robosmi.plugins import content
+from robosmi.typed import sum_of
 from robosmi.verify.bench import Bench, Level
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace, Wave
@@ -42,8 +44,7 @@ _TOGETHER_US = 45_000.0
 """Cores that print within this time print together: by so much a line may be later in another run (see `comparison`)."""
 
 
-@dataclass(frozen=True)
-class Variation:
+class Variation(Struct, frozen=True):
     """How a run differs from the nominal one.
 
     Attributes:
@@ -69,8 +70,7 @@ class Variation:
     clock_us: float = 0.0
 
 
-@dataclass(frozen=True)
-class OriginalRun:
+class OriginalRun(Struct, frozen=True):
     """What became of a run.
 
     Attributes:
@@ -186,13 +186,13 @@ class _HostBench(Bench):
     @property
     def watched(self) -> int:
         """The pins at which a device is, as bits."""
-        return sum(1 << number for number, label in enumerate(self.labels) if label in self._at_pin)
+        return sum_of(1 << number for number, label in enumerate(self.labels) if label in self._at_pin)
 
     @property
     def asking(self) -> tuple[int, int, int]:
         """The pins at which a device has to be told at once when they are driven low, high, or no more, as bits."""
         found = [
-            sum(1 << number for number, label in enumerate(self.labels) if self._reacts(label, level)) for level in (0, 1, "z")
+            sum_of(1 << number for number, label in enumerate(self.labels) if self._reacts(label, level)) for level in (0, 1, "z")
         ]
         return found[0], found[1], found[2]
 

@@ -16,9 +16,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.data_text import toml_of
@@ -37,8 +38,7 @@ LARGEST = 1e12
 _KEYS = ("name", "horizon_ms", "signals")
 
 
-@dataclass(frozen=True)
-class Scenario:
+class Scenario(Struct, frozen=True):
     """What happens to the inputs of a robot.
 
     Attributes:
@@ -51,7 +51,7 @@ class Scenario:
 
     name: str
     horizon_ms: float
-    signals: Mapping[str, Mapping[str, Points]] = field(default_factory=dict)
+    signals: Mapping[str, Mapping[str, Points]] = {}
     origin: str = "given"
     path: Path | None = None
 

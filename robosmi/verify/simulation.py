@@ -14,11 +14,14 @@ import os
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
+from msgspec import Struct
+from msgspec.structs import asdict
+
+from robosmi.data_text import json_written
 from robosmi.errors import EngineCrashError, InternalError, MissingToolError, UsageError, VerificationError
 from robosmi.plugins import content, registry
 from robosmi.verify.tools import end_session
@@ -27,8 +30,7 @@ LEVELS = (0, 1, "z", "p")
 """How a program drives a pin: low, high, not at all (an input), or weakly high (an input with its pull-up on)."""
 
 
-@dataclass(frozen=True)
-class DeviceUse:
+class DeviceUse(Struct, frozen=True):
     """A device at the pins, or on the console.
 
     Attributes:
@@ -38,12 +40,11 @@ class DeviceUse:
     """
 
     kind: str
-    pins: Mapping[str, str] = field(default_factory=dict)
-    settings: Mapping[str, Any] = field(default_factory=dict)
+    pins: Mapping[str, str] = {}
+    settings: Mapping[str, Any] = {}
 
 
-@dataclass(frozen=True)
-class Job:
+class Job(Struct, frozen=True):
     """One run.
 
     Attributes:
@@ -108,8 +109,7 @@ class DeviceEvent(NamedTuple):
     value: Any
 
 
-@dataclass(frozen=True)
-class PinTrace:
+class PinTrace(Struct, frozen=True):
     """What was seen in a run.
 
     Attributes:
@@ -237,7 +237,7 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
         EngineCrashError: the engine crashed.
     """
     chosen = engine_for(job.mcu, engine)
-    question = json.dumps({"engine": chosen.name, "job": asdict(job)})
+    question = json_written({"engine": chosen.name, "job": asdict(job) | {"devices": [asdict(one) for one in job.devices]}})
     command = [sys.executable, "-P", "-m", "robosmi.verify.worker"]  # no module of the current folder
     with subprocess.Popen(
         command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, encoding="utf-8",

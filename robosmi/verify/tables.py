@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
+
+from msgspec import Struct
 
 from robosmi import inputs, resources
 from robosmi.data_text import Json, toml_of
@@ -22,8 +23,7 @@ KIND = "platform_repo"
 """The kind of data (see `robosmi.resources`) that toolchains, boards and stand-ins are."""
 
 
-@dataclass(frozen=True, slots=True)
-class DataTable:
+class DataTable(Struct, frozen=True):
     """One table of a TOML file of the repository.
 
     Attributes:

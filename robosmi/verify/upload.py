@@ -12,11 +12,11 @@ import shlex
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, nullcontext
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from filelock import FileLock, Timeout
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -32,8 +32,7 @@ from robosmi.verify.toolchain_data import Toolchain, load_toolchains
 from robosmi.verify.uploader import Uploader, find_uploader
 
 
-@dataclass(frozen=True)
-class UploadReport:
+class UploadReport(Struct, frozen=True):
     """A program that was put on a board, or would be.
 
     Attributes:

@@ -9,8 +9,9 @@ import re
 import shlex
 import shutil
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, PlatformDataError, UploadError
@@ -21,8 +22,7 @@ from robosmi.verify.toolchain_data import Toolchain, fill, places
 from robosmi.verify.tools import environment, run, tool_version
 
 
-@dataclass(frozen=True)
-class Uploader:
+class Uploader(Struct, frozen=True):
     """The tool as found on this machine.
 
     Attributes:

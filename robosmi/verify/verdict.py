@@ -7,10 +7,11 @@ source reached. A difference counts more than a doubt, a doubt more than finding
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from robosmi.typed import distinct
+from msgspec import Struct, field
+
+from robosmi.typed import distinct, sum_of
 from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, SAME, ChannelComparison, FirstDifference
 from robosmi.verify.original_calls import LibraryCall
 from robosmi.verify.scenario import Scenario
@@ -27,8 +28,7 @@ PROGRAM = "program"
 """Where a crash is: on no channel, in the program as a whole."""
 
 
-@dataclass(frozen=True)
-class ScenarioVerdict:
+class ScenarioVerdict(Struct, frozen=True):
     """What became of one scenario.
 
     Attributes:
@@ -73,8 +73,7 @@ class ScenarioVerdict:
         }  # fmt: skip
 
 
-@dataclass(frozen=True)
-class CallsAround:
+class CallsAround(Struct, frozen=True):
     """The calls of the source where a difference is.
 
     Attributes:
@@ -86,8 +85,7 @@ class CallsAround:
     around: tuple[LibraryCall, ...] = ()
 
 
-@dataclass
-class Verdict:
+class Verdict(Struct):
     """What a verification says.
 
     Attributes:
@@ -111,8 +109,8 @@ class Verdict:
         stand_ins: libraries that are not installed here, so that stand-ins of the repository were simulated.
     """
 
-    scenarios: list[ScenarioVerdict] = field(default_factory=list)
-    reasons: list[str] = field(default_factory=list)
+    scenarios: list[ScenarioVerdict] = []
+    reasons: list[str] = []
     compiled: bool = True
     engine: str = ""
     compiler: str = ""
@@ -121,15 +119,15 @@ class Verdict:
     lines_pct: float = 0.0
     branches_pct: float = 0.0
     racy: int = 0
-    racy_branches: list[str] = field(default_factory=list)
-    missed_branches: list[str] = field(default_factory=list)
-    binding: list[dict[str, Json]] = field(default_factory=list)
-    functions: dict[str, tuple[str, ...]] = field(default_factory=dict)
-    not_compared: list[str] = field(default_factory=list)
-    why_not_compared: dict[str, str] = field(default_factory=dict)
+    racy_branches: list[str] = []
+    missed_branches: list[str] = []
+    binding: list[dict[str, Json]] = []
+    functions: dict[str, tuple[str, ...]] = {}
+    not_compared: list[str] = []
+    why_not_compared: dict[str, str] = {}
     calls: CallsAround = field(default_factory=CallsAround)
     little_room: str = ""
-    stand_ins: list[str] = field(default_factory=list)
+    stand_ins: list[str] = []
 
     @property
     def verdict(self) -> str:
@@ -158,7 +156,7 @@ class Verdict:
     @property
     def simulated_s(self) -> float:
         """Seconds that were simulated and compared, of all scenarios."""
-        return sum(s.simulated_ms for s in self.scenarios) / 1000
+        return sum_of(s.simulated_ms for s in self.scenarios) / 1000
 
     @property
     def first_difference(self) -> tuple[ScenarioVerdict, FirstDifference] | None:
@@ -176,7 +174,7 @@ class Verdict:
                 found.setdefault(channel.channel, []).append(channel)
         until_ms = _rounded(min((s.until_ms for s in self.scenarios if s.channels and s.until_ms is not None), default=None))
         return [
-            {"name": name, "status": _worst(each), "events": sum(c.events for c in each), "until_ms": until_ms}
+            {"name": name, "status": _worst(each), "events": sum_of(c.events for c in each), "until_ms": until_ms}
             for name, each in found.items()
         ]
 

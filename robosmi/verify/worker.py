@@ -11,8 +11,10 @@ import json
 import sys
 from typing import Any
 
+from robosmi.data_text import json_written
 from robosmi.errors import RobosmiError
 from robosmi.plugins import content
+from robosmi.typed import class_name
 from robosmi.verify.simulation import DeviceUse, Engine, Job, PinTrace
 
 
@@ -28,7 +30,7 @@ def answer(question: dict[str, Any]) -> dict[str, Any]:
     try:
         trace: PinTrace = engine.run(job)
     except RobosmiError as error:
-        return {"error": type(error).__name__, "message": error.message, "fix": error.fix}
+        return {"error": class_name(error), "message": error.message, "fix": error.fix}
     return {
         "engine": trace.engine,
         "state": trace.state,
@@ -45,4 +47,4 @@ def answer(question: dict[str, Any]) -> dict[str, Any]:
 
 if __name__ == "__main__":
     gc.disable()  # a run makes many small things, keeps them, and ends
-    sys.stdout.write(json.dumps(answer(json.load(sys.stdin))))  # `json.dump` to a file takes seven times as long
+    sys.stdout.write(json_written(answer(json.load(sys.stdin))))  # `json.dump` to a file takes seven times as long

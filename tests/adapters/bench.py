@@ -10,9 +10,11 @@ from __future__ import annotations
 import re
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
+
+from msgspec.structs import replace
 
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece, read_adapter_file
 from robosmi.transformations.knowledge.adapter_model import adapter_element

@@ -10,9 +10,11 @@ import re
 import subprocess
 import tempfile
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache, partial
 from pathlib import Path
+
+from msgspec.structs import replace
 
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece, read_adapter_file
 from robosmi.transformations.knowledge.adapter_model import adapter_element

@@ -13,8 +13,9 @@ import sys
 import tempfile
 import tomllib
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
+
+from msgspec.structs import replace
 
 import robosmi
 from robosmi.transformations.chains.models import load_models

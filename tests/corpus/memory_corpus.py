@@ -12,9 +12,11 @@ import argparse
 import subprocess
 import tempfile
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
+
+from msgspec.structs import replace
 
 import robosmi
 from robosmi.errors import RobosmiError

@@ -10,7 +10,8 @@ import difflib
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+
+from msgspec import Struct
 
 BOM = b"\xef\xbb\xbf"
 LEFT = {"RS516", "RS522"}
@@ -24,8 +25,7 @@ _WORD = re.compile(r"\w+|[^\w\s]")
 _REGION = re.compile(r"protected region (\S+) (on begin|off begin|end)\b")
 
 
-@dataclass
-class Round:
+class Round(Struct):
     """One file in one run; None where there is no such file."""
 
     name: str
@@ -33,8 +33,8 @@ class Round:
     edited: bytes | None
     made: bytes | None
     after: bytes | None
-    rules: set[str] = field(default_factory=set)
-    old: list[bytes] = field(default_factory=list)
+    rules: set[str] = set()
+    old: list[bytes] = []
 
 
 def lines(data: bytes) -> list[str]:

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 import importlib.util
 import json
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
 from typing import Any
+
+from msgspec.structs import replace
 
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.decision import DecisionModel

@@ -11,13 +11,13 @@ import tempfile
 import threading
 from collections.abc import Callable
 from contextlib import closing
-from dataclasses import replace
 from datetime import date
 from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from robosmi.errors import MissingToolError, SourceError, UsageError
 from robosmi.model import load_model, save_model

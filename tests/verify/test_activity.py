@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable
-from dataclasses import replace
 
 import pytest
+from msgspec.structs import replace
 
 from robosmi.verify.activity import IDLE, LEVEL, WAVE, Sight, activity, console_lines
 from robosmi.verify.simulation import ConsoleByte, PinChange, PinTrace, Wave

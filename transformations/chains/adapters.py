@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.data_text import Json
@@ -38,8 +39,7 @@ _INCLUDE = re.compile(r"^#include\s+(<[^>]+>|\"[^\"]+\")", re.MULTILINE)
 _HOW = "write its body into adapters.h of a program that calls it, then: robosmi adapters save OUT"
 
 
-@dataclass
-class AdaptersTold:
+class AdaptersTold(Struct):
     """Adapters as the contract lists them.
 
     Attributes:
@@ -48,9 +48,9 @@ class AdaptersTold:
         written: the adapter files that were written.
     """
 
-    adapters: list[dict[str, Any]] = field(default_factory=list)
-    findings: list[Finding] = field(default_factory=list)
-    written: list[str] = field(default_factory=list)
+    adapters: list[dict[str, Any]] = []
+    findings: list[Finding] = []
+    written: list[str] = []
 
     @property
     def result(self) -> dict[str, Any]:

@@ -7,8 +7,9 @@ the run stops before it is written over.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError
@@ -23,8 +24,7 @@ from robosmi.transformations.m2m.plan_tasks import settle
 from robosmi.transformations.m2m.stored_choices import GONE, NOTHING, StoredChoices, choices_of_persons
 
 
-@dataclass
-class Adopted:
+class Adopted(Struct):
     """What is taken over from the plan of an output folder.
 
     Attributes:
@@ -34,8 +34,8 @@ class Adopted:
     """
 
     choices: StoredChoices = NOTHING
-    inputs: Mapping[str, bytes | None] = field(default_factory=dict)
-    notes: list[Finding] = field(default_factory=list)
+    inputs: Mapping[str, bytes | None] = {}
+    notes: list[Finding] = []
 
 
 def adopt(output: Path) -> Adopted:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.chain import Chain
 from robosmi.chain.run import Progress
@@ -21,8 +22,7 @@ from robosmi.transformations.t2m.c_source.side_file import ENDING as PROJECT
 from robosmi.transformations.t2m.c_source.side_file import read_side
 
 
-@dataclass(frozen=True)
-class Analysis:
+class Analysis(Struct, frozen=True):
     """A program that was analysed: its code model, the contract's result, the findings."""
 
     program: ccode.Program
@@ -81,7 +81,7 @@ def read_program_and_findings(
     """
     if len(paths) == 1 and paths[0].suffix == PROJECT:
         side = read_side(str(paths[0]), sourced=True)
-        folders, macros = [*include_dirs, *map(Path, side.include_dirs)], [*defines, *side.defines]
+        folders, macros = [*include_dirs, *(Path(each) for each in side.include_dirs)], [*defines, *side.defines]
         program, findings = read_program([Path(source) for source in side.sources], api.name, folders, macros)
         return program, [*side.findings, *findings]
     return read_program(paths, api.name, include_dirs, defines)

@@ -25,7 +25,7 @@ from robosmi.transformations.chains.constraint_sets import KIND, constraints_of
 from robosmi.transformations.chains.readers import is_drawing
 from robosmi.transformations.chains.reading import read_drawing
 from robosmi.transformations.constraints.electrical_plan import wired
-from robosmi.typed import distinct
+from robosmi.typed import distinct, sum_of
 
 
 class Checked:
@@ -92,7 +92,7 @@ def _validated(done: Checked, models: Sequence[Model]) -> Checked:
         sets = [constraints_of(name) for name in _metamodels(model) if name in registry().names(KIND)]
         for one in sets:
             done.findings += one.run(model, *_referred(model, models)).findings()
-        counted = sum(len(c.constraints) for one in sets for module in one.modules() for c in module.contexts)
+        counted = sum_of(len(c.constraints) for one in sets for module in one.modules() for c in module.contexts)
         done.models.append({"model": model.name, "elements": len(list(model.all_contents())), "constraints": counted})
     return done
 

@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
+
+from msgspec import field
+from msgspec.structs import asdict
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError, UsageError, did_you_mean
@@ -40,6 +42,7 @@ from robosmi.transformations.m2m.port_binding import bind_by_hand
 from robosmi.transformations.queries.answers import answer
 from robosmi.transformations.queries.choices import NO_LIBRARY, Choice, choices_json, the_choice
 from robosmi.transformations.queries.plan import open_choices
+from robosmi.typed import replaced
 
 ROLE = "role:"
 """How the identity of a choice of a role begins."""
@@ -47,7 +50,6 @@ STAYS = "RS415"
 """The rule that says that a choice is in the plan alone."""
 
 
-@dataclass
 class Chosen(Generated):
     """What a choice has made.
 
@@ -156,7 +158,7 @@ def choose(
         models.notes.append(_stays(folder, change.stays, known=place is not None))
     remember(made, history)
     project = place / FILE_NAME if place is not None and not change.stays else None
-    return Chosen(**vars(made), chosen=chosen, project=project, settings=settings, command=command_for(folder, chosen, why))
+    return Chosen(**asdict(made), chosen=chosen, project=project, settings=settings, command=command_for(folder, chosen, why))
 
 
 def _as_stored(folder: Path, models: MigrationModels) -> dict[str, bytes]:
@@ -216,10 +218,10 @@ def _roles(folder: Path, answers: Mapping[str, str], *, seen: str | None, dry_ru
         roles = {name: role for name, role in {**known.roles, **entries_now}.items() if role is not None}
         files, arguments = run
         made = migrate(
-            files, folder, project=replace(known, roles=roles), outside=lambda: change.files, dry_run=dry_run, **arguments
+            files, folder, project=replaced(known, roles=roles), outside=lambda: change.files, dry_run=dry_run, **arguments
         )
     chosen = dict(answers)
-    return Chosen(**vars(made), chosen=chosen, project=project, settings=known, command=command_for(folder, chosen))
+    return Chosen(**asdict(made), chosen=chosen, project=project, settings=known, command=command_for(folder, chosen))
 
 
 def decide(plan: migration.MigrationPlan, choice: Choice, value: str, why: str = "") -> None:
@@ -288,7 +290,7 @@ def _project_change(models: MigrationModels, chosen: Mapping[str, str], folder: 
     tables = {"bind": settings.bind, "libraries": settings.libraries}
     others = [f'{key} = "{tables[t][key]}"' for t, values in entries.items() for key in values if key in tables[t]]
     if change.stays and others:
-        return replace(change, stays=f"{change.stays}, and says {', '.join(others)}, which counts when you migrate again")
+        return replaced(change, stays=f"{change.stays}, and says {', '.join(others)}, which counts when you migrate again")
     return change
 
 

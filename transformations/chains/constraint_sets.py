@@ -12,6 +12,7 @@ from robosmi.errors import RuleError
 from robosmi.metamodels import migration
 from robosmi.model import EmfModel
 from robosmi.plugins import registry
+from robosmi.typed import class_name
 from robosmi.validate import EVL
 
 KIND = "constraints"
@@ -72,7 +73,7 @@ def _together(offered: Sequence[tuple[EVL, str]]) -> EVL:
         known = {id(c) for made in built_in for c in made.declared()}
     for made, owner in offered:
         if owner and not isinstance(made, EVL):
-            raise RuleError(f"the constraints of {owner} are a {type(made).__name__}", fix="offer an EVL (robosmi.validate)")
+            raise RuleError(f"the constraints of {owner} are a {class_name(made)}", fix="offer an EVL (robosmi.validate)")
         own = [c for c in made.declared() if owner and id(c) not in known]
         if (taken := next((c for c in own if c.id in owners), None)) is not None:
             raise RuleError(

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location
@@ -17,7 +18,7 @@ from robosmi.transformations.m2m.migration_plan import Hardware
 from robosmi.transformations.queries.circuit import of_board, the_board
 
 
-class StoredDrawing(NamedTuple):
+class StoredDrawing(Struct, frozen=True):
     """A drawing that was read and mapped, and whose circuit has the path of its copy.
 
     Attributes:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.chain import Chain
 from robosmi.chain.run import Progress
@@ -18,10 +19,10 @@ from robosmi.transformations.chains.reading import HEADERS_ONLY, NO_BOARD, Drawi
 from robosmi.transformations.constraints.electrical import electrical_findings
 from robosmi.transformations.queries.circuit import boards, hardware_report, of_board, pin_label, the_board
 from robosmi.transformations.queries.connector_names import told_name, told_names
+from robosmi.typed import paired
 
 
-@dataclass(frozen=True)
-class HardwareAnalysis:
+class HardwareAnalysis(Struct, frozen=True):
     """A drawing that was analysed: its hardware model, the connections, the contract's result, the findings."""
 
     circuit: hw.Circuit
@@ -74,7 +75,7 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
     """Lines of a table for a terminal, columns as wide as they have to be; the last one is not filled up."""
     cells = [[" ".join(cell.split()) for cell in row] for row in (head, *rows)]
     widths = [min(max(len(row[column]) for row in cells), 48) for column in range(len(head))]
-    return [("  " + "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True))).rstrip() for row in cells]
+    return [("  " + "  ".join(cell.ljust(width) for cell, width in paired(row, widths))).rstrip() for row in cells]
 
 
 def _title(component: hw.Component) -> str:

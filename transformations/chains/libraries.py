@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import gzip
 import json
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, cast
+
+from msgspec import Struct
 
 from robosmi.data_text import json_of
 from robosmi.model.files import write_atomic
@@ -22,8 +23,7 @@ from robosmi.transformations.t2m.library_index import build
 from robosmi.transformations.t2m.library_rows import LibraryRow
 
 
-@dataclass(frozen=True)
-class Imported:
+class Imported(Struct, frozen=True):
     """What an import did.
 
     Attributes:
@@ -39,8 +39,7 @@ class Imported:
     known: int
 
 
-@dataclass(frozen=True)
-class ShownLibrary:
+class ShownLibrary(Struct, frozen=True):
     """A library with what it offers to a program."""
 
     facts: LibraryFacts

@@ -9,9 +9,10 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location
@@ -21,6 +22,7 @@ from robosmi.model.files import digest, within
 from robosmi.model.metamodels import built_in
 from robosmi.model.xmi_places import XmiPlaces
 from robosmi.model.xmi_writer import to_xmi
+from robosmi.typed import class_name
 
 PLAN, CODE, HARDWARE, PLATFORM = "plan.xmi", "code.xmi", "hardware.xmi", "platform.xmi"
 FOLDER = "models"
@@ -28,8 +30,7 @@ SKETCH_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_]*")
 """What the name of a sketch, and so of its folder and files, may be made of."""
 
 
-@dataclass
-class MigrationModels:
+class MigrationModels(Struct):
     """The models of one migration.
 
     Attributes:
@@ -48,8 +49,8 @@ class MigrationModels:
     circuit: hardware.Circuit | None
     repository: platform.PlatformRepository
     files: dict[str, bytes]
-    places: dict[str, str] = field(default_factory=dict)
-    notes: list[Finding] = field(default_factory=list)
+    places: dict[str, str] = {}
+    notes: list[Finding] = []
     settled: bool = False
     _places: XmiPlaces | None = None
 
@@ -105,7 +106,7 @@ def load_models(path: Path) -> MigrationModels:
     roots = {file.name: root for file, root in found.items() if file.parent == folder}
     plan = roots.get(path.name)
     if not isinstance(plan, migration.MigrationPlan):
-        kind = type(plan).__name__
+        kind = class_name(plan)
         raise SourceError(
             f"this model is a {kind}, not a migration plan", location=Location(str(path)), fix="give the plan.xmi of a migration"
         )

@@ -8,11 +8,12 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping
 from contextlib import nullcontext
-from dataclasses import dataclass, field, replace
 from datetime import date
 from difflib import unified_diff
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.data_text import Json
 from robosmi.diagnostics import Finding, Location, Severity
@@ -48,6 +49,7 @@ from robosmi.transformations.m2t.program_files import BENCH, ProgramGeneration
 from robosmi.transformations.m2t.terminal_text import terminal_lines
 from robosmi.transformations.queries.plan import open_choices, plan_json, said, target_of
 from robosmi.transformations.queries.work import work_json
+from robosmi.typed import replaced
 
 LAST = ".robosmi/generated"
 """Where the texts that were made last are kept, beside the models."""
@@ -60,8 +62,7 @@ KINDS = {
 }
 
 
-@dataclass
-class Generated:
+class Generated(Struct):
     """What a migration made.
 
     Attributes:
@@ -80,8 +81,8 @@ class Generated:
     output: Path
     contents: dict[str, bytes]
     written: bool
-    new_choices: list[migration.LibraryChoice] = field(default_factory=list)
-    notes: list[Finding] = field(default_factory=list)
+    new_choices: list[migration.LibraryChoice] = []
+    notes: list[Finding] = []
     verification: tuple[dict[str, Json], int] | None = None
     diff: str = ""
     counted: Counted | None = None
@@ -322,7 +323,7 @@ def _trace_texts(plan: migration.MigrationPlan, made: Generation, files: Mapping
     links = [
         link
         for file in made.files
-        for link in replace(file, after=read(files[file.name], errors="surrogateescape").text).links()
+        for link in replaced(file, after=read(files[file.name], errors="surrogateescape").text).links()
         if link.part
     ]
     texts = list(plan.trace.texts)

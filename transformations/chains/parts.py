@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding
 from robosmi.plugins import content
 from robosmi.transformations.knowledge.parts_store import FIRST_TOOL, write_parts
 
 
-@dataclass(frozen=True)
-class PartsImport:
+class PartsImport(Struct, frozen=True):
     """What an import did: the file, the contract's result, and what was left out."""
 
     path: Path

@@ -7,15 +7,15 @@ import does not overwrite them. Reading the headers is `t2m.platform_headers`.
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, cast
 
+from msgspec import Struct
+
 from robosmi import inputs, resources
-from robosmi.data_text import as_table, json_of
+from robosmi.data_text import as_table, json_of, json_written
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.model.files import write_atomic
@@ -23,14 +23,13 @@ from robosmi.project import default_text
 from robosmi.transformations.knowledge.api_data import HeaderContent, PlatformSettings
 from robosmi.transformations.knowledge.platform_api import ApiIndex, forget_platforms
 from robosmi.transformations.t2m.platform_headers import read_headers
-from robosmi.typed import distinct
+from robosmi.typed import distinct, sum_of
 
 _NAME = re.compile(r"[A-Za-z][\w-]{0,63}")
 _KINDS = ("functions", "macros", "vars", "consts", "types", "registers")
 
 
-@dataclass(frozen=True)
-class PlatformImport:
+class PlatformImport(Struct, frozen=True):
     """What an import did: the platform's folder, the contract's result, what was left out, and the files written."""
 
     folder: Path
@@ -89,7 +88,7 @@ def import_platform(
         "skipped": [{"path": path, "why": why} for path, why in sorted(found.skipped.items())],
         "missing": found.missing,
         "written": names,
-        "totals": {kind: sum(each[kind] for each in counts) for kind in _KINDS},
+        "totals": {kind: sum_of(each[kind] for each in counts) for kind in _KINDS},
         "known": len(headers),
     }
     return PlatformImport(target, result, _findings(found.skipped, found.missing), names)
@@ -169,7 +168,7 @@ def _settings(name: str, base: ApiIndex, defines: Sequence[str]) -> str:
 
 
 def _key(key: str) -> str:
-    return key if re.fullmatch(r"[\w-]+", key) else json.dumps(key)
+    return key if re.fullmatch(r"[\w-]+", key) else json_written(key)
 
 
 def _value(value: Any) -> str:
@@ -178,11 +177,11 @@ def _value(value: Any) -> str:
         return "{ " + ", ".join(f"{_key(k)} = {_value(v)}" for k, v in value.items()) + " }"
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_value(v) for v in value) + "]"
-    return json.dumps(value, ensure_ascii=False)
+    return json_written(value, ensure_ascii=False)
 
 
 def _line(value: Any) -> str:
-    return json.dumps(value, ensure_ascii=True, separators=(",", ":"))
+    return json_written(value, ensure_ascii=True, separators=(",", ":"))
 
 
 def _findings(skipped: dict[str, str], missing: Sequence[str]) -> list[Finding]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location
@@ -25,7 +26,7 @@ from robosmi.transformations.t2m.c_source.sources import source_files
 from robosmi.typed import distinct
 
 
-class ProgramFiles(NamedTuple):
+class ProgramFiles(Struct, frozen=True):
     """The files of one program, headers of its own behind the sources, how they are read, and what was left out of them."""
 
     paths: Sequence[Path]
@@ -34,7 +35,7 @@ class ProgramFiles(NamedTuple):
     findings: Sequence[Finding] = ()
 
 
-class StoredProgram(NamedTuple):
+class StoredProgram(Struct, frozen=True):
     """A program that was read and whose units have the paths of their copies.
 
     Attributes:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from robosmi import resources
 from robosmi.diagnostics import Finding, Location
@@ -16,6 +18,7 @@ from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.described_circuit import describe
 from robosmi.transformations.m2m.connector_mapping import map_connectors
 from robosmi.transformations.queries.circuit import boards
+from robosmi.typed import paired
 
 HEADERS_ONLY, NO_BOARD = "RS219", "RS229"
 """Rules by which readers say that a schematic has no board: it seems to be drawn as headers, or there is none."""
@@ -36,7 +39,7 @@ def read_program(
     check_source_platform(platform_name)
     seen: set[str] = set()
     readers = [reader_for(path, "program reader", "c_source") for path in paths]
-    for path, reader in zip(paths, readers, strict=True):
+    for path, reader in paired(paths, readers):
         if os.path.realpath(path) in seen:
             raise UsageError(f"'{path}' is given twice", fix="give each source file once")
         seen.add(os.path.realpath(path))
@@ -68,7 +71,7 @@ def source_platforms() -> list[str]:
     return sorted({api.parent.name for folder in resources.folders("platform_repo") for api in folder.glob("*/api.json")})
 
 
-class Drawing(NamedTuple):
+class Drawing(Struct, frozen=True):
     """A drawing that was read and mapped.
 
     Attributes:

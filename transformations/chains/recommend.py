@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding
 from robosmi.errors import UsageError
@@ -20,15 +21,15 @@ from robosmi.transformations.chains.reading import read_drawing
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2m.library_choice import component_query
 from robosmi.transformations.queries.circuit import boards, the_board
+from robosmi.typed import paired
 
 
-@dataclass(frozen=True)
-class Recommendations:
+class Recommendations(Struct, frozen=True):
     """The recommendations for some components, in their order."""
 
     queries: list[ComponentQuery]
     answers: list[Recommendation]
-    findings: list[Finding] = field(default_factory=list)
+    findings: list[Finding] = []
 
     @property
     def result(self) -> dict[str, Any]:
@@ -39,7 +40,7 @@ class Recommendations:
         from robosmi.report.notebook import bar, quoted, table  # for notebooks only
 
         rows = []
-        for query, answer in zip(self.queries, self.answers, strict=True):
+        for query, answer in paired(self.queries, self.answers):
             best = max((c.score for c in answer.candidates), default=0.0)
             shown = answer.candidates[: 5 if answer.decision != "none" else 0]
             named = [f"{quoted(c.library)}{bar(c.score / best if best > 0 else 0)}{quoted('; '.join(c.reasons))}" for c in shown]
@@ -50,7 +51,7 @@ class Recommendations:
     def lines(self) -> list[str]:
         """What a person reads: the decision with its reason, and where a library is of use the best five, each with a reason."""
         lines: list[str] = []
-        for query, answer in zip(self.queries, self.answers, strict=True):
+        for query, answer in paired(self.queries, self.answers):
             sure = f" ({answer.confidence:.0%} sure)" if answer.confidence else ""
             why = f": {answer.reasons[0]}" if answer.reasons else ""
             lines.append(f"{query.label or query.title} ({query.title}): {answer.decision}{sure}{why}")

@@ -7,9 +7,10 @@ names pins. Nothing is written but the trace that was asked for.
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.doing import doing
@@ -39,8 +40,7 @@ MOST_EVENTS = 10_000
 """So many events are told at most; all of them are in the VCD."""
 
 
-@dataclass
-class Simulated:
+class Simulated(Struct):
     """What a program did on a simulator.
 
     Attributes:
@@ -52,7 +52,7 @@ class Simulated:
 
     compiled: CompileReport
     trace: PinTrace | None = None
-    ports: list[BoundPort] = field(default_factory=list)
+    ports: list[BoundPort] = []
     written: Path | None = None
 
     @property

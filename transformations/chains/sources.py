@@ -6,14 +6,13 @@ the plan was made from.
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from robosmi import inputs
-from robosmi.data_text import Json, as_list, as_table, as_text, json_of
+from robosmi.data_text import Json, as_list, as_table, as_text, json_of, json_written
 from robosmi.errors import UsageError
 from robosmi.metamodels import migration
 from robosmi.model.files import digest
@@ -43,8 +42,13 @@ def remember_sources(
     found = {name: os.path.abspath(places[name]) for name in _sources(plan) if name in places}
     folder = os.path.abspath(first if first.is_dir() else first.parent)
     told = {name: _absolute(value) for name, value in arguments.items()}
-    record = {"folder": folder, "sources": found, "files": [os.path.abspath(file) for file in files], "arguments": told}
-    keep(output, SOURCES, json.dumps(record, sort_keys=True))
+    record: dict[str, Json] = {
+        "folder": folder,
+        "sources": found,
+        "files": [os.path.abspath(file) for file in files],
+        "arguments": told,
+    }
+    keep(output, SOURCES, json_written(record, sort_keys=True))
 
 
 def _absolute(value: Any) -> Any:

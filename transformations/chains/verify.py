@@ -7,9 +7,10 @@ stored with the models, or made by a search; new ones are stored. Nothing else i
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.doing import doing
@@ -39,6 +40,7 @@ from robosmi.transformations.verification.port_devices import BoundPort, bound_p
 from robosmi.transformations.verification.scenario_search import search
 from robosmi.transformations.verification.source_reached import cover
 from robosmi.transformations.verification.target_side import LIMIT_S, NOTHING_SEEN, TargetSide
+from robosmi.typed import paired, sum_of
 from robosmi.verify.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.libraries import STAND_IN
@@ -55,8 +57,7 @@ FOLDER = "scenarios"
 """Where scenarios are stored, beside the models."""
 
 
-@dataclass
-class Verified:
+class Verified(Struct):
     """A verification with what was written.
 
     Attributes:
@@ -67,7 +68,7 @@ class Verified:
 
     verdict: Verdict
     compiled: CompileReport
-    written: list[tuple[Path, str]] = field(default_factory=list)
+    written: list[tuple[Path, str]] = []
 
     @property
     def findings(self) -> list[Finding]:
@@ -170,7 +171,7 @@ def verify(
         verdict.engine = side.engine
         doing("compare what both do")
         undecided: list[VerificationError] = []
-        for (scenario, runs), trace in zip(cases, ran, strict=True):
+        for (scenario, runs), trace in paired(cases, ran):
             if not side.shows_console:
                 runs.channels.pop(CONSOLE_CHANNEL, None)
             if isinstance(trace, VerificationError):
@@ -253,10 +254,9 @@ def _original(models: MigrationModels, folder: Path, place: Path) -> OriginalPro
     return original_program(sources, load_host_model(str(plan.source.name)), place, limit_s=LIMIT_S)
 
 
-@dataclass
-class _Made:
-    new: list[Scenario] = field(default_factory=list)
-    racy_counts: list[bytes] = field(default_factory=list)
+class _Made(Struct):
+    new: list[Scenario] = []
+    racy_counts: list[bytes] = []
 
 
 Case = tuple[Scenario, SourceRuns]
@@ -309,7 +309,7 @@ def _store(scenarios: Sequence[Scenario], folder: Path, done: Verified) -> None:
 
 def _shown(verdict: Verdict) -> int:
     """The number of the scenario that is shown: the first one that differs, else the one in which most happens."""
-    busiest = max(range(len(verdict.scenarios)), key=lambda n: sum(c.events for c in verdict.scenarios[n].channels))
+    busiest = max(range(len(verdict.scenarios)), key=lambda n: sum_of(c.events for c in verdict.scenarios[n].channels))
     return next((n for n, s in enumerate(verdict.scenarios) if s.verdict == DIFFERENT_VERDICT), busiest)
 
 

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi import __version__, inputs
 from robosmi.diagnostics import Finding, Location, Severity
@@ -34,8 +35,7 @@ FORM = "wiring form"
 """The registry's kind of forms: functions of `(models, OUT, path)` that give `Handed`."""
 
 
-@dataclass
-class Handed:
+class Handed(Struct):
     """A wiring in one form.
 
     Attributes:
@@ -47,9 +47,9 @@ class Handed:
 
     files: Mapping[str, bytes]
     kinds: Mapping[str, str]
-    findings: list[Finding] = field(default_factory=list)
-    result: dict[str, Any] = field(default_factory=dict)
-    written: list[tuple[Path, str]] = field(default_factory=list)
+    findings: list[Finding] = []
+    result: dict[str, Any] = {}
+    written: list[tuple[Path, str]] = []
 
     def artifacts(self) -> list[dict[str, str]]:
         """The files, as the contract lists them."""

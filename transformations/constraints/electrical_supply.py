@@ -12,7 +12,7 @@ from robosmi.transformations.constraints.places import drawing, fault
 from robosmi.transformations.queries.circuit_walk import behind
 from robosmi.transformations.queries.connector_names import told_name
 from robosmi.transformations.queries.electrical import Kind, Role, Wiring, listed, stated_volts, who, wiring
-from robosmi.typed import distinct
+from robosmi.typed import distinct, sum_of
 from robosmi.validate import EVL, Fail
 
 supply = EVL()
@@ -78,7 +78,7 @@ def _source_volts(component: hardware.Component, connector: hardware.Connector) 
     """What a supply gives there: as a board's pin is labelled, as a battery or symbol says of itself."""
     if component.role is Role.Board:
         return stated_volts(connector.name)
-    if sum(c.kind is Kind.supply for c in component.connectors) > 1:
+    if sum_of(c.kind is Kind.supply for c in component.connectors) > 1:
         return None  # what goes in and what comes out
     volts = next((p.value for p in component.properties if p.name.lower() == "voltage"), "")
     return stated_volts(volts if volts[-1:].lower() == "v" else f"{volts}V")
@@ -155,9 +155,9 @@ def BoardCanSupplyThem(b: hardware.Component) -> bool | Fail:
         volts = w.volts(net)
         most = w.supply_ma(volts) if volts and w.fed_by_board(net) is b else None
         loads = dict(_loads(w, net)) if most is not None else {}
-        if most is not None and sum(loads.values()) > most:
+        if most is not None and sum_of(loads.values()) > most:
             names = listed([f"'{who(c)}'" for c in loads])
-            total = sum(loads.values())
+            total = sum_of(loads.values())
             message = f"{names} may take {total} mA from the {volts:g} V of '{who(b)}', which gives about {most} mA"
             return fault(b, message, needed_ma=total, given_ma=most)
     return True

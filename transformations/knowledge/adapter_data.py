@@ -7,16 +7,16 @@ further files. A file whose text is not the one that its data was built from, or
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import MISSING, fields
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+from msgspec.structs import astuple
+
 from robosmi import inputs
-from robosmi.data_text import Json, as_table, json_of
+from robosmi.data_text import Json, as_table, json_of, json_written
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.model.files import write_atomic
@@ -30,7 +30,7 @@ from robosmi.transformations.knowledge.adapter_files import (
     adapter_file,
 )
 from robosmi.transformations.knowledge.adapter_ranges import ArgumentRange
-from robosmi.typed import distinct
+from robosmi.typed import distinct, dynamic_attribute
 
 ENDINGS = (".cpp", ".c")
 """Of adapter files, in C++ and in C."""
@@ -41,11 +41,9 @@ _PARTS = {
     "interrupts": InterruptStack,
     "ranges": ArgumentRange,
 }
-_DEFAULTS = {
-    field.name: field.default if field.default is not MISSING else []
-    for field in fields(AdapterPiece)
-    if field.name not in ("kind", "name", "header", "location")
-}
+_PLAIN = AdapterPiece("", "", "", Location(""))
+"""A piece without anything that need not be said: what equals its values is not written."""
+_OPTIONAL = AdapterPiece.__struct_fields__[4:]
 
 
 def adapter_paths(folder: Path) -> list[Path]:
@@ -99,20 +97,20 @@ def to_data(file: AdapterFile, raw: bytes, headers: Mapping[str, Sequence[str]])
         headers: name of a piece of any file -> the headers that have one.
     """
     rows = [_piece(piece, headers) for piece in file.pieces]
-    text = ",\n".join(json.dumps(row, ensure_ascii=False) for row in rows)
+    text = ",\n".join(json_written(row, ensure_ascii=False) for row in rows)
     said = {"header": file.header, "digest": sha256(raw).hexdigest(), "unsupported": file.unsupported}
-    head = json.dumps(said | ({"tasks": file.tasks} if file.tasks else {}), ensure_ascii=False)
+    head = json_written(said | ({"tasks": file.tasks} if file.tasks else {}), ensure_ascii=False)
     return f'{head[:-1]}, "pieces": [\n{text}\n]}}\n'
 
 
 def _piece(piece: AdapterPiece, headers: Mapping[str, Sequence[str]]) -> dict[str, Json]:
     row: dict[str, Json] = {"kind": piece.kind, "name": piece.name, "line": piece.location.line}
-    for key, default in _DEFAULTS.items():
-        value = getattr(piece, key)
-        if value == default:
+    for key in _OPTIONAL:
+        value = dynamic_attribute(piece, key)
+        if value == dynamic_attribute(_PLAIN, key):
             continue
         if key in _PARTS:
-            value = [[*part] if isinstance(part, tuple) else [getattr(part, f.name) for f in fields(part)] for part in value]
+            value = [[*part] if isinstance(part, tuple) else [*astuple(part)] for part in value]
         elif key == "needs":
             value = [_complete(name, piece.header, headers) for name in value]
         row[key] = value

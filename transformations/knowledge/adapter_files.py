@@ -10,14 +10,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapter_ranges import ArgumentRange, argument_range
+from robosmi.typed import dynamic_attribute
 
 MARK = "//#"
 NOT_SERVED = "unsupported"
@@ -55,7 +56,7 @@ _TABLE = re.compile(r"(\w+) (\d+)")
 _PORT = re.compile(r"(\w+) = (\w+\.\w+) (\d+) (\w+) (\w+)(?: ([\w-]+))?")
 
 
-class AdapterPin(NamedTuple):
+class AdapterPin(Struct, frozen=True):
     """A parameter of an adapter that is a pin of the target.
 
     Attributes:
@@ -75,7 +76,7 @@ class AdapterPin(NamedTuple):
     split: bool = False
 
 
-class ConventionalPort(NamedTuple):
+class ConventionalPort(Struct, frozen=True):
     """A pin that an adapter uses without being told: a constant that is declared with the pin to which the port is bound.
 
     Attributes:
@@ -93,7 +94,7 @@ class ConventionalPort(NamedTuple):
     role: str
 
 
-class PortTable(NamedTuple):
+class PortTable(Struct, frozen=True):
     """A table that an adapter looks ports of the source up in: an array, declared with the pin of each port from 0 on.
 
     Attributes:
@@ -105,7 +106,7 @@ class PortTable(NamedTuple):
     size: int
 
 
-class InterruptStack(NamedTuple):
+class InterruptStack(Struct, frozen=True):
     """How much stack an interrupt takes that comes once an adapter is called.
 
     Attributes:
@@ -119,8 +120,7 @@ class InterruptStack(NamedTuple):
     others: int
 
 
-@dataclass
-class AdapterPiece:
+class AdapterPiece(Struct):
     """A piece of an adapter file.
 
     Attributes:
@@ -161,35 +161,34 @@ class AdapterPiece:
     header: str
     location: Location
     text: str = ""
-    signatures: list[str] = field(default_factory=list)
+    signatures: list[str] = []
     relation: str = ""
-    needs: list[str] = field(default_factory=list)
-    includes: list[str] = field(default_factory=list)
-    libraries: list[str] = field(default_factory=list)
+    needs: list[str] = []
+    includes: list[str] = []
+    libraries: list[str] = []
     role: str = ""
-    setup: list[str] = field(default_factory=list)
-    timers: list[str] = field(default_factory=list)
-    vectors: list[str] = field(default_factory=list)
-    taken: list[str] = field(default_factory=list)
-    mcus: list[str] = field(default_factory=list)
-    members: list[str] = field(default_factory=list)
-    beside: list[str] = field(default_factory=list)
-    pins: list[AdapterPin] = field(default_factory=list)
-    ports: list[ConventionalPort] = field(default_factory=list)
-    tables: list[PortTable] = field(default_factory=list)
-    ranges: list[ArgumentRange] = field(default_factory=list)
+    setup: list[str] = []
+    timers: list[str] = []
+    vectors: list[str] = []
+    taken: list[str] = []
+    mcus: list[str] = []
+    members: list[str] = []
+    beside: list[str] = []
+    pins: list[AdapterPin] = []
+    ports: list[ConventionalPort] = []
+    tables: list[PortTable] = []
+    ranges: list[ArgumentRange] = []
     fidelity: str = ""
-    limits: list[str] = field(default_factory=list)
-    symmetric: list[str] = field(default_factory=list)
+    limits: list[str] = []
+    symmetric: list[str] = []
     target_name: str = ""
     stack: int = -1
     stack_once: int = -1
-    interrupts: list[InterruptStack] = field(default_factory=list)
+    interrupts: list[InterruptStack] = []
     ram: int = 0
 
 
-@dataclass
-class AdapterFile:
+class AdapterFile(Struct):
     """What an adapter file says.
 
     Attributes:
@@ -200,9 +199,9 @@ class AdapterFile:
     """
 
     header: str = ""
-    pieces: list[AdapterPiece] = field(default_factory=list)
+    pieces: list[AdapterPiece] = []
     unsupported: str = ""
-    tasks: dict[str, str] = field(default_factory=dict)
+    tasks: dict[str, str] = {}
 
 
 def read_adapter_file(path: Path) -> list[AdapterPiece]:
@@ -319,7 +318,7 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
         )  # fmt: skip
     if key in _LISTS:
         attribute = _ATTRIBUTES.get(key, key)
-        known: list[str] = getattr(piece, attribute)
+        known: list[str] = dynamic_attribute(piece, attribute)
         known += [value] if key == "library" else value.split()
     elif key in ("for", "setup", "limit"):
         {"for": piece.signatures, "setup": piece.setup, "limit": piece.limits}[key].append(value)

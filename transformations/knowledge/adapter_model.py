@@ -6,6 +6,7 @@ from robosmi.metamodels import platform
 from robosmi.model.strict import enum_literal
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 from robosmi.transformations.knowledge.platform_model import DIRECTIONS
+from robosmi.typed import dynamic_attribute
 
 KINDS = {
     "adapter": "adaptedFunction", "constant": "constant", "register": "register", "variable": "variable", "type": "dataType",
@@ -19,7 +20,7 @@ _SAME = (
 
 def adapter_element(piece: AdapterPiece) -> platform.Adapter:
     """A piece as a new element, without what it needs."""
-    said = {name: value for name in _SAME if (value := getattr(piece, name))}
+    said = {name: value for name in _SAME if (value := dynamic_attribute(piece, name))}
     return platform.Adapter(
         name=piece.name,
         pieceKind=enum_literal(platform.PieceKind, KINDS[piece.kind]),

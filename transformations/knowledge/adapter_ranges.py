@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.errors import did_you_mean
 
@@ -15,7 +16,7 @@ _RANGE = re.compile(r"(\w+) (-?\d+)?\.\.(-?\d+)?((?: or -?\d+)*)(?: beside ([\w.
 _NAME = re.compile(r"(\w+)\s*(?:\[[^\]]*\]\s*)*$")
 
 
-class ArgumentRange(NamedTuple):
+class ArgumentRange(Struct, frozen=True):
     """Which values of a parameter an adapter can serve.
 
     Attributes:

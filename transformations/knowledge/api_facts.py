@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple, Protocol
 
+from msgspec import Struct
+
 from robosmi.transformations.knowledge.api_data import FunctionMeaning, HeaderContent, PlatformSettings
 
 HEADER_KINDS = {"platform": "platform", "standard": "standard", "posix": "posix", "std-internal": "standard"}
@@ -57,7 +59,7 @@ class PinParameter(NamedTuple):
     none: tuple[str, ...] = ()
 
 
-class Convention(NamedTuple):
+class Convention(Struct, frozen=True):
     """A pin that a function uses without an argument; `when` restricts it to calls with such an argument."""
 
     pin: int
@@ -67,7 +69,7 @@ class Convention(NamedTuple):
     when: dict[str, int] | None = None
 
 
-class PinFacts(NamedTuple):
+class PinFacts(Struct, frozen=True):
     """The pins of one function of one header."""
 
     parameters: tuple[PinParameter, ...]

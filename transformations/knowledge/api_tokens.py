@@ -7,7 +7,8 @@ anything, where one holds a piece of a declaration). What the declarations are i
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from robosmi.transformations.knowledge.api_spelling import literal
 from robosmi.transformations.knowledge.lexer import definition_parts, directive_parts, tokens
@@ -22,8 +23,7 @@ _MOST_CONDITIONS = 64  # within each other
 OPEN, _CLOSE = {"(": ")", "[": "]", "{": "}"}, frozenset(")]}")
 
 
-@dataclass
-class _Condition:
+class _Condition(Struct):
     """An open `#if`: what stands before it, its branches so far, and whether the branch at hand is never compiled."""
 
     around: list[Part]

@@ -312,8 +312,8 @@ def _literal_rules(platform_name: str, project: Path | None) -> list[DataTable]:
 def _literal(pin: platform.Pin, rules: list[DataTable]) -> str:
     """How a program writes a pin: by the first rule whose pattern fits its label or its port, else by its label."""
     for rule in rules:
-        key = "port" if "port" in rule.values else "label"
-        if match := re.fullmatch(rule.text(key), getattr(pin, key)):
+        key, said = ("port", pin.port) if "port" in rule.values else ("label", pin.label)
+        if match := re.fullmatch(rule.text(key), str(said)):
             return match.expand(rule.text("literal"))
     return str(pin.label)
 

@@ -58,7 +58,7 @@ def _knowledge(tables: _Files, usual: _Files, single: _Files) -> Knowledge:
     words, decision = (path for path, _ in single)
     stop = read_data(words)
     return Knowledge(
-        stop=StopWords(*(frozenset(map(stem, as_texts(stop.get(key, ())))) for key in ("makers", "common"))),
+        stop=StopWords(*(frozenset(stem(each) for each in as_texts(stop.get(key, ()))) for key in ("makers", "common"))),
         lexicon=Lexicon(path for path, _ in tables),
         usual=_usual([path for path, _ in usual]),
         model=DecisionModel.from_data(read_data(decision)),

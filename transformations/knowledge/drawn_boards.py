@@ -11,7 +11,8 @@ import re
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.errors import did_you_mean
 from robosmi.transformations.knowledge.board_models import board_file, check_drawn, drawing_files, only_draws, table_of, text_of
@@ -21,7 +22,7 @@ PIN_TABLE = "pin table"
 """The "drawing tool" of pin tables, in which a board is called by its short name and its connectors by their labels."""
 
 
-class DrawnBoard(NamedTuple):
+class DrawnBoard(Struct, frozen=True):
     """How a board is drawn: its short name, its title, and the pin label of each connector that is a pin."""
 
     name: str
@@ -54,7 +55,7 @@ def drawn_board(part_id: str, tool: str, project: Path | None = None) -> DrawnBo
         table = table_of(path)
         check_drawn(table)
         for drawn in table.tables("drawn_as", needed=False):
-            if drawn.text("tool") == tool and wanted in map(_plain, drawn.texts("modules")):
+            if drawn.text("tool") == tool and wanted in (_plain(each) for each in drawn.texts("modules")):
                 board = _with_pins(path, table, project)
                 return DrawnBoard(path.stem, board.text("title", path.stem), _connectors(drawn, board))
     return None

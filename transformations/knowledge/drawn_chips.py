@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
+
+from msgspec import Struct
 
 from robosmi.transformations.knowledge.board_models import drawing_files, only_draws, table_of, text_of
 from robosmi.transformations.knowledge.drawn_boards import DrawnBoard
@@ -19,8 +20,7 @@ _PORT = re.compile(r"(?<![A-Z0-9])(P[A-L][0-7]|ADC[67])(?![0-9])", re.IGNORECASE
 _CHIP = re.compile(r"(?<![A-Z])(?:AT)?((?:MEGA|TINY)[0-9]+[A-Z0-9]*)", re.IGNORECASE)
 
 
-@dataclass(frozen=True, slots=True)
-class DrawnChip:
+class DrawnChip(Struct, frozen=True):
     """A bare microcontroller as a board.
 
     Attributes:

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, fields, replace
 from fnmatch import fnmatchcase, translate
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.data_text import Json, as_list, as_number, as_table, as_text, as_texts, as_whole, line_of_key, line_of_value
@@ -22,7 +23,7 @@ from robosmi.metamodels import hardware
 from robosmi.resources import folders
 from robosmi.transformations.knowledge.board_models import ABILITIES
 from robosmi.transformations.knowledge.part_names import Phrases, read_toml
-from robosmi.typed import distinct
+from robosmi.typed import distinct, replaced
 
 FILE = "parts/electrical.toml"
 """Place of the table in a folder of data; its head says what the keys mean."""
@@ -31,8 +32,7 @@ _FINDERS = ("ids", "words", "families", "not")
 _CHIP_NAMES = ("chip label", "part number", "mpn", "label")
 
 
-@dataclass(frozen=True, slots=True)
-class DeviceFacts:
+class DeviceFacts(Struct, frozen=True):
     """What is known of one kind of device; everything is optional.
 
     Attributes:
@@ -155,12 +155,12 @@ class Electrical:
             return None
         told = next((p.value for p in component.properties if p.name == REST), "")
         if told in _WORDS["rest"]:
-            return replace(found, rest=told)
+            return replaced(found, rest=told)
         if not found.rest_when:
             return found
         name, value, rest = found.rest_when
         has_it = any(p.name == name and p.value.strip().lower() == value for p in component.properties)
-        return replace(found, rest=rest) if has_it else found
+        return replaced(found, rest=rest) if has_it else found
 
     def meanings(self, name: str) -> tuple[str, ...]:
         """What a connector's name says (`sda`, `output`; the keys of `[names]`), each once."""
@@ -203,7 +203,7 @@ def _read(files: tuple[tuple[str, int], ...]) -> Electrical:
     return Electrical(tuple(ElectricalFacts(read_toml(path), path) for path, _ in files))
 
 
-_KEYS = {field.name for field in fields(DeviceFacts)}
+_KEYS = {*DeviceFacts.__struct_fields__}
 _FLAGS = ("needs_driver", "inductive", "switch", "series_resistor", "limits_current", "pull_ups", "isolated", "tone")
 _TYPES: dict[str, tuple[type, ...]] = {"kind": (str,), "peak_ma": (int,), "signal_volts": (int, float)} | dict.fromkeys(
     _FLAGS, (bool,)

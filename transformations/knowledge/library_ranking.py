@@ -10,7 +10,9 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from robosmi import resources
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
@@ -31,7 +33,7 @@ if TYPE_CHECKING:
 _VERSION = re.compile(r"\s*\([^()]*\)\s*$")
 
 
-class LibraryFacts(NamedTuple):
+class LibraryFacts(Struct, frozen=True):
     """A library as the plan needs it.
 
     Attributes:

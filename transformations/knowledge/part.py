@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+
+from msgspec import Struct
 
 GIVEN = "given by the user"
 """The evidence of a role that a person gave."""
@@ -20,8 +21,7 @@ KINDS = ("unknown", "signal", "supply", "ground")
 """What a connector carries, as the hardware metamodel names it."""
 
 
-@dataclass(frozen=True, slots=True)
-class PartConnector:
+class PartConnector(Struct, frozen=True):
     """A connector of a part: identity, name, what it carries (one of `KINDS`)."""
 
     id: str
@@ -29,8 +29,7 @@ class PartConnector:
     kind: str = "unknown"
 
 
-@dataclass(frozen=True, slots=True)
-class Part:
+class Part(Struct, frozen=True):
     """What is known of a part, from the catalogue or from a definition in the drawing.
 
     Attributes:
@@ -56,9 +55,9 @@ class Part:
     role: str = "Unknown"
     evidence: str = ""
     driver: bool = False
-    connectors: Mapping[str, PartConnector] = field(default_factory=dict)
-    buses: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    properties: Mapping[str, str] = field(default_factory=dict)
+    connectors: Mapping[str, PartConnector] = {}
+    buses: Mapping[str, tuple[str, ...]] = {}
+    properties: Mapping[str, str] = {}
     source: str = ""
     tool: str = ""
     description: str = ""

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.data_text import Json, toml_of
@@ -65,7 +65,7 @@ def _runs(text: str) -> Iterator[str]:
             yield " ".join(words[first:last])
 
 
-class JoinedPins(NamedTuple):
+class JoinedPins(Struct, frozen=True):
     """What symbols are called whose parts join pins inside, which pins by number or name, and how many there are (0: any)."""
 
     called: tuple[str, ...]
@@ -73,14 +73,14 @@ class JoinedPins(NamedTuple):
     pins: int
 
 
-class SignalBeside(NamedTuple):
+class SignalBeside(Struct, frozen=True):
     """Connector names that are those of signals on a part that has all names of one of these groups, too."""
 
     names: frozenset[str]
     beside: tuple[frozenset[str], ...]
 
 
-class GeneratedShape(NamedTuple):
+class GeneratedShape(Struct, frozen=True):
     """Parts that a drawing tool makes up: title and family, what their ids begin with or contain, and the tool if it is one."""
 
     title: str
@@ -90,8 +90,7 @@ class GeneratedShape(NamedTuple):
     tool: str
 
 
-@dataclass(frozen=True, slots=True)
-class PartNames:
+class PartNames(Struct, frozen=True):
     """The content of `names.toml`: sets of connector names in lower case, phrases for families, shapes of made-up ids."""
 
     names: Mapping[str, frozenset[str]]
@@ -104,7 +103,7 @@ class PartNames:
     device_properties: frozenset[str] = frozenset()
     headers: tuple[str, ...] = ()
     solder_jumpers: tuple[str, ...] = ()
-    symbols: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    symbols: Mapping[str, tuple[str, ...]] = {}
     joined: tuple[JoinedPins, ...] = ()
     signals: tuple[SignalBeside, ...] = ()
     generated: tuple[GeneratedShape, ...] = ()

@@ -6,14 +6,13 @@ properties, and the word counts of the description. Only facts: no drawings and 
 
 from __future__ import annotations
 
-import json
 import zlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 from robosmi import inputs
-from robosmi.data_text import Json, as_list, as_table, as_text, as_texts, as_whole, json_of
+from robosmi.data_text import Json, as_list, as_table, as_text, as_texts, as_whole, json_of, json_written
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.model.sqlite_files import writing
@@ -164,7 +163,7 @@ def _row(part: Part, words: Mapping[str, int]) -> tuple[object, ...]:
     return part.id, part.title, part.family, tags, part.role, part.driver, part.evidence, part.source, facts, counts
 
 
-def _packed(value: object) -> bytes:
+def _packed(value: Json) -> bytes:
     packer = zlib.compressobj(9, zdict=_COMMON)
-    text = json.dumps(value, ensure_ascii=False, separators=(",", ":"))
+    text = json_written(value, ensure_ascii=False, separators=(",", ":"))
     return packer.compress(text.encode()) + packer.flush()

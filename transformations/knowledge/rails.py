@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.typed import distinct
 
 
-class Terminal(NamedTuple):
+class Terminal(Struct, frozen=True):
     """A connector as the rules see it: its component's identity, title, role (none where it only steers a supply) and stated
     voltage, its own id, name and kind."""
 
@@ -27,7 +28,7 @@ class Terminal(NamedTuple):
     kind: str
 
 
-class Rail(NamedTuple):
+class Rail(Struct, frozen=True):
     """Why a net is a rail, and the label of its supply (empty when unknown)."""
 
     evidence: str
@@ -67,8 +68,8 @@ def _voltage(board: Sequence[Terminal], supplies: Sequence[Terminal], named: Seq
     So a net is what its source makes of it: 5 V of a board stay that where the ground of a servo hangs on them.
     """
     supplied = False
-    for terminals, stated in ((board, "name"), (supplies, "volts"), (named, "name")):
-        labels = (str(getattr(terminal, stated)).strip() for terminal in terminals)
+    for terminals in (board, supplies, named):
+        labels = (str(terminal.volts if terminals is supplies else terminal.name).strip() for terminal in terminals)
         label = next((text for text in labels if _STATED.fullmatch(text)), "")
         grounded = any(terminal.kind == "ground" for terminal in terminals)
         if grounded and not supplied:

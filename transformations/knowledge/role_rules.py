@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple, TypedDict
+from typing import TypedDict
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.data_text import Json, line_of_value
@@ -47,7 +49,7 @@ class RoleRule(_ListsOfRule, total=False):
     families: ByTool
 
 
-class RoleRules(NamedTuple):
+class RoleRules(Struct, frozen=True):
     """The rules of one `roles.toml` in their order, ready for looking up."""
 
     rules: tuple[RoleRule, ...]

@@ -28,6 +28,7 @@ from robosmi.transformations.knowledge.board_models import (
     text_of,
 )
 from robosmi.transformations.knowledge.target_names import KINDS, TargetNames, add_names_of, reserved_names
+from robosmi.typed import dynamic_attribute
 from robosmi.verify.tables import DataTable
 
 STRUCTURES = {"setup/loop": platform.EntryStructure.setupLoop, "main": platform.EntryStructure.mainFunction}
@@ -359,7 +360,9 @@ def target_repository(
     made.libraries.clear()
     made.libraries.extend(libraries)
     if facts.shared is not None:
-        made.names = platform.ReservedNames(**{kind: [n for n in getattr(facts.shared, kind) if n in words] for kind in KINDS})
+        made.names = platform.ReservedNames(
+            **{kind: [n for n in dynamic_attribute(facts.shared, kind) if n in words] for kind in KINDS}
+        )
     chip = board.microcontroller
     return platform.PlatformRepository(
         platforms=[source, made],

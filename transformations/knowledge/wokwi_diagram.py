@@ -5,11 +5,10 @@ They are made by `m2m/wokwi_wiring` and written by `m2t/wokwi_project`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 
-@dataclass(frozen=True, slots=True)
-class DrawnPart:
+class DrawnPart(Struct, frozen=True):
     """A part of the diagram: its id, type and attributes."""
 
     identity: str
@@ -17,8 +16,7 @@ class DrawnPart:
     attributes: dict[str, str]
 
 
-@dataclass(frozen=True, slots=True)
-class NotDrawn:
+class NotDrawn(Struct, frozen=True):
     """A component that Wokwi has no part for: title, identity in the drawing, part, the board pins that it is on, and why."""
 
     title: str

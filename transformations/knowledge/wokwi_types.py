@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from functools import cache
 from pathlib import Path
+
+from msgspec import Struct
 
 from robosmi.metamodels import hardware
 from robosmi.resources import folders
@@ -29,8 +30,7 @@ _VALUED = re.compile(r"(\d{1,9}(?:[.,]\d{1,6})?)\s*([kKMR]?)(\d{0,3})\s*(?:ohms?
 _POWERED = ("supply", "ground")
 
 
-@dataclass(frozen=True, slots=True)
-class WokwiPart:
+class WokwiPart(Struct, frozen=True):
     """A component as Wokwi draws it: its type, its attributes, the pin that each of its connectors is, by the connector's id.
 
     Attributes:
@@ -45,11 +45,10 @@ class WokwiPart:
     attributes: Mapping[str, str]
     pins: Mapping[str, str]
     supplies: Mapping[str, str]
-    returns: Mapping[str, str] = field(default_factory=dict)
+    returns: Mapping[str, str] = {}
 
 
-@dataclass(frozen=True, slots=True)
-class WokwiBoard:
+class WokwiBoard(Struct, frozen=True):
     """A board as Wokwi draws it: its type, the pin of each label, its supply pins by what they are called (`GND`, `5V`)."""
 
     kind: str
@@ -57,8 +56,7 @@ class WokwiBoard:
     supplies: Mapping[str, str]
 
 
-@dataclass(frozen=True, slots=True)
-class _Entry:
+class _Entry(Struct, frozen=True):
     kind: str
     attributes: Mapping[str, str]
     words: Phrases
@@ -66,7 +64,7 @@ class _Entry:
     pins: tuple[tuple[str, str], ...]
     order: tuple[tuple[str, ...], ...]
     returns: tuple[str, ...]
-    takes: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    takes: Mapping[str, tuple[str, ...]] = {}
 
 
 def wokwi_board(name: str, project: Path | None = None) -> WokwiBoard | None:

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import ccode, migration, platform
@@ -37,8 +38,7 @@ TYPES = ("type",)
 HELPERS = ("helper",)
 
 
-@dataclass
-class UnservedHeader:
+class UnservedHeader(Struct):
     """A header of which the target can serve nothing, and why."""
 
     name: str

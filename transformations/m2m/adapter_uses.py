@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
@@ -19,7 +18,7 @@ from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.queries.code import CalledFunction, CodeView
 from robosmi.transformations.queries.own_headers import included
 from robosmi.transformations.queries.signature_text import declare, nothing, parameter_type, type_names
-from robosmi.typed import distinct, matches
+from robosmi.typed import distinct, matches, replaced
 
 Source = migration.SignatureSource
 _RESERVED = re.compile(r"__(?!builtin_)|_[A-Z]")
@@ -51,7 +50,7 @@ def called_functions(
                 continue
             known = found.get(function.name)
             if known is None:
-                found[function.name] = replace(function, calls=list(function.calls))  # the views keep theirs
+                found[function.name] = replaced(function, calls=list(function.calls))  # the views keep theirs
             else:
                 known.calls += [c for c in function.calls if c not in known.calls]
                 known.callee = known.callee or function.callee

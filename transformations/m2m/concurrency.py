@@ -26,7 +26,7 @@ from robosmi.transformations.queries.main_function import Division
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.transformations.queries.source_text import SourceText
 from robosmi.transformations.queries.stack_depth import CORE_INTERRUPT, IDLE, interrupt_bytes, measured_stacks
-from robosmi.typed import distinct
+from robosmi.typed import distinct, paired
 
 SPARE = 1.25
 """By what an estimate is multiplied."""
@@ -74,7 +74,7 @@ def concurrency(
         ],
     )
     divided = {id(d.loop) for d in divisions if d.loop is not None}
-    for view, text in zip(views, texts, strict=True):
+    for view, text in paired(views, texts):
         made.changes.extend(yields(view, text, waiting, divided))
     made.loopGivesWay = any(
         gives_way(each, waiting) for view in views if (each := main_loop(view)) is not None and id(each) in divided

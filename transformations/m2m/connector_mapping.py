@@ -9,8 +9,9 @@ figures. Nothing here knows a drawing tool.
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 from itertools import islice
+
+from msgspec import Struct
 
 from robosmi import quoting
 from robosmi.data_text import Json
@@ -22,7 +23,7 @@ from robosmi.transformations.knowledge.part_names import PartNames, name_directi
 from robosmi.transformations.queries.circuit_walk import ReachedComponent, either_side, natural_key, pins_of, walk
 from robosmi.transformations.queries.connector_names import told_name
 from robosmi.transformations.queries.joined_inside import tied_inside
-from robosmi.typed import distinct
+from robosmi.typed import distinct, paired
 
 Role = hardware.Role
 
@@ -37,8 +38,7 @@ _SUFFIX = {"read": "ReadP", "write": "WriteP", "bus": "BusP"}
 _SIGNALS = {name: enum_literal(migration.Signal, name) for name in ("read", "write", "bus")}
 
 
-@dataclass(slots=True)
-class _Mapped:
+class _Mapped(Struct):
     """A mapping before it has a name."""
 
     board: hardware.Component
@@ -50,12 +50,11 @@ class _Mapped:
     signal: str = ""
 
 
-@dataclass(slots=True)
-class _State:
+class _State(Struct):
     known: PartNames
     path: str
-    findings: list[Finding] = field(default_factory=list)
-    on_boards: dict[int, list[hardware.Connector]] = field(default_factory=dict)
+    findings: list[Finding] = []
+    on_boards: dict[int, list[hardware.Connector]] = {}
     """Of a net, by its identity: the connectors that boards have on it."""
 
     def report(self, rule: str, severity: Severity, message: str, fix: str | None = None, **evidence: Json) -> None:
@@ -101,7 +100,7 @@ def map_connectors(
             connectors=one.reached.connectors,
             via=one.reached.via,
         )
-        for one, name in zip(mapped, called, strict=True)
+        for one, name in paired(mapped, called)
     ]
     return connections, state.findings
 

@@ -8,7 +8,8 @@ platforms, how main is divided an operation on the code model (`queries.main_fun
 from __future__ import annotations
 
 from collections.abc import Collection
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration
 from robosmi.model.strict import enum_literal
@@ -29,7 +30,7 @@ retain, adapt, drop, hoist, rewrite, unsupported = (
 STEP = "code"
 
 
-class Known(NamedTuple):
+class Known(Struct, frozen=True):
     """What the rules ask besides the code model.
 
     Attributes:

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
@@ -21,7 +22,7 @@ from robosmi.transformations.queries.tokens import name_tokens
 _EMPTY = re.compile(rb"\(\s*\)\s*\Z")
 
 
-class EmptyType(NamedTuple):
+class EmptyType(Struct, frozen=True):
     """A type of functions that says nothing of parameters.
 
     Attributes:

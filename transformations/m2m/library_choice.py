@@ -8,9 +8,9 @@ ranked is `library_ranking`'s business, how a person is asked the command line's
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import placed
@@ -43,8 +43,7 @@ def component_query(component: hardware.Component) -> ComponentQuery:
     )
 
 
-@dataclass
-class LibraryModels:
+class LibraryModels(Struct, dict=True):
     """Library elements of the target's platform model by name, made when first named.
 
     Attributes:
@@ -55,7 +54,7 @@ class LibraryModels:
 
     target: TargetFacts
     board: platform.Board
-    elements: dict[str, platform.Library] = field(default_factory=dict)
+    elements: dict[str, platform.Library] = {}
 
     @cached_property
     def takes(self) -> Mapping[str, Takes]:
@@ -101,7 +100,7 @@ class LibraryModels:
         return [self.takes[name] for name in (library.name, *library.depends) if name in self.takes]
 
 
-class _OfTarget(NamedTuple):
+class _OfTarget(Struct, frozen=True):
     """Earlier choices without those of libraries that the target does not have, made for another platform perhaps."""
 
     history: Choices

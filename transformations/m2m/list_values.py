@@ -6,7 +6,8 @@ How a list is written by position is decided in `designated_lists` and `reordere
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token
@@ -16,7 +17,7 @@ MOST = 256
 """Elements in a row that are left out and still written as `{}`."""
 
 
-class ListValue(NamedTuple):
+class ListValue(Struct, frozen=True):
     """A value of a list: the tokens of its designator (none for most), and those of its own."""
 
     designator: Sequence[Token]

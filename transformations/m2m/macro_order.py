@@ -7,9 +7,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, closing
@@ -22,7 +22,7 @@ _BEFORE = frozenset(["(", "[", "{", "}", ",", ";", "=", "return"])
 _BEHIND = frozenset([")", "]", "}", ",", ";"])
 
 
-class _Use(NamedTuple):
+class _Use(Struct, frozen=True):
     """A use of a macro: its arguments, the words before and behind it, and the parameters of the macro whose body it is in."""
 
     given: Sequence[Sequence[Token]]
@@ -31,8 +31,7 @@ class _Use(NamedTuple):
     names: Collection[str]
 
 
-@dataclass
-class MacroOrder:
+class MacroOrder(Struct, dict=True):
     """The macros of a program and their uses.
 
     Attributes:

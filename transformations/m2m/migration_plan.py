@@ -7,8 +7,8 @@ with their digests, so that a stored plan can tell whether it still belongs to i
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location
 from robosmi.metamodels import ccode, hardware, migration, platform
@@ -35,8 +35,7 @@ from robosmi.transformations.queries.source_text import words_of
 from robosmi.typed import distinct
 
 
-@dataclass(frozen=True)
-class LibrariesSaid:
+class LibrariesSaid(Struct, frozen=True):
     """What persons said of libraries, and how far rules may go.
 
     Attributes:
@@ -47,14 +46,14 @@ class LibrariesSaid:
         places: component -> where its library is said, for messages; without what is in no file.
     """
 
-    libraries: Mapping[str, str] = field(default_factory=dict)
+    libraries: Mapping[str, str] = {}
     limit: float = 0.8
     candidates: int = 10
-    stored: Mapping[tuple[str, str], Said] = field(default_factory=dict)
-    places: Mapping[str, Location] = field(default_factory=dict)
+    stored: Mapping[tuple[str, str], Said] = {}
+    places: Mapping[str, Location] = {}
 
 
-class Hardware(NamedTuple):
+class Hardware(Struct, frozen=True):
     """The hardware side of a migration: the drawing, its board component, the connections, what was odd."""
 
     circuit: hardware.Circuit
@@ -109,7 +108,7 @@ def decide_libraries(
     return made, libraries
 
 
-class Decided(NamedTuple):
+class Decided(Struct, frozen=True):
     """The decisions of a plan and what they are about, ready to be put together.
 
     Attributes:

@@ -268,7 +268,7 @@ def words_of_c(view: CodeView, data: bytes, functions: Mapping[str, FunctionType
     macros = [(int(m.startOffset), int(m.endOffset)) for m in view.unit.macros]
     between = [start for start in sorted(found) if not any(first <= start < end for first, end in macros)]
     if between and elements:  # an assertion, which declares nothing
-        yield Change(elements[-1], "words-between", " ".join(map(str, between)), "C++ has another word for it")
+        yield Change(elements[-1], "words-between", " ".join(str(each) for each in between), "C++ has another word for it")
 
 
 def hidden_counters(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:

@@ -8,7 +8,8 @@ of two like components is left and which is right.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import UsageError, did_you_mean, placed
@@ -24,12 +25,13 @@ from robosmi.transformations.queries.port_pins import NOT_WIRED
 from robosmi.transformations.queries.ports import Port, ProgramPorts, convention_of
 from robosmi.transformations.queries.split_wires import wires_of
 from robosmi.transformations.queries.value_flows import PinArgument
+from robosmi.typed import paired
 
 _SIGNALS = {"in": "read", "out": "write"}
 _ANOTHER_PROGRAM = "take it out there, or give each program a folder of its own with its project file"
 
 
-class SaidPins(NamedTuple):
+class SaidPins(Struct, frozen=True):
     """Which pins one source of choices gives to ports.
 
     Attributes:
@@ -41,7 +43,7 @@ class SaidPins(NamedTuple):
     places: Mapping[str, Location] = {}
 
 
-class _Pin(NamedTuple):
+class _Pin(Struct, frozen=True):
     """What a port is to be bound to, and where that is said."""
 
     name: str
@@ -80,25 +82,25 @@ def bind_ports(
     for layer in said:
         pins.update(_layer(layer, ports, found, api))
     bindings = [_binding(port, source) for port in ports]
-    for port, binding in zip(ports, bindings, strict=True):
+    for port, binding in paired(ports, bindings):
         if port.name in pins:
             with placed(pins[port.name].place):
                 _take(binding, pins[port.name].name, connections, board)
             explain(binding, (stored or {}).get(port.name))
-    for port, binding in zip(ports, bindings, strict=True):
+    for port, binding in paired(ports, bindings):
         if binding.open:
             _on_board(port, binding, api, connections, board, {id(b.pin) for b in bindings if b.pin is not None})
     taken = {id(b.connection) for b in bindings if b.connection is not None} | {id(b.pin) for b in bindings if b.pin is not None}
     free = [c for c in connections if id(c) not in taken and (c.pin is None or id(c.pin) not in taken)]
-    for port, binding in zip(ports, bindings, strict=True):
+    for port, binding in paired(ports, bindings):
         _split(port, binding, connections, split)
     heard = {id(b.answer) for b in bindings if b.answer is not None}
     free = [c for c in free if id(c) not in heard]
-    seats = [_seat(p, b, found, api, split) for p, b in zip(ports, bindings, strict=True) if b.open]
+    seats = [_seat(p, b, found, api, split) for p, b in paired(ports, bindings) if b.open]
     for seat in seats:
         seat.binding.role = seat.role
     assign(seats, free, limit, complete=not found.anything)
-    for port, binding in zip(ports, bindings, strict=True):
+    for port, binding in paired(ports, bindings):
         if not binding.open:
             _split(port, binding, connections, split)
             seat = _seat(port, binding, found, api, split)
@@ -300,7 +302,7 @@ def _arguments(port: Port, found: ProgramPorts) -> list[PinArgument]:
     return [
         argument
         for each in found.flows
-        for argument, known in zip(each.flow.arguments, each.values, strict=True)
+        for argument, known in paired(each.flow.arguments, each.values)
         if port.pin is not None and port.pin in {value.number for value in known}
     ]
 

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import migration
 from robosmi.transformations.queries.component_kinds import (
@@ -23,12 +24,13 @@ from robosmi.transformations.queries.component_kinds import (
     said,
 )
 from robosmi.transformations.queries.port_pins import measures
+from robosmi.typed import sum_of
 
 _NUMBERED = re.compile(r"(r|row|c|col|column)[ _]?(\d+)\Z", re.IGNORECASE)
 _ELEMENT = re.compile(r"(row|col)[a-z]*\[(\d+)\]\Z", re.IGNORECASE)
 
 
-class Seat(NamedTuple):
+class Seat(Struct, frozen=True):
     """A port that looks for its connection.
 
     Attributes:
@@ -50,7 +52,7 @@ class Seat(NamedTuple):
     split: bool = False
 
 
-class Fit(NamedTuple):
+class Fit(Struct, frozen=True):
     """How a port fits a connection: points (0: in direction only), what speaks for it, whether the functions expect its kind."""
 
     points: float
@@ -148,7 +150,7 @@ def _goes_together(seat: Seat, connection: migration.Connection, known: PortWord
     component = connection.component
     every = _purposes(connector_words(c.name for c in component.connectors), known) if component is not None else set()
     asked = {frozenset(_purposes(connector_words([name]), known)) for name in seat.siblings} - {frozenset()}
-    return sum(bool(purposes & every) for purposes in asked) > 1
+    return sum_of(bool(purposes & every) for purposes in asked) > 1
 
 
 def _numbers(connection: migration.Connection) -> tuple[str, int] | None:

@@ -15,7 +15,7 @@ from robosmi.transformations.queries.port_pins import text_in_place
 from robosmi.transformations.queries.ports import FlowPorts, ProgramPorts
 from robosmi.transformations.queries.value_flows import PinArgument, PortPlace
 from robosmi.transformations.queries.values import Value
-from robosmi.typed import distinct
+from robosmi.typed import distinct, paired
 
 RULE = "port"
 """Id of the rule that writes a pin in the place of a port's number."""
@@ -56,7 +56,7 @@ def port_changes(
         else:
             changes = []
             looked: set[tuple[str, int, int]] = set()
-            for argument, known in zip(each.flow.arguments, each.values, strict=True):
+            for argument, known in paired(each.flow.arguments, each.values):
                 changes += shut.pop(id(argument.call), []) if argument.unplaced else []
                 at = (str(argument.unit.path), argument.start, argument.end)
                 if _asks(argument, known) and at not in looked:
@@ -77,7 +77,7 @@ def looked_up(ports: ProgramPorts) -> list[str]:
         "port" if argument.parameter.number is None else "ports"
         for each in ports.flows
         if not each.moved
-        for argument, known in zip(each.flow.arguments, each.values, strict=True)
+        for argument, known in paired(each.flow.arguments, each.values)
         if _asks(argument, known)
     ]
     return sorted(set(asked))

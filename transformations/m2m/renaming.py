@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.target_names import TargetNames
@@ -20,7 +21,7 @@ RENAME = "rename"
 """Rule of dispositions: the name is another one in the sketch."""
 
 
-class Renaming(NamedTuple):
+class Renaming(Struct, frozen=True):
     """A name that changes.
 
     Attributes:

@@ -8,7 +8,8 @@ lost, and members of unions but the first. Lists in order are `designated_lists`
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+
+from msgspec import Struct
 
 from robosmi.transformations.knowledge.lexer import Token
 from robosmi.transformations.m2m.list_values import (
@@ -29,13 +30,12 @@ _PLAIN = frozenset(["{", "}", "(", ")", ",", ".", "[", "]", "=", ":", "..."])
 _BEFORE_A_SIGN = frozenset(["=", ",", "{", "("])
 
 
-@dataclass
-class _Slot:
+class _Slot(Struct):
     """What comes to a place: a text, or places within it."""
 
     text: str = ""
     inner: dict[int, _Slot] | None = None
-    comments: list[str] = field(default_factory=list)
+    comments: list[str] = []
 
     def shown(self) -> str:
         """The value as it is written."""
@@ -84,8 +84,7 @@ def _calculates_nothing(words: Sequence[Token]) -> None:
             raise UnknownList
 
 
-@dataclass
-class _Filler:
+class _Filler(Struct):
     """Puts values to their places."""
 
     constants: Mapping[str, int]

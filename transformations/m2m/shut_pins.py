@@ -7,7 +7,8 @@ the function's name, which the preprocessor meets when it has expanded the use. 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.queries.port_pins import NO_PIN, UNBOUND
@@ -15,7 +16,7 @@ from robosmi.transformations.queries.value_flows import PinArgument
 from robosmi.typed import distinct
 
 
-class _Use(NamedTuple):
+class _Use(Struct, frozen=True):
     """A place at which macros make such calls: the outermost use of a macro there."""
 
     unit: ccode.SourceUnit

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Mapping, Sequence
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.transformations.queries.signature_text import declare
 from robosmi.typed import matches
@@ -20,7 +21,7 @@ _QUALIFIERS = re.compile(r"\b(const|volatile|register|restrict|extern|static|inl
 _WORDS = re.compile(r"[A-Za-z_]\w*")
 
 
-class Signature(NamedTuple):
+class Signature(Struct, frozen=True):
     """A function's signature in parts.
 
     Attributes:

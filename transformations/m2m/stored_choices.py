@@ -8,9 +8,9 @@ left out with a finding; so is said where a flag, the project file and the plan 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import migration
@@ -18,7 +18,7 @@ from robosmi.metamodels import migration
 DIFFERENT, GONE = "RS413", "RS414"
 
 
-class Said(NamedTuple):
+class Said(Struct, frozen=True):
     """What a person has chosen: the value, why, and when (as `Decision.chosenAt`)."""
 
     value: str
@@ -26,8 +26,7 @@ class Said(NamedTuple):
     at: str = ""
 
 
-@dataclass(frozen=True)
-class StoredChoices:
+class StoredChoices(Struct, frozen=True):
     """The choices of persons in a stored plan.
 
     Attributes:
@@ -36,8 +35,8 @@ class StoredChoices:
         place: the plan, for messages.
     """
 
-    ports: Mapping[str, Said] = field(default_factory=dict)
-    libraries: Mapping[tuple[str, str], Said] = field(default_factory=dict)
+    ports: Mapping[str, Said] = {}
+    libraries: Mapping[tuple[str, str], Said] = {}
     place: Path | None = None
 
 

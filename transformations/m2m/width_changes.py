@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.transformations.m2m.macro_order import MacroOrder
 from robosmi.transformations.m2m.width_rules import Walk
@@ -32,8 +33,7 @@ class WidthEdit(NamedTuple):
     rule: str
 
 
-@dataclass
-class _Cast:
+class _Cast(Struct):
     """What is written before an expression."""
 
     number: Number | None = None
@@ -41,8 +41,7 @@ class _Cast:
     enclosed: bool = False
 
 
-@dataclass
-class Writer:
+class Writer(Struct):
     """Writes wants into texts.
 
     Attributes:
@@ -57,9 +56,9 @@ class Writer:
     walk: Walk
     order: MacroOrder
     lambdas: bool = True
-    lost: list[Want] = field(default_factory=list)
-    _casts: dict[TextPlace, _Cast] = field(default_factory=dict)
-    _edits: dict[WidthEdit, None] = field(default_factory=dict)
+    lost: list[Want] = []
+    _casts: dict[TextPlace, _Cast] = {}
+    _edits: dict[WidthEdit, None] = {}
 
     def edits(self) -> list[WidthEdit]:
         """All changes; of those at one place the ones that stand outside come first."""

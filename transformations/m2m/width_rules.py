@@ -9,21 +9,22 @@ of text is in `width_changes`, types of declarations are in `width_types`. Sourc
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+
+from msgspec import Struct
 
 from robosmi.transformations.m2m.width_formats import conversions, has_format, wanted
 from robosmi.transformations.m2m.width_wants import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, Want
 from robosmi.transformations.queries.expansion import TextPlace
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number
 from robosmi.transformations.queries.typed import NumberKind, TypedExpression
+from robosmi.typed import paired
 
 _ARITHMETIC = frozenset(["+", "-", "*", "/", "%", "&", "|", "^"])
 _TRUTH = Number(8, False)
 _COMPOUND_FORMS = frozenset(["binary", "conditional", "assign", "compound"])
 
 
-@dataclass
-class Walk:
+class Walk(Struct):
     """The walk over a program.
 
     Attributes:
@@ -37,11 +38,11 @@ class Walk:
 
     here: Machine
     there: Machine
-    names: Mapping[str, str] = field(default_factory=dict)
-    wants: list[Want] = field(default_factory=list)
-    seen: dict[TextPlace, set[str]] = field(default_factory=dict)
-    changed: set[TextPlace] = field(default_factory=set)
-    handing: set[str] = field(default_factory=set)
+    names: Mapping[str, str] = {}
+    wants: list[Want] = []
+    seen: dict[TextPlace, set[str]] = {}
+    changed: set[TextPlace] = set()
+    handing: set[str] = set()
 
     def run(self, top: list[TypedExpression]) -> None:
         """Walk over what a unit declares."""
@@ -125,7 +126,7 @@ class Walk:
             self._format(node, arguments, numbers)
         elif node.origin != "standard":
             first = node.fixed if node.fixed >= 0 else len(arguments)  # of what the parameters do not name
-            for argument, number in zip(arguments[first:], numbers[first:], strict=True):
+            for argument, number in paired(arguments[first:], numbers[first:]):
                 passed = argument.converted.number
                 if passed is not None and not passed.real and self._promoted(number) != passed:
                     self.widen(argument, passed)
@@ -238,7 +239,7 @@ class Walk:
         left, right = (number if number is not None else self.there.integer for _, number in operands)
         if self._computes(wanted, left, right):
             return
-        able = [operand for operand, other in zip(operands, (right, left), strict=True) if self._computes(wanted, wanted, other)]
+        able = [operand for operand, other in paired(operands, (right, left)) if self._computes(wanted, wanted, other)]
         if able:
             self.widen(min(able, key=lambda o: self._reluctance(o[0], o[1], wanted))[0], wanted)
         else:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from robosmi.transformations.queries.numbers import Number
 from robosmi.transformations.queries.typed import TypedExpression
@@ -12,8 +12,7 @@ WIDEN, READ, NAME, SHIFT, TEXT, ORDER = "widen", "unsigned-char", "wider-functio
 hand over a function whose result is an int."""
 
 
-@dataclass
-class Want:
+class Want(Struct):
     """A place that has to be written otherwise.
 
     Attributes:

@@ -9,8 +9,9 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from itertools import accumulate
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
@@ -39,8 +40,7 @@ _REASONS = {
 }
 
 
-@dataclass
-class Widened:
+class Widened(Struct):
     """What is written otherwise in a program.
 
     Attributes:
@@ -48,8 +48,8 @@ class Widened:
         lost: what has to be written otherwise and finds no place.
     """
 
-    widenings: list[migration.Widening] = field(default_factory=list)
-    lost: list[Want] = field(default_factory=list)
+    widenings: list[migration.Widening] = []
+    lost: list[Want] = []
 
 
 def widenings(

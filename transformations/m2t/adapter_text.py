@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 
 from robosmi.metamodels import platform
-from robosmi.typed import distinct
+from robosmi.typed import distinct, paired
 
 WIDTH = 125
 INTERRUPTS = "ADAPTERS_INTERRUPTS"
@@ -33,7 +33,7 @@ def adapter_text(
     """
     lines = [f"#include {header}" for header in includes(pieces)]
     lines += declarations(pieces, pins, unbound, numbers)
-    for piece, above in zip(pieces, (None, *pieces), strict=False):
+    for piece, above in paired(pieces, (None, *pieces), strict=False):
         lines += [""] * apart(piece, above) + [f"// {line}" for line in comment(piece)] + [str(piece.text)]
     return "\n".join(lines) + "\n"
 

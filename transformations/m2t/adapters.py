@@ -7,7 +7,9 @@ A placeholder has a TODO; what is left is in the task list.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, NamedTuple
+from typing import Any
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
@@ -20,10 +22,10 @@ from robosmi.transformations.queries.plan_adapters import emitted
 from robosmi.transformations.queries.port_pins import UNBOUND, port_literals
 from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.queries.split_wires import answering_pin, asking_pin
-from robosmi.typed import distinct
+from robosmi.typed import distinct, paired, sum_of
 
 
-class Adapter(NamedTuple):
+class Adapter(Struct, frozen=True):
     """An adapter.
 
     Attributes:
@@ -63,7 +65,7 @@ def _adapter(plan: migration.MigrationPlan, use: migration.AdapterUse, prefix: s
     )  # fmt: skip
 
 
-class PieceText(NamedTuple):
+class PieceText(Struct, frozen=True):
     """A piece of adapter text.
 
     Attributes:
@@ -102,14 +104,14 @@ def adapter_pieces(plan: migration.MigrationPlan) -> dict[str, Any]:
         ],
         "pieces": [
             PieceText(piece, users.get(piece, []), apart(piece, above), comment(piece), written(str(piece.text)))
-            for piece, above in zip(pieces, (None, *pieces), strict=False)
+            for piece, above in paired(pieces, (None, *pieces), strict=False)
         ],
     }
 
 
 def several_units(plan: migration.MigrationPlan) -> bool:
     """Whether several files of the program are compiled, each of which includes the adapters."""
-    return plan.program is not None and sum(not is_header(unit) for unit in plan.program.units) > 1
+    return plan.program is not None and sum_of(not is_header(unit) for unit in plan.program.units) > 1
 
 
 def handles_interrupts(plan: migration.MigrationPlan, unit: ccode.SourceUnit) -> bool:

@@ -7,7 +7,9 @@ library beyond the core; pins of the serial line that it talks over are left alo
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import Any
+
+from msgspec import Struct
 
 from robosmi.metamodels import hardware, migration
 from robosmi.transformations.queries.circuit import pin_literal
@@ -17,14 +19,14 @@ _NEUTRAL, _COILS = 1500, 4
 _BY_ROLE = {hardware.Role.Output: "switch", hardware.Role.Input: "level"}
 
 
-class BenchCall(NamedTuple):
+class BenchCall(Struct, frozen=True):
     """A call of the sketch that tries something: the function's name, and its arguments as texts of the target's language."""
 
     name: str
     arguments: tuple[str, ...]
 
 
-class BenchCheck(NamedTuple):
+class BenchCheck(Struct, frozen=True):
     """How one component is tried.
 
     Attributes:

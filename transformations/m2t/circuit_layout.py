@@ -7,8 +7,11 @@ is about as high as wide. Lengths in pixels of the SVG. What boxes mean is not k
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from math import sqrt
+
+from msgspec import Struct
+
+from robosmi.typed import sum_of
 
 _ROW, _HEAD, _GAP, _MARGIN, _MARK, _FOOT = 18, 40, 22, 20, 15, 16
 _CHANNEL, _BEND, _APART = 150, 60, 50
@@ -23,16 +26,14 @@ HEAD = -1
 """The row of a place that is no row."""
 
 
-@dataclass(frozen=True, slots=True)
-class Place:
+class Place(Struct, frozen=True):
     """A row of a box, by their numbers; `HEAD` in place of a row is the head of the box."""
 
     box: int
     row: int
 
 
-@dataclass(slots=True)
-class PartRow:
+class PartRow(Struct):
     """A connector in a box: its name, a tag with what it is on, the mark of what is wrong there. `placed` fills the places."""
 
     number: int
@@ -48,8 +49,7 @@ class PartRow:
     tag_width: float = 0
 
 
-@dataclass(slots=True)
-class DrawnMark:
+class DrawnMark(Struct):
     """A line below the rows of a box: what is wrong, as it is drawn; the whole sentence; its colour. `placed` fills the place."""
 
     text: str
@@ -58,8 +58,7 @@ class DrawnMark:
     y: float = 0
 
 
-@dataclass(slots=True)
-class Box:
+class Box(Struct):
     """A component: title, subtitle, fill, column (the least is left), group, marks and the colour of its edge.
 
     `placed` fills the places, the strip (a column that is too long is folded into several) and the top of its group's strips.
@@ -72,8 +71,8 @@ class Box:
     column: int
     group: int = 0
     strip: int = 0
-    rows: list[PartRow] = field(default_factory=list)
-    marks: list[DrawnMark] = field(default_factory=list)
+    rows: list[PartRow] = []
+    marks: list[DrawnMark] = []
     edge: str = "#444"
     x: float = 0
     y: float = 0
@@ -82,8 +81,7 @@ class Box:
     top: float = 0
 
 
-@dataclass(slots=True)
-class DrawnLink:
+class DrawnLink(Struct):
     """A line between two rows, or the heads of two boxes; `wires` are how many it stands for. `placed` fills path and ends."""
 
     one: Place
@@ -114,7 +112,7 @@ def placed(boxes: Sequence[Box], links: Sequence[DrawnLink], below: Sequence[str
         inside.setdefault(boxes[link.one.box].group, []).append(link)
     sizes = {group: _columns(boxes, mine, inside.get(group, ())) for group, mine in groups.items()}
     limit = max((height for _, height in sizes.values()), default=0.0)
-    limit = max(limit, sqrt(sum((width + _APART) * (height + _GAP) for width, height in sizes.values())))
+    limit = max(limit, sqrt(sum_of((width + _APART) * (height + _GAP) for width, height in sizes.values())))
     left, top, widest, bottom = float(_MARGIN), float(_MARGIN), 0.0, float(_MARGIN)
     for group, (width, height) in sizes.items():
         if top > _MARGIN and top + height > limit + _MARGIN:
@@ -143,18 +141,18 @@ def _columns(boxes: Sequence[Box], mine: Sequence[Box], links: Sequence[DrawnLin
                 rightwards.setdefault(boxes[one.box].column, []).append((one, other))
     left = bottom = 0.0
     first, strip = min(columns), 0
-    area = sum((_width(box) + _CHANNEL) * (_height(box) + _GAP) for box in mine)
+    area = sum_of((_width(box) + _CHANNEL) * (_height(box) + _GAP) for box in mine)
     limit = max(_LEAST_LIMIT, sqrt(area), *(_height(box) for box in mine))
     for column, here in sorted(columns.items()):
-        here.sort(key=lambda box: (sum(near[box.number]) / len(near[box.number]) if box.number in near else 1e9, box.number))
-        folded = sum(_height(box) + _GAP for box in here) > limit
+        here.sort(key=lambda box: (sum_of(near[box.number]) / len(near[box.number]) if box.number in near else 1e9, box.number))
+        folded = sum_of(_height(box) + _GAP for box in here) > limit
         top, stood = 0.0, list[Box]()
         for box in here:
             height = _height(box)
             if folded and stood and top + height > limit:
                 left, strip, top, stood = _end_strip(stood, left), strip + 1, 0.0, []
             if column > first + 1 and not folded and box.number in near:  # level with what it hangs on
-                top = max(top, sum(near[box.number]) / len(near[box.number]) - height / 2)
+                top = max(top, sum_of(near[box.number]) / len(near[box.number]) - height / 2)
             box.x, box.y, box.height, box.strip = left, top, height, strip
             stood.append(box)
             for row in box.rows:
@@ -205,7 +203,7 @@ def text_width(text: str, size: float = _FONT, bold: bool = False) -> float:
         size: of the font, in pixels.
         bold: whether it is bold.
     """
-    units = sum(
+    units = sum_of(
         0.45 if c in _NARROW else 1.0 if c in _WIDE or ord(c) >= _IDEOGRAPHS else 0.7 if not c.islower() else 0.64 for c in text
     )
     return units * size * (1.1 if bold else 1.0)

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import hardware
@@ -20,8 +21,7 @@ _LABEL = re.compile(r"\b[DA]\d{1,2}\b")
 _COLOURS = {Severity.error: "#c00000", Severity.warning: "#b45f06", Severity.info: "#3d6b99"}
 
 
-@dataclass(frozen=True, slots=True)
-class Mark:
+class Mark(Struct, frozen=True):
     """What is wrong: the rule, the sentence, the colour of its severity."""
 
     rule: str

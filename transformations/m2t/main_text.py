@@ -8,7 +8,9 @@ the parts stay with the part that follows, those behind the loop come last.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
@@ -19,13 +21,13 @@ from robosmi.transformations.queries.plan import RUN_IN_SETUP
 from robosmi.transformations.queries.plan_adapters import rest_levels, setup_statements
 from robosmi.transformations.queries.source_text import Piece, SourceText, reindent
 from robosmi.transformations.queries.text_changes import decision_of
-from robosmi.typed import distinct
+from robosmi.typed import distinct, paired
 
 if TYPE_CHECKING:
     from robosmi.model.driver import Item
 
 
-class MainPart(NamedTuple):
+class MainPart(Struct, frozen=True):
     """A piece of carried-over text and what it comes from.
 
     Attributes:
@@ -229,7 +231,7 @@ def _function(
     texts = _indented(pieces, source)
     if texts:
         texts[0], texts[-1] = texts[0].lstrip("\n"), texts[-1].rstrip("\n") + "\n"
-    for piece, text in zip(pieces, texts, strict=True):
+    for piece, text in paired(pieces, texts):
         if text.strip():
             yield MainPart(text if text.endswith("\n") else text + "\n", "code", "retained statement", _elements(piece))
         elif text:

@@ -6,8 +6,9 @@ The links are the plan's: texts that were generated from elements, and what was 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.data_text import Json
 from robosmi.metamodels import ccode, migration, trace
@@ -18,11 +19,10 @@ _MOST = 40
 """Lines that one line is linked to; more, as of a whole file's heading, tell nothing."""
 
 
-@dataclass
-class _Line:
+class _Line(Struct):
     identity: str
     text: str
-    links: list[str] = field(default_factory=list)
+    links: list[str] = []
     why: str = ""
 
     def row(self) -> tuple[str, str, str, str]:

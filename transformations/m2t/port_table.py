@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from msgspec import Struct
 
 from robosmi.metamodels import migration
 from robosmi.transformations.queries.port_pins import UNBOUND, looks_up_ports, port_literals, table_is_declared
@@ -10,7 +10,7 @@ from robosmi.transformations.queries.port_pins import UNBOUND, looks_up_ports, p
 _PORTS = 32
 
 
-class PortPins(NamedTuple):
+class PortPins(Struct, frozen=True):
     """The table as templates show it.
 
     Attributes:

@@ -8,8 +8,9 @@ elements and to the step of the method that made it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.data_text import Json
 from robosmi.errors import UsageError
@@ -30,8 +31,7 @@ BENCH = "bench"
 """The folder, beside that of the program, of the sketch that tries one component at a time."""
 
 
-@dataclass(frozen=True)
-class ProgramTemplates:
+class ProgramTemplates(Struct, frozen=True):
     """The templates of a target's files.
 
     Attributes:
@@ -49,11 +49,10 @@ class ProgramTemplates:
     adapters: str
     project: str
     project_file: str
-    more: Mapping[str, str] = field(default_factory=dict)
+    more: Mapping[str, str] = {}
     bench: str = ""
 
 
-@dataclass
 class ProgramGeneration(Generation):
     """The files of a program, and what was counted of its plan for them.
 

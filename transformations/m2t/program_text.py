@@ -7,7 +7,6 @@ text is copied from the stored source (see `queries.source_text`), in the order 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
 from robosmi.metamodels import ccode, migration
@@ -28,6 +27,7 @@ from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceTe
 from robosmi.transformations.queries.text_changes import decision_of
 from robosmi.transformations.queries.verdicts import IN_PLACE
 from robosmi.transformations.queries.width_types import retyped
+from robosmi.typed import replaced
 
 
 def file_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
@@ -222,7 +222,7 @@ def _called_in(adapter: migration.AdapterUse, unit: ccode.SourceUnit) -> bool:
 def _stripped(pieces: Iterator[Piece]) -> Iterator[Piece]:
     """The pieces without the blanks with which the first one begins."""
     for number, piece in enumerate(pieces):
-        yield piece if number else replace(piece, text=piece.text.lstrip(" \t"))
+        yield piece if number else replaced(piece, text=piece.text.lstrip(" \t"))
 
 
 def _used_before(function: ccode.Function, unit: ccode.SourceUnit, prototypes: Sequence[ccode.Function]) -> bool:

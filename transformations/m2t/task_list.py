@@ -19,7 +19,7 @@ from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.plan import called
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.verdicts import CARE, Construct, verdict_counts
-from robosmi.typed import distinct
+from robosmi.typed import distinct, sum_of
 
 RELATIONS = {"oneToOne": "1:1", "oneToMany": "1:n", "manyToOne": "n:1", "semantic": "semantic"}
 """How calls correspond -> how the paper writes it (3.4)."""
@@ -37,7 +37,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
     judged = known.judged
     verdicts = [f for f in plan.findings if f.rule in VERDICT_RULES]
     of_macros = MacroCalls(plan)
-    taken = sum(4 if f.rule in DRAWN_RULES else 2 for f in verdicts)
+    taken = sum_of(4 if f.rule in DRAWN_RULES else 2 for f in verdicts)
     screen = first_screen(plan, sources, taken, known)
     return {
         "name": plan.name,
@@ -76,7 +76,7 @@ def _sections(screen: FirstScreen) -> list[dict[str, Any]]:
     """The lists of the first screen, then what it had no room for."""
     lists = [each for each in (screen.decide, screen.write, screen.check) if each.first or each.rest]
     begun = [
-        {"title": each.title, "hint": each.hint, "lines": each.first, "more": sum(bool(item.rule) for item in each.rest)}
+        {"title": each.title, "hint": each.hint, "lines": each.first, "more": sum_of(bool(item.rule) for item in each.rest)}
         for each in lists
     ]
     rest = [{"title": f"{each.title}, continued", "hint": "", "lines": each.rest, "more": 0} for each in lists if each.rest]

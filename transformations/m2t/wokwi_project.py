@@ -6,11 +6,10 @@ guides/libraries. Places are pixels: parts stand in columns at the right of the 
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from robosmi.data_text import Json
+from robosmi.data_text import Json, json_written
 
 if TYPE_CHECKING:
     from robosmi.transformations.knowledge.wokwi_diagram import DrawnPart, WokwiWiring
@@ -29,12 +28,12 @@ def diagram_text(wiring: WokwiWiring, author: str) -> str:
         wiring: what is drawn.
         author: who the file says has made it.
     """
-    parts = [json.dumps(_part(part, number), ensure_ascii=False) for number, part in enumerate(wiring.parts)]
+    parts = [json_written(_part(part, number), ensure_ascii=False) for number, part in enumerate(wiring.parts)]
     wires = [
-        json.dumps([one, other, _CARRIED.get(carried, "red") or _COLOURS[number % len(_COLOURS)], []], ensure_ascii=False)
+        json_written([one, other, _CARRIED.get(carried, "red") or _COLOURS[number % len(_COLOURS)], []], ensure_ascii=False)
         for number, (one, other, carried) in enumerate(wiring.wires)
     ]
-    head = [f'  "version": 1,\n  "author": {json.dumps(author)},\n  "editor": "wokwi"']
+    head = [f'  "version": 1,\n  "author": {json_written(author)},\n  "editor": "wokwi"']
     lists = [f'  "{name}": [{_lines(entries)}]' for name, entries in (("parts", parts), ("connections", wires))]
     return "{\n" + ",\n".join([*head, *lists, '  "dependencies": {}']) + "\n}\n"
 

@@ -26,6 +26,7 @@ from robosmi.transformations.queries.binding_edits import referred
 from robosmi.transformations.queries.main_locals import MovedDeclaration
 from robosmi.transformations.queries.signature_text import parameter_name, parameter_type, taken_apart
 from robosmi.transformations.queries.source_text import SourceText
+from robosmi.typed import paired
 
 AND, NEXT, REASONS = "+", ";", "; "
 """Between the rules of a disposition that had several, what they put in, and why."""
@@ -60,8 +61,8 @@ def rules(f: Flock) -> None:
         program = o.eContainer().program
         if program is not None:
             words = o.choice.split(NEXT) if len(several) > 1 else [o.choice]
-            pairs = zip(several, words, strict=False)
-            why = dict(zip(several, m.reasons, strict=False))
+            pairs = paired(several, words, strict=False)
+            why = dict(paired(several, m.reasons, strict=False))
             change_texts(m, [(rule, word, why.get(rule, o.reason)) for rule, word in pairs], texts(program), _RULES)
             if isinstance(m.element, ccode.Variable) and m.rules[0] in (HOIST, SPLIT):
                 _hoist(m.element, m, texts(program))

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import migration
 
@@ -11,7 +12,7 @@ _BARE_KEY = re.compile(r"[\w-]+", re.ASCII)
 """A key that TOML takes without quotation marks."""
 
 
-class Answer(NamedTuple):
+class Answer(Struct, frozen=True):
     """How a choice is answered.
 
     Attributes:

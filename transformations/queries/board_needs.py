@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
+from msgspec import Struct
+
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.knowledge.board_models import load_board, mapped_boards
 from robosmi.transformations.queries.idle_ports import is_idle
@@ -17,12 +19,12 @@ from robosmi.transformations.queries.memory import Memory, memory
 from robosmi.transformations.queries.plan import platform_of
 from robosmi.transformations.queries.plan_adapters import closure, emitted
 from robosmi.transformations.queries.split_wires import answering_pin
-from robosmi.typed import distinct
+from robosmi.typed import distinct, sum_of
 
 _MILLION = 1e6
 
 
-class PinNeeds(NamedTuple):
+class PinNeeds(Struct, frozen=True):
     """How many pins a program needs.
 
     Attributes:
@@ -43,7 +45,7 @@ class PinNeeds(NamedTuple):
         return max(0, self.used + self.wanted - self.of_board) if self.of_board else 0
 
 
-class TimerNeeds(NamedTuple):
+class TimerNeeds(Struct, frozen=True):
     """Who takes a timer: pieces of adapters, by the functions that need them, and libraries."""
 
     timer: str
@@ -127,7 +129,7 @@ def _pins(plan: migration.MigrationPlan) -> PinNeeds:
     used = [b for b in plan.portBindings if not is_idle(plan, b)]
     bound = {id(pin) for b in used for pin in (_pin(b), answering_pin(b)) if pin is not None}
     drawn = {id(c.pin) for c in plan.connections if c.pin is not None} - bound
-    wanted = sum(b.open for b in plan.portBindings)
+    wanted = sum_of(b.open for b in plan.portBindings)
     return PinNeeds(len(plan.board.pins) if plan.board is not None else 0, len(bound), len(drawn), wanted)
 
 
@@ -197,7 +199,7 @@ def needs_in_words(needs: BoardNeeds) -> str:
         said.append(f"at most {build.stackBytes} bytes of stack")
     elif known.limit:
         ram = f"{known.total} of {known.limit} bytes of RAM and {known.depth}" if needs.build is None else f"{known.depth} bytes"
-        lines = ", ".join(map(str, known.unfollowed))
+        lines = ", ".join(str(each) for each in known.unfollowed)
         without = f" without what is called through pointers (line {lines})" if known.unfollowed else ""
         said.append(f"about {ram} of stack{without}")
     if known.stacks:

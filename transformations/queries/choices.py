@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from msgspec import Struct
+
 from robosmi.data_text import Json
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import hardware, migration, platform
@@ -19,7 +21,7 @@ NO_LIBRARY = "none"
 """The answer that a component needs no library."""
 
 
-class Choice(NamedTuple):
+class Choice(Struct, frozen=True):
     """A choice with its identity: `port:NAME`, `library:ELEMENTID` or `role:ELEMENTID`."""
 
     id: str

@@ -8,7 +8,8 @@ from __future__ import annotations
 import re
 from collections import deque
 from collections.abc import Iterable
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import hardware
 from robosmi.transformations.knowledge.described_circuit import is_either_side, joins_by_bus_only
@@ -18,7 +19,7 @@ Role = hardware.Role
 _SILENT = (Role.Board, Role.Power, Role.Decoration)
 
 
-class ReachedComponent(NamedTuple):
+class ReachedComponent(Struct, frozen=True):
     """A component that a path ended at: it, its connectors in the net where the path met it, and the passive parts before."""
 
     component: hardware.Component

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, TypeVar
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
@@ -23,15 +24,14 @@ from robosmi.transformations.queries.own_headers import all_includes
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.tokens import names_in
 from robosmi.transformations.queries.values import Values
-from robosmi.typed import matches
+from robosmi.typed import matches, replaced
 
 T = TypeVar("T")
 _CALLED = re.compile(r"(?<![\w.#>])([A-Za-z_]\w*)\s*\(")
 _LITERALS = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|/\*.*?\*/|//[^\n]*', re.DOTALL)
 
 
-@dataclass
-class CalledFunction:
+class CalledFunction(Struct):
     """A function that a unit calls and does not define, with all its calls.
 
     Attributes:
@@ -47,13 +47,13 @@ class CalledFunction:
     """
 
     name: str
-    calls: list[ccode.Call] = field(default_factory=list)
+    calls: list[ccode.Call] = []
     entry: ApiEntry | None = None
     header: str = ""
     signature: str = ""
     signature_source: str = "inferred"
     in_macro: bool = False
-    made: list[ccode.Call] = field(default_factory=list)
+    made: list[ccode.Call] = []
     callee: ccode.Function | None = None
 
     @property
@@ -67,18 +67,16 @@ class CalledFunction:
         return sorted(int(call.line) for call in self.calls)
 
 
-@dataclass
-class UsedName:
+class UsedName(Struct):
     """A symbol or type of the platform that a unit uses: name, kind, header, lines (each once, sorted)."""
 
     name: str
     kind: str
     header: str
-    lines: list[int] = field(default_factory=list)
+    lines: list[int] = []
 
 
-@dataclass
-class Constructs:
+class Constructs(Struct):
     """The platform-dependent constructs of a program or unit (paper 3.1), and those that nobody knows."""
 
     functions: list[CalledFunction]
@@ -302,7 +300,9 @@ def _merge(into: dict[str, CalledFunction], functions: Iterable[CalledFunction])
     for function in functions:
         known = into.get(function.name)
         if known is None:
-            into[function.name] = replace(function, calls=list(function.calls), made=list(function.made))  # the views keep theirs
+            into[function.name] = replaced(
+                function, calls=list(function.calls), made=list(function.made)
+            )  # the views keep theirs
         else:
             known.calls += function.calls
             known.made += function.made
@@ -329,8 +329,7 @@ def platform_types(program: ccode.Program, api: ApiIndex) -> list[UsedName]:
     return [name for view in views(program, api) for name in view.types()]
 
 
-@dataclass
-class CogStart:
+class CogStart(Struct):
     """Code that a program starts on another core: the call, the function that starts it, and the name of the code."""
 
     call: ccode.Call

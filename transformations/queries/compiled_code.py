@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration
 from robosmi.model.strict import Element
@@ -26,8 +27,7 @@ _VALUE = re.compile(r"^(?:const \w+ \w+ =|#define \w+) (?P<number>-?(?:0x[0-9A-F
 """How a name of the platform is given a number on the target."""
 
 
-@dataclass
-class CompiledCode:
+class CompiledCode(Struct):
     """What is left of a program.
 
     Attributes:
@@ -41,10 +41,10 @@ class CompiledCode:
 
     elements: list[Element]
     ignored: set[int]
-    fixed: dict[Key, int | None] = field(default_factory=dict)
-    unread: set[Key] = field(default_factory=set)
-    answers: dict[int, int] = field(default_factory=dict)
-    arguments: dict[int, list[int | None]] = field(default_factory=dict)
+    fixed: dict[Key, int | None] = {}
+    unread: set[Key] = set()
+    answers: dict[int, int] = {}
+    arguments: dict[int, list[int | None]] = {}
 
 
 def compiled_code(plan: migration.MigrationPlan, program: ReadProgram, *, pins: bool = True) -> CompiledCode:

@@ -7,15 +7,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence, Set
-from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi import resources
 from robosmi.metamodels import migration
 from robosmi.project import read_data
-from robosmi.typed import matches
+from robosmi.typed import matches, remembered
 from robosmi.verify.tables import DataTable
 
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
@@ -29,7 +29,7 @@ SERIAL = "serial device"
 """The kind of what has the connectors of a serial line."""
 
 
-class PortWords(NamedTuple):
+class PortWords(Struct, frozen=True):
     """The data.
 
     Attributes:
@@ -112,7 +112,7 @@ def known_roles() -> PortWords:
     return _known_roles(path, path.stat().st_mtime_ns)
 
 
-@lru_cache(maxsize=2)
+@remembered(2)
 def _known_roles(path: Path, _: int) -> PortWords:
     data = DataTable(path, read_data(path))
     said, purposes = data.table("roles"), data.table("connectors")

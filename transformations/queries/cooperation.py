@@ -19,7 +19,7 @@ from robosmi.transformations.queries.cores import reached, written
 from robosmi.transformations.queries.main_program import main_function
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.transformations.queries.values import Values
-from robosmi.typed import matches
+from robosmi.typed import matches, sum_of
 
 MOST = 7
 """Cores besides the one of main."""
@@ -149,7 +149,7 @@ def _times(element: Element, ends: Collection[str], above: tuple[int, ...]) -> i
         loop = ancestor_of_kind(around, ccode.Loop) if around is not None else None
     if function is None or id(function) in above or function.name == "main":
         return min(count, MOST)
-    callers = sum(_times(call, ends, (*above, id(function))) for call in function.calls)
+    callers = sum_of(_times(call, ends, (*above, id(function))) for call in function.calls)
     return min(count * max(callers, 1), MOST)
 
 
@@ -210,7 +210,7 @@ def stack_bytes(function: ccode.Function, adapters: Mapping[str, int]) -> int:
 
 def local_bytes(elements: Iterable[Element]) -> int:
     """How many bytes the local variables among some elements take."""
-    return sum(_size(e) for e in elements if isinstance(e, ccode.Variable) and e.storage.name != "staticStorage")
+    return sum_of(_size(e) for e in elements if isinstance(e, ccode.Variable) and e.storage.name != "staticStorage")
 
 
 def _size(variable: ccode.Variable) -> int:

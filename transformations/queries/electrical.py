@@ -9,7 +9,9 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, TypeVar
+
+from msgspec import Struct
 
 from robosmi.metamodels import hardware, platform
 from robosmi.query.run import ext
@@ -28,7 +30,7 @@ NOTHING = DeviceFacts("")
 """What is known of a device that nothing is known of."""
 
 
-class BoardPin(NamedTuple):
+class BoardPin(Struct, frozen=True):
     """A pin of a board as a component meets it: its connector, the net, the board, the label, what is known of the pin."""
 
     connector: hardware.Connector

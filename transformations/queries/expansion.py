@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, tokens
+from robosmi.typed import paired
 
 MOST_TOKENS = 400_000
 """Tokens of an expanded text; what would become longer is left as it is."""
@@ -27,7 +28,7 @@ _DEEP = 100
 """Macros within macros from which on a token counts more than once, as its way back takes room."""
 
 
-class TextPlace(NamedTuple):
+class TextPlace(Struct, frozen=True):
     """A range of a unit's text.
 
     Attributes:
@@ -42,7 +43,7 @@ class TextPlace(NamedTuple):
     body: bool = False
 
 
-class Frame(NamedTuple):
+class Frame(Struct, frozen=True):
     """Where a token, or the use of a macro that it comes out of, is written: unit, range, and whether in a macro's body."""
 
     unit: str
@@ -55,7 +56,7 @@ Path = tuple[Frame, ...]
 """The use in the file, the place in its macro's body, the place in the argument for it, and so on to the token itself."""
 
 
-class MacroToken(NamedTuple):
+class MacroToken(Struct, frozen=True):
     """A token with its way back."""
 
     kind: str
@@ -63,8 +64,7 @@ class MacroToken(NamedTuple):
     path: Path
 
 
-@dataclass
-class Definition:
+class Definition(Struct):
     """A macro: its parameters (None for one without parentheses) and its body's tokens, with their places."""
 
     name: str
@@ -320,7 +320,7 @@ class Expanded:
         self, macro: Definition, arguments: list[list[MacroToken]], prefix: Path, level: int, hidden: frozenset[str], offset: int
     ) -> list[MacroToken] | None:
         """A macro's body with its arguments."""
-        given = dict(zip(macro.parameters or (), arguments, strict=True))
+        given = dict(paired(macro.parameters or (), arguments))
         out: list[MacroToken] = []
         body = macro.body
         number = 0

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
+from robosmi.typed import attribute_of
 
 _LEVELS = ["*/%", "+-", ("<<", ">>"), ("<", ">", "<=", ">="), ("==", "!="), "&", "^", "|", ("&&",), ("||",), ","]
 
@@ -47,7 +48,7 @@ def expression_text(element: Element | None) -> str:
         return f"sizeof({inner})"
     if isinstance(element, ccode.InitializerList):
         return "{" + ", ".join(expression_text(e) for e in element.elements) + "}"
-    return str(getattr(element, "text", ""))
+    return attribute_of(element, "text", str) or ""
 
 
 def _operand(element: Element | None, level: int, right: bool) -> str:

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
+from robosmi.typed import paired, replaced
 
 _QUALIFIERS = re.compile(
     r"\b(const|volatile|register|restrict|extern|static|struct|union|enum|__(?:const|volatile|restrict)(?:__)?)\b"
@@ -44,8 +45,7 @@ _NAMELESS = frozenset({"struct", "union", "enum", "const", "volatile", "static",
 """Words of the type of a variable whose record has no name."""
 
 
-@dataclass(frozen=True)
-class ValueType:
+class ValueType(Struct, frozen=True):
     """A type in parts.
 
     Attributes:
@@ -83,7 +83,7 @@ class ValueType:
         return self.depth == 0 and bool(words) and set(words) <= ARITHMETIC
 
 
-class FunctionType(NamedTuple):
+class FunctionType(Struct, frozen=True):
     """What a function takes and gives, as text."""
 
     returns: str
@@ -115,9 +115,9 @@ def of_use(use: ccode.TypeUse | None) -> ValueType | None:
             meant = inner.declaration or _unnamed(declaration)
             sizes = made.dimensions + (inner.dimensions if made.depth == made.dimensions else 0)
             if inner.array:  # an element of a named array has no name of its own
-                made = replace(made, spelling=inner.spelling + "*" * made.depth, constant=made.constant or inner.constant)
-            return replace(made, base=inner.base, depth=made.depth + inner.depth, dimensions=sizes, declaration=meant)
-    return replace(made, declaration=declaration or nameless(use))
+                made = replaced(made, spelling=inner.spelling + "*" * made.depth, constant=made.constant or inner.constant)
+            return replaced(made, base=inner.base, depth=made.depth + inner.depth, dimensions=sizes, declaration=meant)
+    return replaced(made, declaration=declaration or nameless(use))
 
 
 def nameless(use: ccode.TypeUse) -> ccode.Record | ccode.Enumeration | None:
@@ -159,7 +159,7 @@ def element_type(kind: ValueType | None) -> ValueType | None:
     if kind is None or kind.depth == 0 or kind.function:
         return None
     spelling, sizes = kind.spelling.removesuffix("*").strip(), max(kind.dimensions - 1, 0)
-    return replace(kind, spelling=spelling, depth=kind.depth - 1, dimensions=sizes)
+    return replaced(kind, spelling=spelling, depth=kind.depth - 1, dimensions=sizes)
 
 
 def type_of(expression: ccode.Expression | None, functions: Mapping[str, FunctionType]) -> ValueType | None:
@@ -184,7 +184,7 @@ def type_of(expression: ccode.Expression | None, functions: Mapping[str, Functio
         if expression.operator == "*":
             return element_type(inner)
         if expression.operator == "&" and inner is not None and not inner.array:
-            return replace(inner, spelling=inner.spelling + (" *" if inner.depth == 0 else "*"), depth=inner.depth + 1)
+            return replaced(inner, spelling=inner.spelling + (" *" if inner.depth == 0 else "*"), depth=inner.depth + 1)
     if isinstance(expression, ccode.Binary) and expression.operator in ("+", "-"):
         sides = [
             t for t in (type_of(expression.left, functions), type_of(expression.right, functions)) if t is not None and t.depth
@@ -201,7 +201,7 @@ def _member(expression: ccode.Member, functions: Mapping[str, FunctionType]) -> 
     found = next((of_use(f.valueType) for f in record.fields if f.name == expression.name), None)
     if found is None or owner is None or not found.array:  # an array is as constant and as changing as what it is in
         return found
-    return replace(found, constant=found.constant or owner.constant, changing=found.changing or owner.changing)
+    return replaced(found, constant=found.constant or owner.constant, changing=found.changing or owner.changing)
 
 
 def declared_with_others(variable: ccode.Variable) -> bool:
@@ -229,7 +229,7 @@ def expectations(view: CodeView, functions: Mapping[str, FunctionType]) -> Itera
             wanted = [t for t in (of_use(p.valueType) for p in call.callee.parameters) if t is not None]
         else:
             continue
-        for argument, kind in zip(call.arguments, wanted, strict=False):
+        for argument, kind in paired(call.arguments, wanted, strict=False):
             yield from _value(argument, kind)
 
 

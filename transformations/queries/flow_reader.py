@@ -21,7 +21,7 @@ from robosmi.transformations.queries.number_names import holder_of
 from robosmi.transformations.queries.pin_uses import pin_number
 from robosmi.transformations.queries.pointers import gives_access, moved_pointer, pointed_functions, takes_number
 from robosmi.transformations.queries.value_flows import Flows, PinArgument, PortPlace
-from robosmi.typed import distinct, matches
+from robosmi.typed import class_name, distinct, matches, paired
 
 _WRITTEN = re.compile(rb"[0-9']")
 """What a number or character begins with that stands in the text itself."""
@@ -81,7 +81,7 @@ class FlowReader:
             thing.eContainer(), (ccode.SourceUnit, ccode.Program)
         ):
             if thing.storage is not ccode.Storage.staticStorage:
-                return (type(thing).__name__, str(thing.name))
+                return (class_name(thing), str(thing.name))
         elif isinstance(thing, ccode.Parameter):
             function = thing.eContainer()
             if isinstance(function, ccode.Function):
@@ -309,7 +309,7 @@ class FlowReader:
         arguments = list(call.arguments)
         own = self.functions.get(str(call.calleeName or "")) if call.callee is not None else None
         if own is not None:
-            for parameter, argument in zip(own.parameters, arguments, strict=False):
+            for parameter, argument in paired(own.parameters, arguments, strict=False):
                 self._give(self.key(parameter), argument)
             return
         if call.callee is None and call.calleeExpression is not None:

@@ -16,6 +16,7 @@ from robosmi.model.strict import Element
 from robosmi.query import all_contents
 from robosmi.transformations.queries.folded_values import DEPTH, Answer, FoldedValues, Key, ReadProgram, State, join
 from robosmi.transformations.queries.live_code import identity
+from robosmi.typed import class_name, sum_of
 
 _NESTED = 5
 """Loops that stand in so many others are gone through once, with nothing known where they begin: rounds multiply."""
@@ -67,7 +68,7 @@ class FoldedCode(FoldedValues):
             self.whatever(statement, state)
             return state
         self.depth += 1
-        method = _STATEMENTS.get(type(statement).__name__)
+        method = _STATEMENTS.get(class_name(statement))
         self.see(statement)
         if method is None:
             self.whatever(statement, state)
@@ -184,8 +185,8 @@ class FoldedCode(FoldedValues):
         chosen = self.value(switch.selector, state)
         body = switch.body
         cases = list(body.statements) if isinstance(body, ccode.Block) else []
-        inner = sum(isinstance(e, (ccode.Case, ccode.Default)) for e in all_contents(switch))
-        if body is None or not cases or inner != sum(len(_labels(each)) for each in cases):
+        inner = sum_of(isinstance(e, (ccode.Case, ccode.Default)) for e in all_contents(switch))
+        if body is None or not cases or inner != sum_of(len(_labels(each)) for each in cases):
             self.whatever(switch, state)
             return state
         self.see(body)

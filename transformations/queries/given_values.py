@@ -7,7 +7,8 @@ anywhere. A pointer and what it points to are one thing, as are the elements of 
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
@@ -19,7 +20,7 @@ from robosmi.transformations.queries.member_records import record_key, record_of
 from robosmi.transformations.queries.pointers import gives_access, moved_pointer
 
 
-class MemberKey(NamedTuple):
+class MemberKey(Struct, frozen=True):
     """The key of a member.
 
     Attributes:

@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from robosmi.typed import sum_of
+
 
 class HandlerBytes(NamedTuple):
     """What an interrupt's handler takes.
@@ -28,5 +30,5 @@ def upon_each_other(handlers: Iterable[HandlerBytes]) -> int:
         handlers: of different interrupts; none comes upon itself.
     """
     sizes = list(handlers)
-    below = sum(each.open for each in sizes if each.open >= 0)
+    below = sum_of(each.open for each in sizes if each.open >= 0)
     return below + max((each.most - max(0, each.open) for each in sizes), default=0)

@@ -7,7 +7,8 @@ A compiler keeps what changes and is read; numbers that never change it puts int
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration
 from robosmi.model.strict import Element
@@ -17,7 +18,7 @@ from robosmi.transformations.queries.live_code import identity, in_macros, is_gl
 from robosmi.transformations.queries.type_sizes import TypeSizes
 
 
-class Share(NamedTuple):
+class Share(Struct, frozen=True):
     """What takes part of the memory: its name, its bytes, and the line of the source where it is declared, 0 for none."""
 
     name: str

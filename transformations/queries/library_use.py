@@ -7,15 +7,16 @@ not read, a platform's repository may know them. Names that the program declares
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.typed import class_name
 
 
-@dataclass(frozen=True)
-class LibraryUse:
+class LibraryUse(Struct, frozen=True):
     """A use of a library.
 
     Attributes:
@@ -33,11 +34,10 @@ class LibraryUse:
     @property
     def kind(self) -> str:
         """The kind of element, as the metamodel names it."""
-        return type(self.element).__name__
+        return class_name(self.element)
 
 
-@dataclass(frozen=True)
-class LibraryNames:
+class LibraryNames(Struct, frozen=True):
     """What belongs to a library.
 
     Attributes:

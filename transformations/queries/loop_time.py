@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from functools import reduce
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.model.strict import Element
@@ -19,7 +20,7 @@ from robosmi.transformations.queries.constant_text import calculate
 from robosmi.transformations.queries.main_program import main_structure
 from robosmi.transformations.queries.pointed_calls import is_pointed, pointed_calls
 from robosmi.transformations.queries.values import Values
-from robosmi.typed import distinct
+from robosmi.typed import class_name, distinct, paired, sum_of
 
 TICKS_A_SECOND = "clock ticks a second"
 """What a name of the source means that stands for the rate of its clock."""
@@ -36,14 +37,14 @@ _WAYS_OUT = (ccode.Break, ccode.Continue, ccode.Return, ccode.Goto)
 _LABELS = (ccode.Case, ccode.Default)
 
 
-class Wait(NamedTuple):
+class Wait(Struct, frozen=True):
     """A wait that nothing bounds: what waits, and its line."""
 
     what: str
     line: int
 
 
-class Time(NamedTuple):
+class Time(Struct, frozen=True):
     """Between which times something waits.
 
     Attributes:
@@ -156,7 +157,7 @@ class LoopTimes:
         body = switch.body
         statements = list(body.statements) if isinstance(body, ccode.Block) else [body] if body is not None else []
         labels = [at for at, each in enumerate(statements) if isinstance(each, _LABELS)]
-        if len(labels) < sum(_is_first_label(each) for each in _within_switch(switch.body)):  # into the midst of a loop
+        if len(labels) < sum_of(_is_first_label(each) for each in _within_switch(switch.body)):  # into the midst of a loop
             whole = self._inside(switch.body)
             return Time(0.0, whole.high, whole.unbounded)
         times = [self._sequence(statements[at:]) for at in labels]
@@ -234,7 +235,7 @@ class LoopTimes:
 
     def _platform_call(self, call: ccode.Call, function: platform.ApiFunction) -> Time:
         """The time that a function of the platform waits: what its argument asks for, or the longest that it takes."""
-        for argument, parameter in zip(call.arguments, function.parameters, strict=False):
+        for argument, parameter in paired(call.arguments, function.parameters, strict=False):
             factor = _UNITS.get(parameter.meaning, 1.0 / TICKS if parameter.meaning is platform.Meaning.ticks else 0.0)
             if factor:
                 numbers = self._numbers(argument, ticks=parameter.meaning is platform.Meaning.ticks)
@@ -327,5 +328,5 @@ def _pointer_name(call: ccode.Call) -> str:
 
 
 def _name(loop: ccode.Loop) -> str:
-    kind = {"While": "while", "DoWhile": "do", "For": "for"}.get(type(loop).__name__, "loop")
+    kind = {"While": "while", "DoWhile": "do", "For": "for"}.get(class_name(loop), "loop")
     return f"the {kind} loop"

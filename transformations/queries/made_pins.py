@@ -10,7 +10,8 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Hashable, Iterator, Sequence
 from functools import cached_property
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.api_facts import PinParameter
@@ -22,7 +23,7 @@ from robosmi.transformations.queries.port_macros import body_names, follow_argum
 from robosmi.transformations.queries.value_flows import PinArgument
 
 
-class _Text(NamedTuple):
+class _Text(Struct, frozen=True):
     """A unit's text with its macros expanded, and the tokens of it."""
 
     view: CodeView
@@ -30,7 +31,7 @@ class _Text(NamedTuple):
     tokens: TokenText
 
 
-class _MadePin(NamedTuple):
+class _MadePin(Struct, frozen=True):
     """A pin of a call that a macro makes.
 
     Attributes:

@@ -7,7 +7,8 @@ it, or why the whole body has to stay in one piece, which is always correct. It 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind, ancestor_of_kind
@@ -23,7 +24,7 @@ from robosmi.transformations.queries.main_locals import (
 from robosmi.transformations.queries.main_program import MainStructure, main_structure, ways_out
 
 
-class Division(NamedTuple):
+class Division(Struct, frozen=True):
     """How main is divided.
 
     Attributes:

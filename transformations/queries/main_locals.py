@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Sequence
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, ancestor_of_kind
@@ -18,7 +19,7 @@ AUTOMATIC = ("staticStorage", "externStorage")
 """Storage of locals that live as long as the program anyway, so that their declaration is carried out once."""
 
 
-class MovedDeclaration(NamedTuple):
+class MovedDeclaration(Struct, frozen=True):
     """A declaration of main that moves to file scope.
 
     Attributes:
@@ -34,7 +35,7 @@ class MovedDeclaration(NamedTuple):
     renamed: tuple[tuple[str, str], ...] = ()
 
 
-class Surroundings(NamedTuple):
+class Surroundings(Struct, frozen=True):
     """What a local that moves must agree with.
 
     Attributes:

@@ -6,22 +6,20 @@ them is decided in the plan.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents
 
 
-@dataclass
-class LoopExit:
+class LoopExit(Struct):
     """A way out of the loop: break, return or goto, and its line."""
 
     kind: str
     line: int
 
 
-@dataclass
-class MainStructure:
+class MainStructure(Struct):
     """What `main` is made of.
 
     Attributes:
@@ -34,10 +32,10 @@ class MainStructure:
 
     function: ccode.Function
     loop: ccode.Loop | None = None
-    before: list[ccode.Statement] = field(default_factory=list)
-    after: list[ccode.Statement] = field(default_factory=list)
-    hoisted: list[ccode.Variable] = field(default_factory=list)
-    exits: list[LoopExit] = field(default_factory=list)
+    before: list[ccode.Statement] = []
+    after: list[ccode.Statement] = []
+    hoisted: list[ccode.Variable] = []
+    exits: list[LoopExit] = []
 
     @property
     def loop_kind(self) -> str | None:

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence, Set
-from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.model.strict import Element
@@ -23,7 +24,7 @@ from robosmi.transformations.queries.plan import platform_of
 from robosmi.transformations.queries.plan_adapters import closure, emitted, setup_statements
 from robosmi.transformations.queries.stack_depth import depth, unfollowed
 from robosmi.transformations.queries.type_sizes import on_target
-from robosmi.typed import matches
+from robosmi.typed import matches, paired, remembered, sum_of
 
 _SERIAL = "Serial"
 """The part of the core that has a serial line."""
@@ -39,7 +40,7 @@ _NUMBER = re.compile(r"static (?:struct \{[^{}]*\}|[^;{(]*?[\w\]]*?) ?(\w+)(?:\[
 """The text of a piece that is one variable."""
 
 
-class Memory(NamedTuple):
+class Memory(Struct, frozen=True):
     """The memory that a program takes for as long as it runs.
 
     Attributes:
@@ -65,12 +66,12 @@ class Memory(NamedTuple):
     @property
     def of_variables(self) -> int:
         """Bytes of the program's variables."""
-        return sum(each.bytes for each in self.variables)
+        return sum_of(each.bytes for each in self.variables)
 
     @property
     def of_adapters(self) -> int:
         """Bytes of adapters, core and libraries."""
-        return sum(each.bytes for each in self.adapters)
+        return sum_of(each.bytes for each in self.adapters)
 
     @property
     def total(self) -> int:
@@ -162,8 +163,8 @@ def _adapters(plan: migration.MigrationPlan, live: Sequence[Element], pieces: Se
     words = [_words(str(piece.text)) for piece in pieces]
     alone = [_NUMBER.fullmatch(str(piece.text).strip()) for piece in pieces]
     own = [number[1] if number is not None else "" for number in alone]
-    changed = {name for each, declared in zip(words, own, strict=True) for name in _changed(each) if name != declared}
-    for piece, declared in zip(pieces, own, strict=True):
+    changed = {name for each, declared in paired(words, own) for name in _changed(each) if name != declared}
+    for piece, declared in paired(pieces, own):
         if piece.ramBytes and (not declared or declared in changed):
             yield Share(str(piece.name), int(piece.ramBytes))
     names = {word for each in words for word in each}
@@ -181,7 +182,7 @@ def _adapters(plan: migration.MigrationPlan, live: Sequence[Element], pieces: Se
     yield from taken.values()
 
 
-@lru_cache(maxsize=512)  # each report asks it of the same pieces
+@remembered(512)  # each report asks it of the same pieces
 def _words(text: str) -> tuple[str, ...]:
     """The tokens of a piece, comments left out."""
     return tuple(word for kind, *_, word in tokens(text.encode()) if kind != "comment")

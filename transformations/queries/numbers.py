@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode, platform
 from robosmi.transformations.queries.expression_type import FunctionType, ValueType, of_use, type_of
-from robosmi.typed import matches
+from robosmi.typed import class_name, matches, remembered
 
 _FIXED = re.compile(r"(u?)int(?:_least|_fast)?(8|16|32|64)_t")
 _WORD = re.compile(r"[A-Za-z_]\w*")
@@ -24,7 +25,7 @@ COMPARISONS = frozenset(["<", ">", "<=", ">=", "==", "!="])
 _TRUTHS = COMPARISONS | {"&&", "||"}
 
 
-class Number(NamedTuple):
+class Number(Struct, frozen=True):
     """A type of numbers: its bits, whether it is signed, whether it is a floating one, whether its width is the same anywhere."""
 
     bits: int
@@ -43,7 +44,7 @@ class Number(NamedTuple):
         return (1 << (self.bits - self.signed)) - 1
 
 
-class Machine(NamedTuple):
+class Machine(Struct, frozen=True):
     """What a platform computes in: bits of int, long and pointers, and whether plain char is signed."""
 
     int_bits: int
@@ -92,7 +93,7 @@ class Machine(NamedTuple):
         return Number(wide.bits, wide.signed)
 
 
-@lru_cache(maxsize=512)
+@remembered(512)
 def _number(machine: Machine, base: str) -> Number | None:
     fixed = _FIXED.fullmatch(base)
     if fixed:
@@ -154,7 +155,7 @@ class Numbers:
         return self._known[id(expression)]
 
     def _rule(self, expression: ccode.Expression | None) -> Number | None:
-        rule = _RULES.get(type(expression).__name__)
+        rule = _RULES.get(class_name(expression))
         return rule(self, expression) if rule is not None else self.typed(type_of(expression, self.functions))
 
     def _assigned(self, assignment: ccode.Assignment) -> Number | None:

@@ -7,8 +7,9 @@ argument has is asked of `values`. Masks of registers, bodies of macros and othe
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
@@ -18,8 +19,7 @@ from robosmi.transformations.queries.expression_text import expression_text
 from robosmi.transformations.queries.values import RUNTIME, Value, Values
 
 
-@dataclass
-class PinUse:
+class PinUse(Struct):
     """A pin that a call uses.
 
     Attributes:

@@ -8,7 +8,8 @@ role. Which numbers go where is `port_flows`' business; what a port becomes on t
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode, platform
 from robosmi.query import ancestor_of_kind
@@ -21,10 +22,10 @@ from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.register_bits import register_bits
 from robosmi.transformations.queries.value_flows import Flow, PortPlace
 from robosmi.transformations.queries.values import Value, Values
+from robosmi.typed import paired
 
 
-@dataclass
-class Port:
+class Port(Struct):
     """A port of the program.
 
     Attributes:
@@ -42,9 +43,9 @@ class Port:
     origin: str
     element: ccode.Located
     pin: int | None
-    names: list[str] = field(default_factory=list)
+    names: list[str] = []
     what: str = ""
-    uses: list[PinUse] = field(default_factory=list)
+    uses: list[PinUse] = []
     conventional: platform.ConventionalPort | None = None
 
     @property
@@ -53,8 +54,7 @@ class Port:
         return {use.direction for use in self.uses} - {"unknown"}
 
 
-@dataclass
-class FlowPorts:
+class FlowPorts(Struct):
     """A flow with the numbers of the ports that go through it.
 
     Attributes:
@@ -70,7 +70,7 @@ class FlowPorts:
     numbers: list[int]
     anything: bool
     values: list[list[Value]]
-    made: Mapping[int, Sequence[tuple[ccode.Call, Collection[int | None]]]] = field(default_factory=dict)
+    made: Mapping[int, Sequence[tuple[ccode.Call, Collection[int | None]]]] = {}
 
     @property
     def calls(self) -> Iterator[ccode.Call]:
@@ -84,8 +84,7 @@ class FlowPorts:
         return not self.flow.kept and not self.flow.computed
 
 
-@dataclass
-class ProgramPorts:
+class ProgramPorts(Struct):
     """The ports of a program and how their numbers flow.
 
     Attributes:
@@ -98,7 +97,7 @@ class ProgramPorts:
     ports: list[Port]
     flows: list[FlowPorts]
     anything: bool
-    unasked: list[Port] = field(default_factory=list)
+    unasked: list[Port] = []
 
 
 def program_ports(views: Sequence[CodeView], flows: Sequence[Flow]) -> ProgramPorts:
@@ -221,7 +220,7 @@ def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> None:
             port.names.insert(len(port.names) - 1, name)
 
     for each in through:
-        for argument, known in zip(each.flow.arguments, each.values, strict=True):
+        for argument, known in paired(each.flow.arguments, each.values):
             number = known[0].number if len(known) == 1 else None
             reached = found.get(number) if number is not None else None
             holder = _constant(argument.argument)

@@ -15,6 +15,7 @@ from robosmi.model.strict import Element
 from robosmi.transformations.queries.constant_text import calculate
 from robosmi.transformations.queries.numbers import COMPARISONS, Numbers
 from robosmi.transformations.queries.values import Values, passed_arguments
+from robosmi.typed import class_name
 
 DEEP = 40
 """How many names and operators lie between an expression and the values that it stands for, at most."""
@@ -69,7 +70,7 @@ class Ranges:
         return self._known[key]
 
     def _rule(self, expression: ccode.Expression | None) -> Range | None:
-        rule = _RULES.get(type(expression).__name__)
+        rule = _RULES.get(class_name(expression))
         found = rule(self, expression) if rule is not None else None
         if found is not None:
             return found

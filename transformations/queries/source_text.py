@@ -9,7 +9,8 @@ from __future__ import annotations
 import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.queries.block_braces import ends_in_brace
@@ -62,8 +63,7 @@ def header_file(name: str) -> str:
     return name if name.lower().endswith(HEADERS) else f"{name.replace('.', '_')}.h"
 
 
-@dataclass(frozen=True)
-class Piece:
+class Piece(Struct, frozen=True):
     """A run of whole lines of copied text.
 
     Attributes:

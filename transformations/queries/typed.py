@@ -9,8 +9,9 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.transformations.queries.expansion import TextPlace
 from robosmi.transformations.queries.numbers import Number
@@ -53,8 +54,7 @@ class NumberKind(NamedTuple):
 _UNKNOWN = NumberKind()
 
 
-@dataclass
-class TypedExpression:
+class TypedExpression(Struct):
     """An expression, or a statement or declaration that holds some.
 
     Attributes:
@@ -81,7 +81,7 @@ class TypedExpression:
     operator: str = ""
     kind: NumberKind = _UNKNOWN
     converted: NumberKind = _UNKNOWN
-    children: list[TypedExpression] = field(default_factory=list)
+    children: list[TypedExpression] = []
     places: tuple[TextPlace, ...] = ()
     inner: tuple[TextPlace, ...] = ()
     layers: tuple[TextPlace, ...] = ()

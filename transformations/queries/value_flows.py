@@ -7,13 +7,14 @@ any key; the number of a set's things never matters.
 from __future__ import annotations
 
 from collections.abc import Hashable
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.api_facts import PinParameter
 
 
-class PortPlace(NamedTuple):
+class PortPlace(Struct, frozen=True):
     """A number in the text that may be a port of the source.
 
     Attributes:
@@ -34,7 +35,7 @@ class PortPlace(NamedTuple):
     within: str = ""
 
 
-class PinArgument(NamedTuple):
+class PinArgument(Struct, frozen=True):
     """An argument that is a pin for a function of the platform.
 
     Attributes:

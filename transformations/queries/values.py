@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Hashable
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, TypeVar
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
@@ -17,13 +19,14 @@ from robosmi.transformations.queries.bounded_walk import BoundedWalk
 from robosmi.transformations.queries.constant_text import calculate, macro_number
 from robosmi.transformations.queries.expansion import MacroTexts
 from robosmi.transformations.queries.own_headers import included
+from robosmi.typed import class_name
 
 D = TypeVar("D", bound=Element)
 LIMIT = 64
 _SIZE = re.compile(r"\[\s*(\d+)\s*\]")
 
 
-class Value(NamedTuple):
+class Value(Struct, frozen=True):
     """A value, or None where only the running program knows it, and how the text gives it (literal, constant, array, runtime)."""
 
     number: int | None
@@ -55,7 +58,7 @@ class Values:
 
     def of(self, expression: Element | None) -> list[Value]:
         """The values of an expression, in text order, each once."""
-        method = _METHODS.get(type(expression).__name__)
+        method = _METHODS.get(class_name(expression))
         return _distinct(self._walk.ask(lambda: method(self, expression))) if method else [RUNTIME]
 
     def _guarded(self, element: D, what: str, body: Callable[[D], list[Value]], *given: Hashable) -> list[Value]:

@@ -11,13 +11,15 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
+from msgspec import Struct
+
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.text_changes import CARRIED_OVER
 from robosmi.transformations.queries.waiting_calls import open_conventions
-from robosmi.typed import distinct
+from robosmi.typed import class_name, distinct
 
 RETAINED, ADAPTED, CARE, NEEDS_YOU, UNSUPPORTED = "retained", "adapted", "adapted_with_care", "needs_you", "not_supported"
 VERDICTS = (RETAINED, ADAPTED, CARE, NEEDS_YOU, UNSUPPORTED)
@@ -43,7 +45,7 @@ class Judged(NamedTuple):
     effort: str = ""
 
 
-class Construct(NamedTuple):
+class Construct(Struct, frozen=True):
     """A construct and its verdict.
 
     Attributes:
@@ -112,12 +114,12 @@ def construct_title(element: ccode.Located, data: bytes = b"") -> str:
     """
     if isinstance(element, ccode.Include):
         return f"#include {'<' if element.system else chr(34)}{element.header}{'>' if element.system else chr(34)}"
-    kind = _KINDS.get(type(element).__name__, "")
+    kind = _KINDS.get(class_name(element), "")
     if isinstance(element, (ccode.Declaration, ccode.Macro)):
-        return f"{kind} {element.name}".strip() if element.name else kind or type(element).__name__
+        return f"{kind} {element.name}".strip() if element.name else kind or class_name(element)
     text = " ".join(data[element.startOffset : element.endOffset].decode("utf-8", "replace").split())
     if not text:
-        return type(element).__name__
+        return class_name(element)
     return text if len(text) <= _SHOWN else f"{text[: _SHOWN - 4].rstrip()} ..."
 
 

@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
+
+from msgspec import Struct
 
 from robosmi.data_text import Json
 from robosmi.metamodels import migration, platform
@@ -19,6 +21,7 @@ from robosmi.transformations.queries.board_needs import board_needs
 from robosmi.transformations.queries.plan import decisions
 from robosmi.transformations.queries.verdicts import EFFORTS, constructs, unserved_headers, verdict_counts
 from robosmi.transformations.queries.waiting_calls import WITH_CARE, WORKS, CallStates
+from robosmi.typed import sum_of
 
 DECIDE = frozenset({"RS330", "RS401"})
 """Rules of tasks that are choices."""
@@ -26,7 +29,7 @@ UNUSED = "RS331"
 """The rule of what is drawn and not used: to be looked at on the bench."""
 
 
-class Group(NamedTuple):
+class Group(Struct, frozen=True):
     """Tasks of one cause that are done together.
 
     Attributes:
@@ -60,7 +63,7 @@ class Work:
     @cached_property
     def unread(self) -> int:
         """How many calls stand in text that the parser could not read, whatever they call."""
-        return sum(len(unit.unresolved) for unit in self.plan.program.units) if self.plan.program is not None else 0
+        return sum_of(len(unit.unresolved) for unit in self.plan.program.units) if self.plan.program is not None else 0
 
     @property
     def working(self) -> int:
@@ -109,11 +112,11 @@ class Work:
                 "answers": [_answer(self.plan, d) for d in left],
             },
             "write": {
-                "total": len(self.write), "done": sum(task.done for task in self.write),
+                "total": len(self.write), "done": sum_of(task.done for task in self.write),
                 **{effort: efforts[effort] for effort in EFFORTS},
             },
             "check": {
-                "total": len(self.check), "done": sum(task.done for task in self.check),
+                "total": len(self.check), "done": sum_of(task.done for task in self.check),
                 "items": [{"message": str(task.message), "done": bool(task.done)} for task in self.check],
             },
         }  # fmt: skip

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.transformations.knowledge.lexer import Token, tokens
 from robosmi.typed import matches
@@ -28,7 +29,7 @@ _CODE = re.compile(r"(?<!\\)`[^`]*`")
 _QUOTED = re.compile(r"'([^']*)'")
 
 
-class Body(NamedTuple):
+class Body(Struct, frozen=True):
     """A function that is defined in a text.
 
     Attributes:
@@ -139,7 +140,7 @@ def open_bodies(texts: Iterable[str]) -> dict[str, bool]:
     return found
 
 
-class Tick(NamedTuple):
+class Tick(Struct, frozen=True):
     """A task in a report.
 
     Attributes:

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from functools import lru_cache
 
 from robosmi.transformations.knowledge.part import Part
+from robosmi.typed import remembered
 
 Node = tuple[str, str]
 """Identity of a component, and the connector that stands for all that its part joins to it (empty for a wire)."""
@@ -58,7 +58,7 @@ def bus_leaders(part: Part) -> dict[str, str]:
     return leaders
 
 
-@lru_cache(maxsize=8192)
+@remembered(8192)
 def natural(text: str) -> tuple[tuple[int, int, str], ...]:
     """A sort key by which connector2 comes before connector10."""
     return tuple((0, int(piece), "") if piece[0] in _DIGITS else (1, 0, piece) for piece in _NUMBER.split(text) if piece)

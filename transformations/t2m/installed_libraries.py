@@ -12,8 +12,9 @@ import os
 import re
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from pathlib import Path
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.data_text import Json, json_of
@@ -41,8 +42,7 @@ _KEYWORDS = frozenset(  # of C++, and of its preprocessor
 )
 
 
-@dataclass
-class Found:
+class Found(Struct):
     """What a folder gave.
 
     Attributes:
@@ -50,8 +50,8 @@ class Found:
         skipped: path -> why it was left out.
     """
 
-    rows: list[LibraryRow] = field(default_factory=list)
-    skipped: dict[str, str] = field(default_factory=dict)
+    rows: list[LibraryRow] = []
+    skipped: dict[str, str] = {}
 
 
 def read_libraries(folder: Path) -> Found:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from pathlib import Path
 
 from robosmi.data_text import Json, json_of
@@ -17,7 +16,7 @@ from robosmi.errors import SourceError
 from robosmi.model.packed_lines import packed_lines
 from robosmi.recommend.library_api import ApiClass, ApiFunction, HeaderApi
 from robosmi.transformations.knowledge.api_spelling import spelled
-from robosmi.typed import distinct
+from robosmi.typed import distinct, replaced
 
 _KIND = re.compile(r"^(enum|struct|class|union):(?!:)")
 _FIX = "take a file that has one header a line, as the README beside the index says"
@@ -57,7 +56,7 @@ def header_api(row: Mapping[str, Json]) -> HeaderApi:
         ValueError: the row has another form.
     """
     api = HeaderApi.from_facts(row)
-    return replace(
+    return replaced(
         api,
         classes=tuple(_class(each) for each in api.classes),
         functions=_functions(api.functions, conversions=False),
@@ -66,7 +65,7 @@ def header_api(row: Mapping[str, Json]) -> HeaderApi:
 
 
 def _class(declared: ApiClass) -> ApiClass:
-    return replace(
+    return replaced(
         declared,
         bases=tuple(spelled(base) for base in _whole(declared.bases)),
         constructors=tuple(distinct(spelled(parameters) for parameters in declared.constructors)),

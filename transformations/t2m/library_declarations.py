@@ -8,8 +8,10 @@ declaration. Nothing here nests: open brackets and scopes are kept in lists.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import Any
+
+from msgspec import Struct
+from msgspec.structs import asdict
 
 from robosmi.transformations.knowledge.api_spelling import joined
 from robosmi.transformations.knowledge.api_tokens import (
@@ -34,19 +36,17 @@ _AFTER = frozenset(["const", "volatile", "override", "final", "noexcept", "throw
 _NO_NAMES = frozenset(["if", "for", "while", "switch", "return", "sizeof", "defined", "else", "do", "case", "new", "delete"])
 
 
-@dataclass
-class _Class:
+class _Class(Struct):
     """A class; of each constructor its parameters, of each method its name, parameters, type, and `static` if it is."""
 
     name: str
     kind: str
     bases: list[str]
-    constructors: list[str] = field(default_factory=list)
-    methods: list[list[str]] = field(default_factory=list)
+    constructors: list[str] = []
+    methods: list[list[str]] = []
 
 
-@dataclass
-class _Scope:
+class _Scope(Struct):
     """An open `{`: a namespace (also `extern "C"`), or a class with its entry."""
 
     name: str
@@ -55,15 +55,14 @@ class _Scope:
     own: str = ""
 
 
-@dataclass
-class _Scan:
+class _Scan(Struct):
     """What was found so far."""
 
-    classes: list[_Class] = field(default_factory=list)
-    functions: list[list[str]] = field(default_factory=list)
-    constants: dict[str, str] = field(default_factory=dict)
-    enums: dict[str, list[str]] = field(default_factory=dict)
-    scopes: list[_Scope] = field(default_factory=list)
+    classes: list[_Class] = []
+    functions: list[list[str]] = []
+    constants: dict[str, str] = {}
+    enums: dict[str, list[str]] = {}
+    scopes: list[_Scope] = []
 
     def visible(self) -> bool:
         """Whether what stands here can be used from outside."""
@@ -86,7 +85,7 @@ def declarations(data: bytes) -> dict[str, Any]:
     while at < len(parts):
         at = _statement(parts, at, scan)
     used = [c for c in scan.classes if c.kind == "class" or c.methods or c.constructors]
-    return {"classes": [vars(c) for c in used], "functions": scan.functions, "constants": scan.constants, "enums": scan.enums}
+    return {"classes": [asdict(c) for c in used], "functions": scan.functions, "constants": scan.constants, "enums": scan.enums}
 
 
 def _opened(parts: list[Part], opening: int, scope: _Scope, scan: _Scan) -> int:

@@ -12,9 +12,10 @@ import csv
 import hashlib
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.data_text import toml_of
@@ -32,7 +33,7 @@ from robosmi.transformations.knowledge.part_names import PartNames, connector_ki
 from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.t2m.given_roles import given_roles
-from robosmi.typed import distinct
+from robosmi.typed import distinct, paired
 
 COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "rest", "board")
 """The columns; the first two must be there."""
@@ -45,8 +46,7 @@ _SILENT = ("Board", "Power", "Passive", "Decoration")
 _TRUE, _FALSE = ("true", "yes", "1", "x"), ("", "false", "no", "0")
 
 
-@dataclass(frozen=True, slots=True)
-class _Row:
+class _Row(Struct, frozen=True):
     line: int
     cells: Mapping[str, str]
 
@@ -323,7 +323,7 @@ def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
                 location=Location(str(path), number),
                 fix="put a cell with a comma in it in quotes",
             )
-        rows.append(_Row(number, dict(zip(header, (csv_text(cell.strip()) for cell in cells), strict=False))))
+        rows.append(_Row(number, dict(paired(header, (csv_text(cell.strip()) for cell in cells), strict=False))))
     boards = distinct(row["board"] for row in rows if row["board"])
     if len(boards) > 1:
         raise SourceError(f"the rows name {len(boards)} boards", location=Location(str(path)), fix="keep one table a board")
@@ -347,7 +347,7 @@ def _toml_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
     board = table.get("board", "")
     if not isinstance(board, str):
         raise SourceError("'board' is no text", location=Location(str(path)), fix='write board = "uno"')
-    return board, [_Row(place, {k: _cell(v) for k, v in e.items()}) for place, e in zip(places, entries, strict=True)]
+    return board, [_Row(place, {k: _cell(v) for k, v in e.items()}) for place, e in paired(places, entries)]
 
 
 def _cell(value: object) -> str:

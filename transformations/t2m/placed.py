@@ -6,8 +6,9 @@ The hardware model is made of them by `drawing.CircuitBuilder`.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.transformations.knowledge.drawn_boards import DrawnBoard
 from robosmi.transformations.knowledge.part import Part
@@ -20,8 +21,7 @@ class End(NamedTuple):
     connector: str
 
 
-@dataclass(frozen=True, slots=True)
-class Placed:
+class Placed(Struct, frozen=True):
     """A part that is placed in a drawing, as the drawing has it.
 
     Attributes:
@@ -41,18 +41,17 @@ class Placed:
     identity: str
     part_id: str
     title: str = ""
-    properties: Mapping[str, str] = field(default_factory=dict)
+    properties: Mapping[str, str] = {}
     used: Iterable[str] = ()
     mentioned: Iterable[str] = ()
-    names: Mapping[str, str] = field(default_factory=dict)
+    names: Mapping[str, str] = {}
     line: int | None = None
     hint: str = ""
     symbol: bool = False
     listed_as: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class KnownPart:
+class KnownPart(Struct, frozen=True):
     """A part of a drawing with what is known of it.
 
     Attributes:

@@ -7,13 +7,12 @@ written by hand in `meanings.toml`. Run: `python -m robosmi.transformations.t2m.
 
 from __future__ import annotations
 
-import json
 import sys
 from pathlib import Path
 from typing import TypedDict, cast
 
 from robosmi import inputs, resources
-from robosmi.data_text import Json, json_of
+from robosmi.data_text import Json, json_of, json_written
 from robosmi.transformations.knowledge.api_data import FunctionPins
 from robosmi.transformations.knowledge.api_spelling import tidy
 
@@ -87,7 +86,7 @@ def write(folder: Path, target: Path) -> list[Path]:
     """
 
     def line(value: Json) -> str:
-        return json.dumps(value, ensure_ascii=True, separators=(",", ":"))
+        return json_written(value, ensure_ascii=True, separators=(",", ":"))
 
     def read(name: str) -> Json:
         return json_of(inputs.read_text(folder / name, inputs.DATA))

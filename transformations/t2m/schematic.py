@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
 from pathlib import Path
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Severity
 from robosmi.errors import did_you_mean
@@ -24,7 +25,7 @@ from robosmi.transformations.knowledge.part_names import connector_kind
 from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.t2m.connectivity import Joined
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
-from robosmi.typed import distinct
+from robosmi.typed import distinct, replaced, sum_of
 
 _CLOCK_PARTS = ("crystal", "resonator", "oscillator", "quartz", "xtal")
 _NET_NAMES = 3
@@ -33,8 +34,7 @@ _NUMBERED = ("N$", "Net-(", "unconnected-(")
 """How names begin that a tool gives to nets that have none."""
 
 
-@dataclass(frozen=True, slots=True)
-class SchematicPart:
+class SchematicPart(Struct, frozen=True):
     """A placed part.
 
     Attributes:
@@ -62,32 +62,30 @@ class SchematicPart:
     value: str = ""
     description: str = ""
     tags: tuple[str, ...] = ()
-    pins: Mapping[str, str] = field(default_factory=dict)
+    pins: Mapping[str, str] = {}
     count: int = 0
-    properties: Mapping[str, str] = field(default_factory=dict)
+    properties: Mapping[str, str] = {}
     line: int | None = None
     power: bool = False
     defined: bool = True
 
 
-@dataclass(slots=True)
-class SchematicNet:
+class SchematicNet(Struct):
     """A net: its name in the drawing, and its pins. Nets that have a pin in common are one."""
 
     name: str
-    ends: list[End] = field(default_factory=list)
+    ends: list[End] = []
 
 
-@dataclass(slots=True)
-class Schematic:
+class Schematic(Struct):
     """What was drawn: parts and nets in the file's order, digest and version of the file, further files that were read."""
 
     path: str
     digest: str
     tool: str
     version: str = ""
-    parts: list[SchematicPart] = field(default_factory=list)
-    nets: list[SchematicNet] = field(default_factory=list)
+    parts: list[SchematicPart] = []
+    nets: list[SchematicNet] = []
     companions: Sequence[str] = ()
 
 
@@ -123,7 +121,7 @@ class _Making:
         alike = (part.identity,) if own else (part.symbol, part.value, *part.pins.items())
         key = repr((part.listed_as, *alike))  # texts joined might be those of another part
         if board is not None:
-            described = replace(described, role="Board", evidence=f"drawn as {board.title} (boards of the platform repository)")
+            described = replaced(described, role="Board", evidence=f"drawn as {board.title} (boards of the platform repository)")
         return key, builder.know(key, described, board=board, own=own)
 
     def _described(self, part: SchematicPart) -> tuple[Part, DrawnBoard | None, bool]:
@@ -134,22 +132,22 @@ class _Making:
             source="the drawing", description=part.description or self._meaning(part), buses=self._joined_inside(part),
         )  # fmt: skip
         if part.power:
-            return replace(found, role="Power", evidence="it is a symbol of a supply or a ground"), None, False
+            return replaced(found, role="Power", evidence="it is a symbol of a supply or a ground"), None, False
         if not part.pins and part.defined:
-            return replace(found, role="Decoration", evidence="its symbol has no pins"), None, False
+            return replaced(found, role="Decoration", evidence="its symbol has no pins"), None, False
         if self._called(part, self.builder.names.solder_jumpers):
             evidence = "a bridge of solder, which is not crossed"
-            return replace(found, family="solder jumper", role="Passive", evidence=evidence), None, False
+            return replaced(found, family="solder jumper", role="Passive", evidence=evidence), None, False
         if (board := self._board(part)) is not None:
-            return replace(found, buses=self._joined(part)), board, False
+            return replaced(found, buses=self._joined(part)), board, False
         if (chip := self._chip(part)) and part.identity not in self.chips:
-            return replace(found, role="Board", evidence=f"a bare {chip}: it runs a program"), None, False
+            return replaced(found, role="Board", evidence=f"a bare {chip}: it runs a program"), None, False
         if self._called(part, self.builder.names.headers):
             return self._header(part, found)
         if part.value:
-            device = classify(replace(found, title=part.value, family="", description="", connectors={}), self.project)
+            device = classify(replaced(found, title=part.value, family="", description="", connectors={}), self.project)
             if device.role in ("Input", "Output", "Both"):  # the value decides over the symbol
-                return replace(found, role=device.role, driver=device.driver, evidence=f"value: {device.evidence}"), None, False
+                return replaced(found, role=device.role, driver=device.driver, evidence=f"value: {device.evidence}"), None, False
         return found, None, False
 
     def _meaning(self, part: SchematicPart) -> str:
@@ -226,7 +224,7 @@ class _Making:
     @staticmethod
     def _chip(part: SchematicPart) -> str:
         """The microcontroller that a part is, or an empty text: it is called like one and has ports."""
-        ports = sum(bool(port_of(name)) for name in part.pins.values())
+        ports = sum_of(bool(port_of(name)) for name in part.pins.values())
         return chip_named((part.value, part.symbol)) if ports >= _LEAST_PORTS else ""
 
     def _header(self, part: SchematicPart, found: Part) -> tuple[Part, DrawnBoard | None, bool]:
@@ -235,7 +233,7 @@ class _Making:
             if device.role in ("Input", "Output", "Both"):
                 evidence = f"a header for '{part.value}': {device.evidence}"
                 return (
-                    replace(found, title=part.value, family="", role=device.role, driver=device.driver, evidence=evidence),
+                    replaced(found, title=part.value, family="", role=device.role, driver=device.driver, evidence=evidence),
                     None,
                     False,
                 )
@@ -243,7 +241,7 @@ class _Making:
         told = [n for n in distinct(nets) if not n.startswith(_NUMBERED) and connector_kind(n, self.builder.names) == "signal"]
         title = part.value or ", ".join(told[:_NET_NAMES]) or part.symbol
         return (
-            replace(found, title=title, family="", description="", evidence="a header, and what hangs on it is not drawn"),
+            replaced(found, title=title, family="", description="", evidence="a header, and what hangs on it is not drawn"),
             None,
             True,
         )
@@ -337,7 +335,7 @@ class _Making:
         """Whether a part is a header most of whose signals are called like pins of a board (`IO5`, `A3`) or ports (`PE5`), and
         no chip of the drawing has these."""
         if not self._called(part, self.builder.names.headers) or any(
-            sum(bool(port_of(name.removeprefix("G"))) for name in other.pins.values()) >= _LEAST_PORTS  # GPA0 of an expander
+            sum_of(bool(port_of(name.removeprefix("G"))) for name in other.pins.values()) >= _LEAST_PORTS  # GPA0 of an expander
             for other in self.drawn.parts
         ):
             return False

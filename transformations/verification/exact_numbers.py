@@ -8,7 +8,8 @@ the source.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from robosmi.data_text import Json
 from robosmi.transformations.verification.port_devices import device_facts

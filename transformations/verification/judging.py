@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from itertools import pairwise
 
 from robosmi.errors import VerificationError
@@ -24,6 +23,7 @@ from robosmi.transformations.verification.original_side import (
 )
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.transformations.verification.seen_beside import console_speed, foreign_pin
+from robosmi.typed import replaced
 from robosmi.verify.activity import ActivityEvent
 from robosmi.verify.channel_order import first_disorder
 from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, RESONATOR, SAME, ChannelComparison, FirstDifference
@@ -122,7 +122,7 @@ def _sure(found: ChannelComparison) -> ChannelComparison:
     """A channel, of which no difference counts where it is racy, but of the console: what a robot does hangs on what it did."""
     if found.itself is None or found.difference is None or found.channel == CONSOLE_CHANNEL:
         return found
-    return replace(found, status=RACY, difference=None)
+    return replaced(found, status=RACY, difference=None)
 
 
 def _in_order(
@@ -141,7 +141,7 @@ def _in_order(
     )
     if disorder is None:
         return found
-    return tuple(replace(c, status=DIFFERENT, difference=disorder) if c.channel == disorder.channel else c for c in found)
+    return tuple(replaced(c, status=DIFFERENT, difference=disorder) if c.channel == disorder.channel else c for c in found)
 
 
 def _is_mixed(found: ChannelComparison, runs: SourceRuns, trace: PinTrace) -> bool:

@@ -7,13 +7,15 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
 from time import monotonic
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.transformations.verification.exact_numbers import MEASURED, with_exact_numbers
 from robosmi.transformations.verification.played_devices import devices_at, played
 from robosmi.transformations.verification.port_devices import BoundPort, device_facts
+from robosmi.typed import paired, replaced
 from robosmi.verify.activity import IDLE, LEVEL, LINE, SIGHTS, WAVE, ActivityEvent, activity, console_lines, merged, text_lines
 from robosmi.verify.comparison import NOT_EXERCISED, RACY, SAME, ChannelComparison, ClosedLoop, compare
 from robosmi.verify.driven_lines import held_levels, let_go_levels, pulse_lengths
@@ -64,8 +66,7 @@ _MOVED_MS = 20.0
 """By so much the instants of inputs are moved: the longest time between two looks of a program that polls."""
 
 
-@dataclass(frozen=True)
-class SourceRuns:
+class SourceRuns(Struct, frozen=True):
     """The runs of one scenario.
 
     Attributes:
@@ -150,7 +151,7 @@ def _at_port(trace: PinTrace, port: BoundPort, target: bool) -> list[list[Activi
     seen = [activity(trace, pin, sight, pulses) for sight in SIGHTS]
     if not port.averaged:
         return seen
-    return [merged([replace(e, value=(0.0, e.value[1])) if e.kind == WAVE else e for e in events]) for events in seen]
+    return [merged([replaced(e, value=(0.0, e.value[1])) if e.kind == WAVE else e for e in events]) for events in seen]
 
 
 def _told(trace: PinTrace, number: int, facts: Mapping[str, Any], measures: bool) -> list[ActivityEvent]:
@@ -165,7 +166,7 @@ def _told(trace: PinTrace, number: int, facts: Mapping[str, Any], measures: bool
             of_value[str(event.value)] = len(told)
             told.append(ActivityEvent(event.at_us, LINE, (f"{event.what} {event.value}",)))
         elif event.what == facts.get("tells_barely") and (last := of_value.get(str(event.value))) is not None:
-            told[last] = replace(told[last], barely=True)
+            told[last] = replaced(told[last], barely=True)
     return told
 
 
@@ -189,8 +190,8 @@ def compared(
     """
     found = []
     if loop is not None and channel.endswith(STANDING):
-        loop = replace(loop, rests=True)
-    pairs = list(zip(source, target, strict=True))
+        loop = replaced(loop, rests=True)
+    pairs = list(paired(source, target))
     clear = [pair for pair in pairs if not any(event.unclear for events in pair[0] for event in events)]
     for (own, *varied), theirs in clear[:1] or pairs:
         result = compare(channel, own, theirs, varied, horizon_ms, loop)
@@ -243,9 +244,9 @@ def run_varied(
         moved = moved_devices(devices, chance) if variation.noise else put_down_anywhere(devices, chance)
         run = run_original(program, scenario.horizon_ms * 1000, moved, variation, max(0.0, until - monotonic()))
         if run.status in LIMITS:
-            return replace(runs, given_up=run.status)
+            return replaced(runs, given_up=run.status)
         seen.append(channel_events(run.trace, ports, target=False))
-        emptied = replace(run, trace=replace(run.trace, changes=(), waves=(), console=(), device_events=()))
+        emptied = replaced(run, trace=replaced(run.trace, changes=(), waves=(), console=(), device_events=()))
         runs = SourceRuns(nominal, (*runs.varied, emptied), _by_channel(seen), loop=loop)
         if until_racy and runs.racy_channels:
             return runs
@@ -254,7 +255,7 @@ def run_varied(
         run = run_original(program, scenario.horizon_ms * 1000, showing, limit_s=max(0.0, until - monotonic()))
         return channel_events(run.trace, ports, target=False)
 
-    return replace(runs, channels=with_exact_numbers(runs.channels, devices, again)) if not runs.given_up else runs
+    return replaced(runs, channels=with_exact_numbers(runs.channels, devices, again)) if not runs.given_up else runs
 
 
 def _loop(trace: PinTrace, ports: Sequence[BoundPort]) -> ClosedLoop | None:
@@ -284,7 +285,7 @@ def moved_devices(devices: Sequence[DeviceUse], chance: random.Random) -> list[D
                 settings[name] = sorted(value, key=lambda point: float(point[0]))
         for name, usual in facts.get(use.kind, {}).get("jitter", {}).items():
             settings[name] = usual * (1 + chance.uniform(-percent, percent) / 100)
-        made.append(replace(use, settings=settings))
+        made.append(replaced(use, settings=settings))
     return put_down_anywhere(made, chance)
 
 
@@ -295,7 +296,7 @@ def put_down_anywhere(devices: Sequence[DeviceUse], chance: random.Random) -> li
     """
     facts = device_facts()
     return [
-        replace(
+        replaced(
             use,
             settings={
                 **use.settings,

@@ -6,14 +6,16 @@ Which device stands at a port is told by `port_devices`. Nothing is run here.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.plugins import content
 from robosmi.transformations.verification.port_devices import BoundPort, at_rest, device_facts
 from robosmi.transformations.verification.signal_values import check_signal
+from robosmi.typed import paired
 from robosmi.verify.scenario import POINTS, Points, Scenario
 from robosmi.verify.simulation import DeviceUse
 
@@ -21,8 +23,7 @@ CONSOLE, TYPING = "console", "typing"
 """What scenarios call the console, and the device that types there."""
 
 
-@dataclass(frozen=True)
-class PlayedDevice:
+class PlayedDevice(Struct, frozen=True):
     """A device at some ports.
 
     Attributes:
@@ -60,7 +61,7 @@ def devices_at(ports: Sequence[BoundPort], target: bool) -> list[PlayedDevice]:
         on_bus = not first.pin
         split = device_facts().get(first.device, {}).get("split") if target and first.split else None
         if split is not None:
-            places = dict(zip(split["pins"], first.split, strict=True))
+            places = dict(paired(split["pins"], first.split))
             found.append(PlayedDevice(split["kind"], tuple(numbers), places, first.settings))
             continue
         if (wired or on_bus) and set(content("device", first.device).pin_names) <= wired.keys():

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi import inputs, resources
 from robosmi.data_text import Json
@@ -27,7 +28,7 @@ from robosmi.transformations.queries.port_flows import port_flows
 from robosmi.transformations.queries.ports import program_ports
 from robosmi.transformations.queries.split_wires import answering_pin, asking_pin
 from robosmi.transformations.verification.wired_devices import WiredDevice, wired_devices
-from robosmi.typed import distinct
+from robosmi.typed import distinct, replaced
 from robosmi.verify.tables import DataTable
 
 _FACTS = "simulation/devices.toml"
@@ -35,8 +36,7 @@ _MOST_TEXTS = 24
 _CHANNEL = re.compile(r"AD(\d+)|.*\.channel_(\d+)")
 
 
-@dataclass(frozen=True)
-class BoundPort:
+class BoundPort(Struct, frozen=True):
     """A port of the program on both boards.
 
     Attributes:
@@ -72,7 +72,7 @@ class BoundPort:
     pin: str = ""
     line: bool = False
     group: str = ""
-    settings: Mapping[str, Any] = field(default_factory=dict)
+    settings: Mapping[str, Any] = {}
     shown: bool = False
     averaged: bool = False
     pulsed: bool = False
@@ -151,8 +151,8 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
         if first is not port and first.target and port.target and first.target != port.target:
             if binding.conventionalPort is not None:  # a device of several pins is at the ports that the convention says
                 first, port = port, first
-            found[source] = replace(first, shares_with=port.title)
-            others.append(replace(port, shares_with=first.title, device="", pin=""))
+            found[source] = replaced(first, shares_with=port.title)
+            others.append(replaced(port, shares_with=first.title, device="", pin=""))
     _connect(found, wired_devices(seen, table.tables("wired", needed=False), _roles(plan)))
     return [*found.values(), *others]
 
@@ -173,7 +173,7 @@ def _uses(plan: migration.MigrationPlan, seen: Sequence[CodeView], folder: Path 
     except OSError:
         return pin_uses(seen)  # who needs the files says that they are not there
     ports = program_ports(seen, port_flows(seen, sources)).ports
-    return [use if use.pin == port.pin else replace(use, pin=port.pin) for port in ports for use in port.uses]
+    return [use if use.pin == port.pin else replaced(use, pin=port.pin) for port in ports for use in port.uses]
 
 
 def _roles(plan: migration.MigrationPlan) -> dict[str, int]:
@@ -196,7 +196,7 @@ def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice]) -> Non
         shown = () if closed else device_facts().get(device.kind, {}).get("shown", ())
         for source in distinct(at.values()):
             called = [name for name, place in at.items() if place == source]
-            ports[source] = replace(
+            ports[source] = replaced(
                 ports[source], device=device.kind, pin=" ".join(called), line=False, group=group, settings=device.settings,
                 shown=not set(called).isdisjoint(shown), loop_ms=device.loop_ms if closed else 0.0,
             )  # fmt: skip

@@ -9,17 +9,18 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from time import monotonic
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.doing import doing
 from robosmi.transformations.verification.original_side import LIMITS, Place, SourceRuns, places_reached, run_source, run_varied
 from robosmi.transformations.verification.played_devices import CONSOLE, TYPING
 from robosmi.transformations.verification.port_devices import BoundPort, device_facts
 from robosmi.transformations.verification.scenario_goals import BESIDE, ENDS, GOALS, behaviour, beside, shown
-from robosmi.typed import distinct
+from robosmi.typed import distinct, replaced
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_run import OriginalRun
 from robosmi.verify.scenario import POINTS, Points, Scenario
@@ -39,8 +40,7 @@ _TEXT_MS = 900.0
 """When a text is sent that is the only thing that happens: libraries for serial lines take up to half a second to begin."""
 
 
-@dataclass
-class FoundScenarios:
+class FoundScenarios(Struct):
     """What a search found.
 
     Attributes:
@@ -51,9 +51,9 @@ class FoundScenarios:
         tried: how many were run.
     """
 
-    scenarios: list[tuple[Scenario, SourceRuns]] = field(default_factory=list)
+    scenarios: list[tuple[Scenario, SourceRuns]] = []
     racy: int = 0
-    racy_counts: list[bytes] = field(default_factory=list)
+    racy_counts: list[bytes] = []
     least_racy: tuple[Scenario, OriginalRun] | None = None
     tried: int = 0
 
@@ -186,7 +186,7 @@ class _Search:
             values += sides
             there: Place = (BESIDE, each.name, each.setting, round(end))
             self.try_signals({each.name: {each.setting: _in_turn(each, [*sides, sides[0]], self.horizon)}}, frozenset([there]))
-        return replace(each, values=tuple(values))
+        return replaced(each, values=tuple(values))
 
     def _probe(self, each: _Input, value: float) -> frozenset[Place]:
         """What a short run reaches in which an input shows one value; nothing when the search is over."""
@@ -246,8 +246,7 @@ def _horizon(
     return settled or reached
 
 
-@dataclass(frozen=True)
-class _Input:
+class _Input(Struct, frozen=True):
     """A signal of a port: the port's name, the setting, the values that it takes, how long it keeps one, and its device.
 
     `ends` are the least and the most that the device can give, where it measures something. With `happens` a value is something
@@ -263,7 +262,7 @@ class _Input:
 
     def with_ends(self) -> _Input:
         """The signal with its ends among its values."""
-        return replace(self, values=(*self.values, *(end for end in self.ends if end not in self.values)))
+        return replaced(self, values=(*self.values, *(end for end in self.ends if end not in self.values)))
 
     @property
     def happens(self) -> bool:

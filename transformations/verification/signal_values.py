@@ -52,7 +52,7 @@ def _is_whole(value: Any) -> bool:
 
 
 def _are(count: int, is_one: Callable[[Any], bool]) -> Callable[[Any], bool]:
-    return lambda value: isinstance(value, (list, tuple)) and len(value) == count and all(map(is_one, value))
+    return lambda value: isinstance(value, (list, tuple)) and len(value) == count and all(is_one(each) for each in value)
 
 
 _KINDS: Mapping[str, tuple[str, Callable[[Any], bool]]] = {

@@ -7,19 +7,19 @@ single port, which the functions that use it tell, are found by `port_devices`.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from typing import Any
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.pin_uses import pin_number, pin_values
 from robosmi.transformations.queries.values import Values
-from robosmi.typed import distinct
+from robosmi.typed import distinct, replaced
 from robosmi.verify.tables import DataTable
 
 
-@dataclass(frozen=True)
-class WiredDevice:
+class WiredDevice(Struct, frozen=True):
     """A device as a program says that it is connected.
 
     Attributes:
@@ -33,7 +33,7 @@ class WiredDevice:
 
     kind: str
     pins: Mapping[str, int]
-    settings: Mapping[str, Any] = field(default_factory=dict)
+    settings: Mapping[str, Any] = {}
     closed_by: tuple[str, ...] = ()
     loop_ms: float = 0.0
 
@@ -58,7 +58,9 @@ def wired_devices(views: Sequence[CodeView], rules: Sequence[DataTable], roles: 
                 address = device.settings.get("address")
                 places = {("bus", address)} if address is not None and address in (addresses or (address,)) else set()
             if places and not places & (taken | apart):
-                found.append(replace(device, closed_by=rule.texts("closed_by", ()), loop_ms=rule.optional_number("loop_ms") or 0))
+                found.append(
+                    replaced(device, closed_by=rule.texts("closed_by", ()), loop_ms=rule.optional_number("loop_ms") or 0)
+                )
                 taken |= places
     return found
 

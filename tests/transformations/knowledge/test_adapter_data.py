@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import dataclasses
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from robosmi import resources
 from robosmi.diagnostics import Location
@@ -40,7 +40,7 @@ def test_data_say_what_the_files_say(folder: Path) -> None:
         for stored, parsed in zip(load(path).pieces, read_adapter_file(path), strict=True):
             assert [name.rpartition("/")[2] for name in stored.needs] == [name.rpartition("/")[2] for name in parsed.needs]
             assert all("/" in name for name in stored.needs)
-            assert dataclasses.replace(stored, needs=[]) == dataclasses.replace(parsed, needs=[])
+            assert replace(stored, needs=[]) == replace(parsed, needs=[])
 
 
 def written(folder: Path, text: str = "low();") -> Path:

@@ -6,11 +6,11 @@ import os
 import signal
 import subprocess
 from contextlib import suppress
-from dataclasses import replace
 from pathlib import Path
 from time import monotonic, sleep
 
 import pytest
+from msgspec.structs import replace
 
 from robosmi.errors import MissingToolError, UsageError, VerificationError
 from robosmi.metamodels import platform

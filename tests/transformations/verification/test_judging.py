@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
+from msgspec.structs import replace
 
 from robosmi.transformations.verification.judging import judged, why_nothing_was_compared
 from robosmi.transformations.verification.original_side import SourceRuns, channel_events

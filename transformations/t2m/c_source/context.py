@@ -9,7 +9,9 @@ from __future__ import annotations
 import os
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Mapping, Sequence
-from typing import Concatenate, NamedTuple, ParamSpec, TypeVar
+from typing import Concatenate, ParamSpec, TypeVar
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import ccode
@@ -33,7 +35,7 @@ StatementBuilder = Callable[["UnitContext", Node], ccode.Statement]
 DeclarationBuilder = Callable[["UnitContext", Node], ccode.Declaration]
 
 
-class Builders(NamedTuple):
+class Builders(Struct, frozen=True):
     """What makes the elements for cursors: tables from CXCursorKind to a function of the context and the cursor.
 
     Builders ask one another through these tables, since declarations hold statements and statements declarations.

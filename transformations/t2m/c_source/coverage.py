@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import os
 import re
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
@@ -30,8 +31,7 @@ _NO_CALL |= {"__builtin_choose_expr", "__builtin_types_compatible_p", "__builtin
 _NO_CALL_OF_CXX = frozenset(["catch", "operator", "decltype", "noexcept", "alignas", "new", "delete", "throw"])
 
 
-@dataclass(slots=True)
-class Coverage:
+class Coverage(Struct):
     """Calls of one unit."""
 
     in_text: int

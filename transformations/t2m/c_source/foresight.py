@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+
+from msgspec import Struct
 
 from robosmi.transformations.knowledge.lexer import (
     KEYWORDS,
@@ -33,8 +34,7 @@ _UNTOLD = frozenset(["__attribute__", "__attribute", "asm", "__asm__", "__asm", 
 _PLAIN_DIRECTIVES = frozenset(["include", "define", "pragma", "line", ""])
 
 
-@dataclass
-class Foreseen:
+class Foreseen(Struct):
     """What the tokens of a text say of its names.
 
     Attributes:
@@ -42,8 +42,8 @@ class Foreseen:
         functions: names of functions that the text declares at file scope.
     """
 
-    undeclared: list[str] = field(default_factory=list)
-    functions: set[str] = field(default_factory=set)
+    undeclared: list[str] = []
+    functions: set[str] = set()
 
 
 def foresee(tokens: Sequence[Token], known: Callable[[str], bool]) -> Foreseen | None:

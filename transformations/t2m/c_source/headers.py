@@ -12,15 +12,15 @@ import stat
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
-from functools import lru_cache
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.errors import SourceError
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.t2m.c_source.bounds import LARGEST, cuts, shallow
 from robosmi.transformations.t2m.c_source.mending import Scratch
-from robosmi.typed import matches
+from robosmi.typed import matches, remembered
 
 MOST = 1000
 """Headers of one file that are looked through."""
@@ -60,7 +60,7 @@ class Folders:
             yield os.path.join(folder, name)
 
 
-class HeaderText(NamedTuple):
+class HeaderText(Struct, frozen=True):
     """A header that a text reaches: its path, its size in bytes, and its text where the parser must be given another."""
 
     path: str
@@ -68,7 +68,7 @@ class HeaderText(NamedTuple):
     text: bytes | None
 
 
-class Reached(NamedTuple):
+class Reached(Struct, frozen=True):
     """What a text includes, directly or not: the headers, and whether it comes to include itself without end."""
 
     headers: list[HeaderText]
@@ -118,7 +118,7 @@ def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = (
     return Reached([HeaderText(file.path, file.size, file.text) for file in files.values()], itself)
 
 
-class _Content(NamedTuple):
+class _Content(Struct, frozen=True):
     """What is kept of a header that was read.
 
     Attributes:
@@ -187,7 +187,7 @@ def state_of(path: str) -> State:
     return path, found.st_mtime_ns, found.st_size
 
 
-@lru_cache(maxsize=100)
+@remembered(100)
 def _holding(folders: tuple[State, ...]) -> dict[str, list[str]]:
     """For each name the folders that have an entry of that name, in order; all of them for the empty name."""
     found: dict[str, list[str]] = {"": [folder for folder, _, _ in folders]}
@@ -198,7 +198,7 @@ def _holding(folders: tuple[State, ...]) -> dict[str, list[str]]:
     return found
 
 
-@lru_cache(maxsize=2000)
+@remembered(2000)
 def _content(path: str, changed: int, size: int, regular: bool) -> _Content:
     if size > LARGEST or not regular:  # a pipe or device may never end
         return _Content(b"", (), True)

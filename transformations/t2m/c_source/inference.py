@@ -8,7 +8,8 @@ function that is not void. A guess is a guess: the linkage says so.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source import cursor_kinds, type_kinds
@@ -25,8 +26,7 @@ _POINTER, _RECORD, _FLOATING, _ARRAYS, _FUNCTIONS = (
 )
 
 
-@dataclass
-class CallSite:
+class CallSite(Struct):
     """A call with what the parser knows of it."""
 
     context: UnitContext

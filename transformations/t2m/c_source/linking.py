@@ -20,6 +20,7 @@ from robosmi.transformations.t2m.c_source.clang import Cursor
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.inference import CallSite, infer
 from robosmi.transformations.t2m.c_source.macros import header_of
+from robosmi.typed import paired
 
 _STRENGTH = ["constantUse", "indexedUse", "writtenUse", "typeUse", "called"]
 FUNCTION_KINDS = (cursor_kinds.FUNCTION_DECL, cursor_kinds.CXX_METHOD)
@@ -215,7 +216,7 @@ class Linker:
     def _own_type(self, number: int, name: str, use: ccode.TypeUse, language: str) -> ccode.Declaration | None:
         """The type that a unit, or else a header among the units, declares under that name: by a tag or by a typedef."""
         tag = not _TAGS.isdisjoint(use.spelling.split())
-        headers = (t for t, shared in zip(self.own_types, self._shared, strict=True) if shared)
+        headers = (t for t, shared in paired(self.own_types, self._shared) if shared)
         for types in (self.own_types[number], *headers):
             found = types.get((name, tag)) or (types.get((name, True)) if language == "C++" else None)
             if found is not None:
@@ -237,7 +238,7 @@ def _values_of_headers(
     """Variables and enumerators that headers among the units declare, by name; a variable's definition before others."""
     found: dict[str, ccode.Declaration] = {}
     defined: dict[str, ccode.Declaration] = {}
-    for header, declared in zip(shared, declarations, strict=True):
+    for header, declared in paired(shared, declarations):
         for each in declared:
             if isinstance(each, ccode.Variable) and each.name:
                 if header:

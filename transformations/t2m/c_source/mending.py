@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from robosmi.transformations.knowledge.lexer import Token
+from robosmi.typed import sum_of
 
 NESTED = "function definition is not allowed here"
 MAX_ROUNDS = 10
@@ -106,7 +107,7 @@ def declared_only(offsets: Sequence[int], tokens: Sequence[Token]) -> list[Edit]
         offsets: where it complains about them: at their braces.
         tokens: of the file. None of this is done where braces are missing: then a function was rather not closed.
     """
-    depth = sum((text == "{") - (text == "}") for kind, _, _, text in tokens if kind == "punct")
+    depth = sum_of((text == "{") - (text == "}") for kind, _, _, text in tokens if kind == "punct")
     return [Edit(offset, 0, b";") for offset in offsets] if depth == 0 else []
 
 

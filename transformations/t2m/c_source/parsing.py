@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+
+from msgspec import Struct
 
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import clang, tree
@@ -37,14 +38,13 @@ _MISSING_DECLARATIONS = (
 )  # fmt: skip
 
 
-@dataclass
-class Diagnostic:
+class Diagnostic(Struct):
     """A complaint of the parser: where in the file (-1 for elsewhere), its words, 2 warning, 3 error, 4 fatal, its fix-its."""
 
     offset: int
     message: str
     severity: int
-    edits: list[Edit] = field(default_factory=list)
+    edits: list[Edit] = []
 
     @property
     def syntax(self) -> bool:
@@ -69,8 +69,7 @@ class Diagnostic:
         return self.message.startswith(_MISSING_DECLARATIONS) or self.message.endswith("file not found")
 
 
-@dataclass
-class Parsed:
+class Parsed(Struct):
     """A text with its tree. Give it back with `close`."""
 
     source: ReadSource
@@ -84,7 +83,7 @@ class Parsed:
     prelude: Prelude
     parses: int
     reader: tree.TreeReader
-    cut: list[tuple[int, int]] = field(default_factory=list)
+    cut: list[tuple[int, int]] = []
 
     def close(self) -> None:
         """Free the parser's memory; the nodes' cursors are dead afterwards."""

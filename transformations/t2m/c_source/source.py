@@ -12,8 +12,9 @@ import hashlib
 import os
 import re
 from bisect import bisect_right
-from dataclasses import dataclass, field
 from typing import TypedDict
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
@@ -39,8 +40,7 @@ class TextRange(TypedDict):
     endColumn: int
 
 
-@dataclass(slots=True)
-class ReadSource:
+class ReadSource(Struct):
     """The text of one file.
 
     Attributes:
@@ -59,8 +59,8 @@ class ReadSource:
     encoding: str
     digest: str
     size: int
-    tokens: list[Token] = field(default_factory=list)
-    _lines: list[int] = field(default_factory=list)
+    tokens: list[Token] = []
+    _lines: list[int] = []
     _codec: str = "utf-8"
 
     @property

@@ -9,7 +9,8 @@ from __future__ import annotations
 import os
 import shlex
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.data_text import json_of
@@ -23,7 +24,7 @@ MOST_FILES = 5000
 _BUILD_FOLDERS = frozenset(["build", "cmake-build-debug", "node_modules", "__pycache__"])
 
 
-class Compiled(NamedTuple):
+class Compiled(Struct, frozen=True):
     """A source file and how it is compiled: include folders and macros, those given for all of them behind its own.
 
     `given` is true for a file that was named itself, false for one that was found in a folder or in compile commands.

@@ -6,7 +6,7 @@ declarations are made of types is in `declarations`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import enum_literal
@@ -39,8 +39,7 @@ _POINTER, _ENUM, _FLOATING, _DOUBLE = (
 _STORAGES = {0: "unspecified", 1: "unspecified", 2: "externStorage", 3: "staticStorage", 6: "autoStorage", 7: "registerStorage"}
 
 
-@dataclass(slots=True)
-class Specifiers:
+class Specifiers(Struct):
     """What stands before the declarators of a declaration.
 
     Attributes:

@@ -9,16 +9,17 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
 from pathlib import Path
 
 from lxml import etree
+from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.drawing_file import drawing_bytes
 from robosmi.transformations.t2m.eagle.library import EagleDevice, EagleLibraries
 from robosmi.transformations.t2m.guarded_xml import line_of, parse_xml
+from robosmi.typed import sum_of
 
 MOST_PARTS = 20_000
 """Parts of a schematic, those of module instances counted with each; the largest public one has a few thousand."""
@@ -33,8 +34,7 @@ _FIX = "open it in EAGLE 6 or newer and save it again"
 _BINARY = (b"\x10\x00", b"\x10\x80")
 
 
-@dataclass(slots=True)
-class EaglePart:
+class EaglePart(Struct):
     """A part: its name with those of its module instances, library, device set, device, value, attributes, line; its device."""
 
     name: str
@@ -46,11 +46,10 @@ class EaglePart:
     attributes: dict[str, str]
     line: int
     found: EagleDevice | None
-    gates: set[str] = field(default_factory=set)
+    gates: set[str] = set()
 
 
-@dataclass(frozen=True, slots=True)
-class PinRef:
+class PinRef(Struct, frozen=True):
     """A pin on a net: name of the part, gate, pin as written, line."""
 
     part: str
@@ -179,7 +178,7 @@ class _Reading:
 
     def _size(self, kind: str, module: etree._Element) -> int:
         if kind not in self.sizes:
-            self.sizes[kind] = sum(1 for _ in module.iter())
+            self.sizes[kind] = sum_of(1 for _ in module.iter())
         return self.sizes[kind]
 
     def _net(self, net: etree._Element, prefix: str, ports: dict[str, set[str]]) -> str:

@@ -9,13 +9,13 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass, field
 from html import unescape
 
 from lxml import etree
+from msgspec import Struct
 
 from robosmi.transformations.t2m.drawing import free_identity
-from robosmi.typed import distinct
+from robosmi.typed import distinct, sum_of
 
 _TAG = re.compile(r"<[^<>]*>")
 _COUNTER = re.compile(r"@[^@]*$")
@@ -23,8 +23,7 @@ _OVERLINE = "!"
 _LONGEST = 200
 
 
-@dataclass(frozen=True, slots=True)
-class EaglePin:
+class EaglePin(Struct, frozen=True):
     """A pin of a device set: its connector's identity, gate, name as written, name as read, direction (`pwr`, `sup`, `io`)."""
 
     connector: str
@@ -34,8 +33,7 @@ class EaglePin:
     direction: str
 
 
-@dataclass(frozen=True, slots=True)
-class EagleDevice:
+class EagleDevice(Struct, frozen=True):
     """A device of a device set.
 
     Attributes:
@@ -48,9 +46,9 @@ class EagleDevice:
 
     title: str
     description: str
-    pins: dict[tuple[str, str], EaglePin] = field(default_factory=dict)
+    pins: dict[tuple[str, str], EaglePin] = {}
     pads: int = 0
-    addlevels: dict[str, str] = field(default_factory=dict)
+    addlevels: dict[str, str] = {}
 
 
 class EagleLibraries:
@@ -93,7 +91,7 @@ class EagleLibraries:
             for gate, written, direction in listed
         }
         shape = next((entry for entry in chosen.iterfind("devices/device") if entry.get("name", "") == device), None)
-        pads = 0 if shape is None else sum(len(c.get("pad", "").split()) for c in shape.iterfind("connects/connect"))
+        pads = 0 if shape is None else sum_of(len(c.get("pad", "").split()) for c in shape.iterfind("connects/connect"))
         levels = {name: gate.get("addlevel", "next") for name, _, gate in gates}
         return EagleDevice(_title(deviceset, device), _described(chosen.findtext("description") or ""), pins, pads, levels)
 

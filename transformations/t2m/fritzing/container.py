@@ -10,8 +10,9 @@ from __future__ import annotations
 import hashlib
 import stat
 import zipfile
-from dataclasses import dataclass, field
 from pathlib import Path
+
+from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
@@ -26,8 +27,7 @@ MAX_BYTES = inputs.DRAWING.most
 _FIX = "open it in Fritzing and save it again"
 
 
-@dataclass(slots=True)
-class Container:
+class Container(Struct):
     """What a file held.
 
     Attributes:
@@ -43,8 +43,8 @@ class Container:
     digest: str
     sketch_name: str
     sketch: bytes
-    parts: list[tuple[str, bytes]] = field(default_factory=list)
-    findings: list[Finding] = field(default_factory=list)
+    parts: list[tuple[str, bytes]] = []
+    findings: list[Finding] = []
 
 
 def recognises(head: bytes) -> bool:

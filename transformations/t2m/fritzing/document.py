@@ -7,9 +7,9 @@ are one node, is not told here.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 
 from lxml import etree
+from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
@@ -37,8 +37,7 @@ class View:
         self.color = ""
 
 
-@dataclass(slots=True)
-class Instance:
+class Instance(Struct):
     """A placed part. `index` is its model index as written, `line` its line in the sketch; views are read when asked for."""
 
     index: str
@@ -49,7 +48,7 @@ class Instance:
     properties: dict[str, str]
     local_names: dict[str, str]
     elements: dict[str, etree._Element]
-    read: dict[str, View] = field(default_factory=dict)
+    read: dict[str, View] = {}
 
     def view(self, name: str) -> View:
         """What it has in the view of that name; an empty record where it is not in that view."""
@@ -64,8 +63,7 @@ class Instance:
         return self.module_id == "WireModuleID"
 
 
-@dataclass(slots=True)
-class FritzingSketch:
+class FritzingSketch(Struct):
     """A sketch: version of Fritzing as written, live instances in the file's order, and how many had no view."""
 
     version: str

@@ -10,7 +10,6 @@ import html
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from lxml import etree
@@ -23,7 +22,7 @@ from robosmi.transformations.knowledge.part_names import names
 from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.t2m.fritzing.part_file import part_of
 from robosmi.transformations.t2m.guarded_xml import parse_xml
-from robosmi.typed import matches
+from robosmi.typed import matches, replaced
 
 DEFINITION = inputs.Kind("part definition", 16 * 1024 * 1024)
 """The largest public one has under one megabyte."""
@@ -70,7 +69,7 @@ def read_library(folders: Sequence[Path], project: Path | None = None) -> PartLi
         else:
             seen.add(part.id)
             role = classify(part, project)
-            library.parts.append((role if role.role != "Unknown" else replace(part, evidence="no rule fits"), _words(root)))
+            library.parts.append((role if role.role != "Unknown" else replaced(part, evidence="no rule fits"), _words(root)))
     if not library.parts:
         raise SourceError(
             "there is no Fritzing part definition (.fzp) in it",

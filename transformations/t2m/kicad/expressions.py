@@ -9,11 +9,11 @@ from __future__ import annotations
 import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import islice
 from typing import Protocol, TypeAlias, TypeGuard
 
 import sexpdata
+from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
@@ -54,8 +54,7 @@ _NAME = re.compile(r'"(?:[^"\\]|\\.)*+"|(?<![^\s()"])[^\s()"\[\]\'\\]*+[\[\]\'\\
 _HEAD = re.compile(r'\(\s*("(?:[^"\\]|\\.)*+"|[^\s()"]*)', re.DOTALL)
 
 
-@dataclass(frozen=True, slots=True)
-class Expression:
+class Expression(Struct, frozen=True):
     """A list of a text: its first word, where it begins and ends."""
 
     head: str

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+
+from msgspec import Struct
 
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import SourceError
@@ -34,16 +35,15 @@ SheetReader = Callable[[str, str], Sheet | None]
 """The sheet of a file, and the one that names it, both relative to the drawing's folder; None where there is no such file."""
 
 
-@dataclass(slots=True)
-class _Part:
+class _Part(Struct):
     """A part while its units are gathered."""
 
     identity: str
     title: str
     symbol: SheetSymbol
     library: LibrarySymbol | None
-    nodes: list[tuple[str, Node]] = field(default_factory=list)
-    units: set[int] = field(default_factory=set)
+    nodes: list[tuple[str, Node]] = []
+    units: set[int] = set()
 
 
 class Hierarchy:

@@ -35,6 +35,7 @@ from robosmi.transformations.t2m.kicad.sheet import (
     SubSheet,
     Wire,
 )
+from robosmi.typed import sum_of
 
 _STEPS = 10_000
 """Steps in a millimetre: KiCad keeps ten thousandths."""
@@ -72,7 +73,7 @@ class _Modern:
             **dict.fromkeys(_LABELS, self._label),
         }  # fmt: skip
         entries = [*listed.members(listed.root)]
-        if sum(entry.head == "symbol" for entry in entries) > MOST_SYMBOLS:
+        if sum_of(entry.head == "symbol" for entry in entries) > MOST_SYMBOLS:
             fix = "check that it is the drawing you meant"
             raise SourceError(f"it has more than {MOST_SYMBOLS:,} symbols", location=Location(listed.path, 1), fix=fix)
         for entry in entries:
@@ -152,7 +153,7 @@ class _Modern:
             self.sheet.library[name] = LibrarySymbol(
                 identity=name,
                 power=(power := child(found, "power")) is not None,
-                local=power is not None and "local" in map(word, power[1:]),
+                local=power is not None and "local" in (word(each) for each in power[1:]),
                 description=properties.get("Description", "") or properties.get("ki_description", ""),
                 keywords=properties.get("ki_keywords", ""),
                 pins=tuple(_pins(found) or (_pins(base) if base is not None else [])),

@@ -7,8 +7,9 @@ net is told by `nets`.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.transformations.t2m.drawing import free_identity
 
@@ -36,8 +37,7 @@ class Wire(NamedTuple):
     end: Point
 
 
-@dataclass(frozen=True, slots=True)
-class LibraryPin:
+class LibraryPin(Struct, frozen=True):
     """A pin of a symbol: number, name, electrical type, place, unit and body style that it is of (0: all), whether hidden."""
 
     number: str
@@ -49,8 +49,7 @@ class LibraryPin:
     hidden: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class LibrarySymbol:
+class LibrarySymbol(Struct, frozen=True):
     """A symbol of a library: its id with the library's name, whether it only names a net (`local`: of its sheet alone), what the
     library says, its pins."""
 
@@ -78,8 +77,7 @@ class LibrarySymbol:
         return found
 
 
-@dataclass(frozen=True, slots=True)
-class SheetSymbol:
+class SheetSymbol(Struct, frozen=True):
     """A symbol on a sheet.
 
     Attributes:
@@ -109,8 +107,7 @@ class SheetSymbol:
     line: int
 
 
-@dataclass(frozen=True, slots=True)
-class Label:
+class Label(Struct, frozen=True):
     """A label: its kind, text and place."""
 
     kind: str
@@ -118,8 +115,7 @@ class Label:
     at: Point
 
 
-@dataclass(frozen=True, slots=True)
-class SubSheet:
+class SubSheet(Struct, frozen=True):
     """A sheet below: its id, name, file, pins as labels, line."""
 
     uuid: str

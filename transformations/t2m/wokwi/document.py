@@ -12,9 +12,10 @@ import json
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
+
+from msgspec import Struct
 
 from robosmi.data_text import Json, json_at
 from robosmi.diagnostics import Location
@@ -37,8 +38,7 @@ class _Entry(NamedTuple):
     place: int
 
 
-@dataclass(frozen=True, slots=True)
-class DiagramPart:
+class DiagramPart(Struct, frozen=True):
     """A part: its id, its type (`wokwi-led`), its attributes as texts, its line in the file."""
 
     identity: str
@@ -47,8 +47,7 @@ class DiagramPart:
     line: int
 
 
-@dataclass(frozen=True, slots=True)
-class Connection:
+class Connection(Struct, frozen=True):
     """A connection: its number, the two ends as they are written (`uno:13`), the wire's colour, its line in the file."""
 
     number: int

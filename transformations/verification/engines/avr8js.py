@@ -10,13 +10,14 @@ import json
 import os
 import shutil
 import subprocess
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from robosmi import inputs, resources
+from robosmi.data_text import Json, json_written
 from robosmi.errors import MissingToolError, VerificationError
 from robosmi.transformations.verification.engines.avr_timers import Timers
+from robosmi.typed import replaced
 from robosmi.verify.bench import Bench
 from robosmi.verify.simulation import ConsoleByte, Job, PinTrace
 
@@ -123,7 +124,7 @@ class _Run(Bench):
         self.connect(job.devices)
         begun, self._commands = self._commands, []
         end = round(job.horizon_us * job.clock_hz / 1e6)
-        question = {"hex": text, "clock": job.clock_hz, "pins": dict(job.pins), "end": end}
+        question: dict[str, Json] = {"hex": text, "clock": job.clock_hz, "pins": dict(job.pins), "end": end}
         self._write({**question, "reactive": sorted(self._at_pin), "registers": self.timers.registers, "reached": job.reached})
         while (told := self._read())["ask"] != "end":
             self._note(told["log"])
@@ -140,7 +141,7 @@ class _Run(Bench):
         self.ended()
         state = "crashed" if told["crashed"] else "running"
         trace = self.trace(f"avr8js {_version()}", state, job.horizon_us, self.timers.waves, self._console)
-        return replace(trace, reached=tuple(told.get("reached", ())), console_baud=told["baud"])
+        return replaced(trace, reached=tuple(told.get("reached", ())), console_baud=told["baud"])
 
     def _note(self, log: list[list[Any]]) -> None:
         for kind, cycle, first, *more in log:
@@ -163,12 +164,12 @@ class _Run(Bench):
         self.bus_stop(address)
         return 0
 
-    def _write(self, value: object) -> None:
+    def _write(self, value: Json) -> None:
         stream = self._process.stdin
         if stream is None:
             raise VerificationError("node has no standard input")
         try:
-            stream.write(json.dumps(value) + "\n")
+            stream.write(json_written(value) + "\n")
             stream.flush()
         except OSError as error:
             raise self._ended() from error

@@ -11,7 +11,6 @@ import ctypes
 import ctypes.util
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -25,6 +24,7 @@ from robosmi.transformations.verification.engines.simavr_library import (
     installed_library,
     run_in_a_row,
 )
+from robosmi.typed import dynamic_attribute, replaced
 from robosmi.verify.bench import Bench
 from robosmi.verify.simulation import ConsoleByte, Job, PinTrace
 
@@ -213,7 +213,7 @@ class _Run(Bench):
 
     def _fast_external_interrupts(self) -> None:
         """Let a low level at an external interrupt's pin be no reason to look again at every few cycles (five times slower)."""
-        setter = getattr(self._library, "avr_extint_set_strict_lvl_trig", None)
+        setter = dynamic_attribute(self._library, "avr_extint_set_strict_lvl_trig", None)
         for number in (0, 1):
             if setter is None:
                 return
@@ -371,7 +371,7 @@ class _Run(Bench):
         self._ended_at = min(self.cycle, end)
         self.ended()
         trace = self.trace(f"simavr ({_version()})", state, self._job.horizon_us, self.timers.waves, self._console)
-        return replace(trace, stack_bytes=self._stack_bytes(), console_baud=self._console_baud())
+        return replaced(trace, stack_bytes=self._stack_bytes(), console_baud=self._console_baud())
 
 
 def _version() -> str:

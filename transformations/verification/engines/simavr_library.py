@@ -11,6 +11,8 @@ import ctypes.util
 from collections.abc import Callable
 from functools import cache
 
+from robosmi.typed import dynamic_attribute
+
 _IN_A_ROW = 64
 """Cycles that the library may run before it looks at its timers again, which it does earlier where one is due: a third faster."""
 _LOOKS = 16
@@ -65,7 +67,7 @@ def _declared(library: ctypes.CDLL) -> ctypes.CDLL:
         ("avr_core_watch_read", ctypes.c_uint8, [pointer, ctypes.c_uint16]),
         ("avr_twi_irq_msg", number, [ctypes.c_uint8, ctypes.c_uint8, ctypes.c_uint8]),
     ):
-        function = getattr(library, name)
+        function = dynamic_attribute(library, name)
         function.restype, function.argtypes = result, arguments
     return library
 

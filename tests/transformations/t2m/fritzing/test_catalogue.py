@@ -6,10 +6,10 @@ import json
 import re
 import shutil
 from collections import Counter
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from robosmi.cli.main import main
 from robosmi.errors import PlatformDataError

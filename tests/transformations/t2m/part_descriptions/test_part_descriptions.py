@@ -7,10 +7,10 @@ that a person gave it before the rules were looked at.
 from __future__ import annotations
 
 import csv
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from robosmi.transformations.knowledge.part import ROLES, Part, PartConnector
 from robosmi.transformations.knowledge.part_roles import classify
