@@ -398,6 +398,7 @@ RULES: dict[str, EditRule] = {
     "define-local": _define_local,
     "define-in-list": _sized,
     "define-behind": _define_behind,
+    "shared-behind": _define_behind,
     "left-undefined": lambda element, choice, text: [],
     "adapter-in-place": _body,
     "adapter-declared": _out,

@@ -389,6 +389,7 @@ TEXT_RULES = frozenset(
         "define-local",
         "define-in-list",
         "define-behind",
+        "shared-behind",
         "left-undefined",
         "missing-arguments",
         "share",

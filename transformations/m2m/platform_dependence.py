@@ -137,7 +137,7 @@ def partition(
             result.helpers.append(piece)
     result.pieces, result.unserved = choice.elements, choice.unserved
     shared = _beside_adapters(names, views, result, target.libraries)
-    reserved = shared.declared | shared.macros | shared.keywords
+    reserved = shared.declared | shared.macros | shared.keywords | _standard_names(views, target, result.symbols)
     mains = [] if target.keeps_main else [main for unit in program.units if (main := main_of(unit)) is not None]
     result.divisions = [divide(main, reserved, words) for main in mains]
     if not target.model.platform or not target.model.platform.hasCogs:
@@ -216,6 +216,14 @@ def _symbols(
     headers = implied_headers(views, target, names)
     done = {t.placeholder for t in types}
     return [*(h for h in headers if h.placeholder not in done), *types, *values]
+
+
+def _standard_names(views: Sequence[CodeView], target: TargetFacts, symbols: Iterable[migration.SymbolUse]) -> frozenset[str]:
+    """The program's own names that headers of the standard library declare, too, which the sketch includes."""
+    there = {str(include.header) for view in views for include in view.unit.includes} | {str(use.name) for use in symbols}
+    there &= set(target.standard_headers)
+    own = {str(d.name) for view in views for d in view.of_kind(ccode.Variable)} if there else set()
+    return frozenset(name for name in own if any(entry.header in there for entry in views[0].api.entries(name)))
 
 
 def _beside_adapters(names: TargetNames, views: Sequence[CodeView], result: Dependence, index: str) -> TargetNames:

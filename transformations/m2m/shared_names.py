@@ -28,13 +28,23 @@ def shared(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -
         for d in u.declarations
         if isinstance(d, ccode.Variable) and d.storage.name == "unspecified" and d.name
     }
-    for variable in unit.declarations if units else ():
-        if not isinstance(variable, ccode.Variable) or variable.storage.name != "unspecified" or variable.initialised:
+    wanted = (
+        d
+        for d in (unit.declarations if units else ())
+        if isinstance(d, ccode.Variable) and d.storage.name == "unspecified" and not d.initialised
+    )
+    reason = "a file of the program defines it"
+    for variables in _declared_together(wanted):
+        others = [v for v in variables if v.name not in defined]
+        if len(others) < len(variables):
+            for number, variable in enumerate(v for v in variables if v.name in defined):
+                yield Change(variable, "out-of-list" if number else "declare-only", "", reason)
+            if others:  # the whole declaration is none of definitions any more
+                yield Change(others[0], "shared-behind", " ".join(v.name for v in others), "all files share it")
             continue
-        if variable.name in defined:
-            yield Change(variable, "declare-only", "", "a file of the program defines it")
-        elif len(units) > 1 and not (variable.valueType is not None and variable.valueType.constant):
-            yield Change(variable, "share", "", "all files that include the header share it")
+        for variable in variables if len(units) > 1 else ():
+            if not (variable.valueType is not None and variable.valueType.constant):
+                yield Change(variable, "share", "", "all files that include the header share it")
 
 
 def constants_of_others(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
@@ -112,7 +122,7 @@ def _repeated_in_lists(view: CodeView, data: bytes, repeated: Mapping[ccode.Vari
             outside = variables[0].storage.name == "unspecified"
             yield Change(variables[0], "declare-only" if outside else "take-out", "", reason)
             if others:
-                yield Change(others[0], "define-behind", " ".join(v.name for v in others), "it is declared beside others")
+                yield Change(others[0], "shared-behind", " ".join(v.name for v in others), "it is declared beside others")
         else:
             yield Change(variables[gone[0]], "out-of-list", " ".join(str(number) for number in gone), reason)
 

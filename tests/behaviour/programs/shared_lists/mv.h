@@ -1,0 +1,3 @@
+int left, right;
+int shared_one, both, *pointer;
+void move(void);
