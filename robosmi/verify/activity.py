@@ -23,9 +23,10 @@ LEVEL, PULSES, WAVE, BURST, LINE, READING = "level", "pulses", "wave", "burst", 
 HELD, PULSE = "held", "pulse"
 """The kinds of events with what they say.
 
-In this order: (0 or 1,), (width in us,), (Hz, duty), (number of pulses,), (text,), (text,), (0 or 1, us) twice. A reading is a
-line of a program that measures; held is how long a line that is shared with a device is driven, a pulse how long those are that
-one function makes in one go. A level that is a text is how a line is driven that the program lets go (see `driven_lines`).
+In this order: (0 or 1,), (width in us,), (Hz, duty), (number of pulses,), (text,), (text,), (0 or 1, us) twice, less than 0 us
+where that is over. A reading is a line of a program that measures; held is how long a line that is shared with a device is
+driven, a pulse how long those are that one function makes in one go. A level that is a text is how a line is driven that the
+program lets go (see `driven_lines`).
 """
 
 
@@ -91,6 +92,8 @@ class ActivityEvent(Struct, frozen=True):
             return (
                 f"{value:.6g} Hz" if float(self.value[1]) == 0.5 else f"{value:.6g} Hz, {100 * float(self.value[1]):.3g} % high"
             )
+        if self.kind in (PULSE, HELD) and float(self.value[1]) < 0:
+            return f"no longer {'high' if value else 'low'}"
         if self.kind == PULSE:
             return f"pulses {'high' if value else 'low'} for {self.value[1]:.1f} us"
         if self.kind == HELD:

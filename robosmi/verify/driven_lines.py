@@ -7,6 +7,7 @@ than a real one. So how long is looked at, too. What a device answers is its own
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import inf
 from statistics import median
 
 from robosmi.verify.activity import HELD, LEVEL, PULSE, ActivityEvent
@@ -19,6 +20,11 @@ _SHORTEST_US = 100.0
 _AGREE = 3
 """So many that follow one another tell a new length where a line is held often: single ones are stretched by interrupts."""
 _OFTEN_US = 200_000.0
+_LEAST_PAUSE_US, _PAUSES, _CLEAR = 500_000.0, 5, 1.5
+"""A line is not held any more, or not for a long time: for so long at least, and so many times as long as usual. Another run may
+see a pause otherwise that is less than so many times as long as that."""
+NO_MORE = -1_000.0
+"""The length in an event that says so."""
 
 
 def held_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
@@ -29,7 +35,7 @@ def held_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
         pin: label of the pin.
     """
     held = [(level, _held(trace, pin, level, _SHORTEST_US)) for level in (0, 1)]
-    found = [event for level, each in held for event in _lengths(HELD, level, each, lengths_alike)]
+    found = [event for level, each in held for event in _lengths(HELD, level, each, lengths_alike, trace.simulated_us)]
     return sorted(found, key=lambda event: event.at_us)
 
 
@@ -42,24 +48,36 @@ def pulse_lengths(trace: PinTrace, pin: str) -> list[ActivityEvent]:
     """
     low, high = _held(trace, pin, 0, 0.0), _held(trace, pin, 1, 0.0)
     longest = max([(length, level) for level, held in ((0, low), (1, high)) for _, length in held], default=(0.0, 0))
-    return _lengths(PULSE, 0, low, pulses_alike) if longest[1] else _lengths(PULSE, 1, high, pulses_alike)
+    level, held = (0, low) if longest[1] else (1, high)
+    return _lengths(PULSE, level, held, pulses_alike, trace.simulated_us)
 
 
 def _lengths(
-    kind: str, level: int, held: list[tuple[float, float]], are_alike: Callable[[float, float], bool]
+    kind: str, level: int, held: list[tuple[float, float]], are_alike: Callable[[float, float], bool], until_us: float
 ) -> list[ActivityEvent]:
     found: list[ActivityEvent] = []
     lately: list[tuple[float, float]] = []
     at_first = len([begin for begin, _ in held if begin - held[0][0] < _OFTEN_US])
-    for begin, length in held:
+    pause_us = _long_pause(held)
+    for number, (begin, length) in enumerate(held):
         lately = [*[each for each in lately if begin - each[0] < _OFTEN_US][1 - _AGREE :], (begin, length)]
         often = len(lately) == _AGREE or (at_first >= _AGREE and begin - held[0][0] < _OFTEN_US)
-        if often and len(lately) < _AGREE:
-            continue
-        told = median(each[1] for each in lately)
-        if not found or not are_alike(float(found[-1].value[1]), told):
-            found.append(ActivityEvent(lately[0][0], kind, (level, told)))
+        if not often or len(lately) >= _AGREE:
+            told = median(each[1] for each in lately)
+            if not found or not are_alike(float(found[-1].value[1]), told):
+                found.append(ActivityEvent(lately[0][0], kind, (level, told)))
+        rests_us = (held[number + 1][0] if number + 1 < len(held) else until_us) - begin - length
+        if found and rests_us > pause_us:
+            near = rests_us < _CLEAR * pause_us
+            found.append(ActivityEvent(begin + length, kind, (level, NO_MORE), barely=near))
+            lately = []
     return found
+
+
+def _long_pause(held: list[tuple[float, float]]) -> float:
+    """How long a line is not held where that is no part of what goes on: much longer than usual."""
+    pauses = sorted(after[0] - held[number][0] - held[number][1] for number, after in enumerate(held[1:]))
+    return max(_LEAST_PAUSE_US, _PAUSES * pauses[len(pauses) // 2]) if pauses else inf
 
 
 def let_go_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:

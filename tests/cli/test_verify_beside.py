@@ -78,3 +78,45 @@ def test_what_is_done_beside_channels_is_compared(change: str, engine: str, made
         first = outcome.result["first_difference"]
         assert first["channel"] == channel
         assert told in first["message"]
+
+
+ALSO_READ = """#include "simpletools.h"
+int main() {
+  while (1) {
+    high(4);
+    pause(100);
+    low(4);
+    pause(100);
+    if ((INA >> 4) & 1) print("high\\n");
+    high(7);
+    pause(20);
+    if (input(7)) pause(10);
+  }
+}
+"""
+DARK = {
+    "as it is": ("high(4)", "high(4)", ""),
+    "never driven": ("high(4)", "pause(0)", "high is missing"),
+    "driven at the begin alone": ("high(4)", "if (millis() < 3000UL) high(4)", "high is missing"),
+    "another pin": ("high(7)", "if (millis() < 3000UL) high(7)", "no longer high, which the source does not do"),
+}
+
+
+@pytest.mark.parametrize("change", DARK)
+def test_pins_that_are_driven_and_read_back_are_compared(change: str, tmp_path: Path) -> None:
+    require_verification("simavr")
+    (tmp_path / "p.c").write_text(ALSO_READ)
+    (tmp_path / "s.toml").write_text("horizon_ms = 5000\n")
+    assert run("migrate", tmp_path / "p.c", "-o", tmp_path / "out", "--bind", "P4=D4", "--bind", "P7=D7").code in (0, 1)
+    old, new, told = DARK[change]
+    sketch = tmp_path / "out" / "p" / "p.ino"
+    pin = old[-2]
+    text = sketch.read_text()
+    assert text.count(old) == 1
+    sketch.write_text(text.replace(old, new))
+    outcome = run("verify", tmp_path / "out", "--scenario", tmp_path / "s.toml", "--json")
+    expected = (6, "different") if told else (0, "no-difference-found")
+    assert (outcome.code, outcome.result["verdict"]) == expected, outcome.result["first_difference"]
+    if told:
+        assert outcome.result["first_difference"]["channel"] == f"P{pin}, as it is driven"
+        assert told in outcome.result["first_difference"]["message"]

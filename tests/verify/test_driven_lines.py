@@ -6,14 +6,14 @@ from collections.abc import Iterable
 
 from robosmi.verify.activity import HELD, ActivityEvent
 from robosmi.verify.alignment import alike
-from robosmi.verify.driven_lines import held_levels
+from robosmi.verify.driven_lines import NO_MORE, held_levels
 from robosmi.verify.simulation import PinChange, PinTrace
 
 
-def held(lengths: Iterable[tuple[float, int, float]]) -> list[tuple[float, int, float]]:
+def held(lengths: Iterable[tuple[float, int, float]], until_us: float = 0.0) -> list[tuple[float, int, float]]:
     """What is seen of a line that is driven at a time, to a level, for so long, and let go: microseconds."""
     changes = [c for at, level, us in lengths for c in (PinChange(at, "D4", level), PinChange(at + us, "D4", "z"))]
-    trace = PinTrace("e", "running", 4_000_000.0, tuple(changes), (), (), ())
+    trace = PinTrace("e", "running", until_us or changes[-1].at_us + 2_000.0, tuple(changes), (), (), ())
     return [(event.at_us, int(event.value[0]), float(event.value[1])) for event in held_levels(trace, "D4")]
 
 
@@ -36,8 +36,17 @@ def test_a_sensor_that_is_asked_now_and_then_tells_each() -> None:
 
 def test_a_first_one_is_seen_although_others_follow_much_later() -> None:
     later = [(1_442_000.0 + at * 30_000, 1, 1050.0) for at in range(9)]
-    assert held([(0.0, 1, 1010.0), *later]) == [(0.0, 1, 1010.0)]
-    assert [us for _, _, us in held([(0.0, 1, 500.0), *later])] == [500.0, 1050.0]
+    assert held([(0.0, 1, 1010.0), *later]) == [(0.0, 1, 1010.0), (1010.0, 1, NO_MORE), (1_442_000.0, 1, 1050.0)]
+    assert [us for _, _, us in held([(0.0, 1, 500.0), *later])] == [500.0, NO_MORE, 1050.0]
+
+
+def test_where_a_line_is_no_longer_held_is_seen() -> None:
+    blinks = [(at * 200_000.0, 1, 100_000.0) for at in range(10)]
+    assert held(blinks, 2_300_000.0) == [(0.0, 1, 100_000.0)]
+    assert held(blinks, 6_000_000.0) == [(0.0, 1, 100_000.0), (1_900_000.0, 1, NO_MORE)]
+    again = [(at * 200_000.0 + 4_000_000.0, 1, 100_000.0) for at in range(5)]
+    assert [us for _, _, us in held([*blinks, *again])] == [100_000.0, NO_MORE, 100_000.0]
+    assert str(ActivityEvent(0.0, HELD, (1, NO_MORE))) == "no longer high"
 
 
 def test_what_lasts_less_than_a_tenth_of_a_millisecond_is_not_looked_at() -> None:

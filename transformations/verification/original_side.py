@@ -106,8 +106,11 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
     """
     found = {port.title: _at_port(trace, port, target) for port in ports if port.watched}
     for port in ports:
-        if port.compared and device_facts().get(port.device, {}).get("driven"):
+        known: Mapping[str, object] = device_facts().get(port.device, {})
+        if port.compared and known.get("driven"):
             found[f"{port.title}{DRIVEN}"] = [held_levels(trace, port.target if target else port.source)]
+        elif port.compared and known.get("driven_as_output"):
+            found[f"{port.title}{DRIVEN}"] = _at_port(trace, port, target)
         elif port.watched and port.pulsed:
             found[f"{port.title}{PULSED}"] = [pulse_lengths(trace, port.target if target else port.source)]
         elif port.watched and not port.device:
