@@ -252,6 +252,8 @@ class Platform(Element, metaclass=MetaEClass):
         unique=False,
     )
     """Headers of the C standard library that a target platform has."""
+    ownHeaders: MutableSequence[str] = EAttribute(eType=EString, upper=-1, unique=False)
+    """Headers of a target platform itself and of the libraries that come with it, whose names a program's own header cannot keep."""
     widths: MutableSequence[TypeWidth] = EReference(upper=-1, containment=True)
     """Types that keep the width of the source on a target platform."""
     widerNames: MutableSequence[TypeWidth] = EReference(upper=-1, containment=True)
@@ -302,6 +304,7 @@ class Platform(Element, metaclass=MetaEClass):
             mainHeader: str | None = None,
             pinFunctions: Iterable[str] | None = None,
             standardHeaders: Iterable[str] | None = None,
+            ownHeaders: Iterable[str] | None = None,
             widths: Iterable[TypeWidth] | None = None,
             widerNames: Iterable[TypeWidth] | None = None,
             names: ReservedNames | None = None,

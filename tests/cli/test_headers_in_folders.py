@@ -53,3 +53,17 @@ def test_what_the_host_has_no_type_for_is_a_reason_and_not_our_bug(tmp_path: Pat
     assert outcome.result["verdict"] == "not-decidable"
     (reason,) = outcome.result["reasons"]
     assert "both 'long' and 'float' in declaration specifiers (long_double.c:3)" in reason
+
+
+def test_headers_named_like_those_of_the_target_get_other_names(tmp_path: Path) -> None:
+    require_verification("simavr")
+    shutil.copytree(HERE / "headers_of_names", tmp_path / "names")
+    outcome = run("migrate", tmp_path / "names" / "names.c", "-o", tmp_path / "out", "--bind", "P16=D9")
+    assert outcome.code == 0, outcome.err
+    sketch = tmp_path / "out" / "names"
+    assert sorted(path.name for path in sketch.glob("*.h")) == [
+        "adapters.h", "own_Arduino.h", "own_Print.h", "own_Servo.h", "own_adapters.h"
+    ]  # fmt: skip
+    outcome = run("simulate", tmp_path / "out", "--seconds", "1")
+    assert outcome.code == 0, outcome.err
+    assert "3 4 11" in outcome.out

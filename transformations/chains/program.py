@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 
 from msgspec import Struct
@@ -21,6 +21,7 @@ from robosmi.transformations.m2m.refused_forms import remarks
 from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
 from robosmi.transformations.queries.block_braces import is_torn
 from robosmi.transformations.queries.code import CodeView, views
+from robosmi.transformations.queries.source_text import ADAPTERS_FILE
 from robosmi.transformations.t2m.c_source.side_file import ENDING, SideProject, project_beside, read_side
 from robosmi.transformations.t2m.c_source.sources import source_files
 from robosmi.typed import distinct
@@ -123,7 +124,7 @@ def stored_program(files: ProgramFiles, api: ApiIndex, target: TargetFacts) -> S
     seen = views(program, api)
     for view in seen:
         findings = [*findings, *library_cogs(view), *unknown_functions(view)]
-    places = _store_units(program)
+    places = _store_units(program, target.own_headers | {ADAPTERS_FILE})
     copies = {places[str(path)]: inputs.read_bytes(path, inputs.SOURCE) for path in files.paths}
     names = {place: path for path, place in places.items()}
     for view in seen if target.language == CPLUSPLUS else ():
@@ -187,23 +188,29 @@ def _refuse_torn(main: ccode.Function) -> None:
         )
 
 
-def _store_units(program: ccode.Program) -> dict[str, str]:
+def _store_units(program: ccode.Program, taken: Collection[str]) -> dict[str, str]:
     """Give units, and includes of them, the paths of their copies; path as given -> path of the copy.
+
+    A header that cannot keep its name gets `own_` before it, a further file of one name its number; no two differ only in capital
+    letters, which some file systems take for the same.
 
     Include folders are then as seen from the first unit. A header that was found and is not copied, a platform's, keeps the name
     by which it is included.
     """
     places: dict[str, str] = {}
+    used: set[str] = set()
     beside = os.path.dirname(os.path.realpath(program.units[0].path))
     folders = [os.path.relpath(os.path.realpath(folder), beside) for folder in program.includeFolders]
     program.includeFolders.clear()
     program.includeFolders.extend(folders)
     for unit in program.units:
         name = Path(unit.path).name
-        stem, number = name, 1
-        while f"source/{name}" in places.values():
+        stem, number = f"own_{name}" if name.lower() in taken else name, 1
+        name = stem
+        while name.lower() in used:
             number += 1
             name = f"{number}_{stem}"
+        used.add(name.lower())
         places[unit.path] = f"source/{name}"
         unit.path = places[unit.path]
     copies = {os.path.realpath(path): place for path, place in places.items()}

@@ -134,6 +134,11 @@ class TargetFacts:
         return frozenset(self._platform.standardHeaders)
 
     @cached_property
+    def own_headers(self) -> frozenset[str]:
+        """Headers of the platform itself, in small letters: a header of a program with such a name would stand in for it."""
+        return frozenset(name.lower() for name in (self._platform.mainHeader, *self._platform.ownHeaders))
+
+    @cached_property
     def widths(self) -> Mapping[str, str]:
         """Type of the source by value -> type that holds the same values."""
         return {w.sourceType: w.targetType for w in self._platform.widths}
@@ -298,6 +303,7 @@ def _platform(table: DataTable, folder: str, project: Path | None) -> platform.P
         mainHeader=table.text("include"),
         pinFunctions=table.texts("pin_functions", ()),
         standardHeaders=table.texts("standard_headers"),
+        ownHeaders=table.texts("own_headers", ()),
         intBits=table.number("intBits"),
         longBits=table.number("longBits"),
         pointerBits=table.number("pointerBits"),

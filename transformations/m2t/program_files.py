@@ -24,7 +24,7 @@ from robosmi.transformations.m2t.program_text import file_name, own_header, prog
 from robosmi.transformations.m2t.task_list import report
 from robosmi.transformations.queries.circuit import pin_literal
 from robosmi.transformations.queries.plan import target_of
-from robosmi.transformations.queries.source_text import SourceText, is_header
+from robosmi.transformations.queries.source_text import ADAPTERS_FILE, SourceText, is_header
 from robosmi.transformations.queries.text_changes import all_changes
 
 BENCH = "bench"
@@ -101,7 +101,7 @@ def program_files(
             else {"plan": plan, "literal": pin_literal, **program_text(plan, text, late, texts)}
         )
 
-    @g.rule(template=templates.adapters, target=f"{plan.name}/adapters.h")
+    @g.rule(template=templates.adapters, target=f"{plan.name}/{ADAPTERS_FILE}")
     def Adapters() -> dict[str, Any]:
         listed = adapters(plan, made_apart(plan))
         return {

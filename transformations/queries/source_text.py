@@ -18,6 +18,8 @@ from robosmi.transformations.queries.text_changes import decision_of, effective
 from robosmi.typed import matches
 
 HEADERS = (".h", ".hh", ".hpp")
+ADAPTERS_FILE = "adapters.h"
+"""The file of a made program that has the adapters and placeholders it uses."""
 
 
 INCLUDED = (*HEADERS, ".c", ".cc", ".cpp")

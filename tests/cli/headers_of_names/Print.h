@@ -1,0 +1,1 @@
+#define QB 4

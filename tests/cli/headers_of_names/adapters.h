@@ -1,0 +1,1 @@
+#define QA 3
