@@ -99,7 +99,7 @@ def test_every_type_that_may_be_drawn_is_an_element_with_the_pins_that_are_named
     entries = tomllib.loads((built_in("platform_repo") / "parts" / "wokwi_types.toml").read_text("utf-8"))["type"]
     for entry in entries:
         pins = elements[entry["type"]]
-        named = [*entry.get("returns", ()), *(pin for group in entry.get("order", ()) for pin in group)]
+        named = [*entry.get("returns", ()), *entry.get("feeds", ()), *(pin for group in entry.get("order", ()) for pin in group)]
         named += [pin for pin in entry.get("pins", ()) if "[" not in pin]
         if not entry.get("attrs"):  # with attributes an element has other pins
             assert [pin for pin in named if pin not in pins and f"{pin}.1" not in pins] == [], entry["type"]
@@ -140,6 +140,23 @@ def test_what_a_signal_goes_through_is_drawn_with_its_value(
     assert pin_map(tmp_path / "wokwi" / "diagram.json") == {
         ("D3", "Lamp"): ("R1",), ("D5", "Knob"): ("R_pull", "4k7"), ("D6", "Two"): ("220 ohm",), ("D9", "Arm"): (),
     }  # fmt: skip
+
+
+def test_parts_of_a_pin_table_are_supplied_and_those_with_one_wire_are_told(
+    made: Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """An LED by its cathode has its anode at the supply; where the other side of a button goes, nobody knows."""
+    table = tmp_path / "table.csv"
+    rows = ["D3,LED,Lamp,cathode,R1", "D4,LED,Two,anode,R2", "D5,Pushbutton,Knob,", "D6,Pushbutton,Other,", "D9,Servo,Arm,pulse,"]
+    table.write_text("\n".join(["pin,part,title,connector,through", *rows]) + "\n")
+    code, document = handed(capsys, str(made(BLINK, table)), "--as", "wokwi", "-o", str(tmp_path / "wokwi"))
+    assert code == 0
+    told = [finding["message"] for finding in document["findings"] if finding["rule"] == "RS538"]
+    assert told == ["one wire alone in the diagram: Knob, Other; the pin table does not say where their other ends go"]
+    wires = json.loads((tmp_path / "wokwi" / "diagram.json").read_text())["connections"]
+    ends = {wire[1]: wire[0] for wire in wires}
+    assert (ends["Lamp:A"], ends["Two:C"]) == ("Arduino Uno:5V", "Arduino Uno:GND.1")
+    assert "Lamp:C" in ends or "Lamp:C" in ends.values()
 
 
 def test_a_pin_that_a_symbol_ties_to_a_supply_stays_tied(made: Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

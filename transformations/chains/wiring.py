@@ -120,6 +120,10 @@ def wokwi(models: MigrationModels, output: Path, path: Path) -> Handed:
     if drawn.added:
         message = f"{drawn.added} wires to supply and ground are added: the pin table says nothing of them"
         findings.append(Finding("RS537", Severity.info, message, source))
+    if drawn.loose:
+        message = f"one wire alone in the diagram: {', '.join(drawn.loose)}; the pin table does not say where their other ends go"
+        fix = "wire them in Wokwi; a button that reads high when it is pressed goes to the supply, and needs a resistor to ground"
+        findings.append(Finding("RS538", Severity.warning, message, source, fix=fix))
     sketch = _sketch(output, plan.name)
     files = project_files(drawn, sketch, project(plan)["libraries"], drawn.listed(), f"RoboSMi {__version__}")
     kinds = {name: "sketch" if name in sketch or name.endswith(".ino") else "wiring" for name in files}

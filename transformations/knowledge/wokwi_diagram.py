@@ -34,6 +34,7 @@ class WokwiWiring:
         wires: the two ends of each (`uno:13`), and what it carries: `GND`, a voltage, or nothing for a signal.
         not_drawn: what Wokwi has no part for.
         added: supply and ground wires that the source says nothing about.
+        loose: parts that have one wire, since the source does not say where their other end goes.
     """
 
     def __init__(self) -> None:
@@ -41,6 +42,7 @@ class WokwiWiring:
         self.wires: list[tuple[str, str, str]] = []
         self.not_drawn: list[NotDrawn] = []
         self.added = 0
+        self.loose: list[str] = []
 
     def listed(self) -> list[str]:
         """A line about each part that is not drawn."""

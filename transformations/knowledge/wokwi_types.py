@@ -39,6 +39,7 @@ class WokwiPart(Struct, frozen=True):
         pins: connector -> pin; connectors that are no pin of the type are not in it.
         supplies: pins of the type that are a supply or a ground, with their kind.
         returns: pins that go to ground where nothing is known of them (`GND` by pin).
+        feeds: pins that go to the supply where nothing is known of them and those of `returns` are wired otherwise.
     """
 
     kind: str
@@ -46,6 +47,7 @@ class WokwiPart(Struct, frozen=True):
     pins: Mapping[str, str]
     supplies: Mapping[str, str]
     returns: Mapping[str, str] = {}
+    feeds: tuple[str, ...] = ()
 
 
 class WokwiBoard(Struct, frozen=True):
@@ -64,6 +66,7 @@ class _Entry(Struct, frozen=True):
     pins: tuple[tuple[str, str], ...]
     order: tuple[tuple[str, ...], ...]
     returns: tuple[str, ...]
+    feeds: tuple[str, ...]
     takes: Mapping[str, tuple[str, ...]] = {}
 
 
@@ -127,6 +130,7 @@ def wokwi_part(
                 _pins(component, connected, part, entry),
                 powered,
                 dict.fromkeys(entry.returns, "GND"),
+                entry.feeds,
             )
     return None
 
@@ -240,6 +244,7 @@ def _entry(table: DataTable) -> _Entry:
         forbidden=Phrases((word, 0) for word in table.texts("not", ())),
         pins=tuple(pair for pin in pins.values for pair in _told(pin, pins.texts(pin))),
         returns=table.texts("returns", ()),
+        feeds=table.texts("feeds", ()),
         takes={key: takes.texts(key) for key in takes.values},
         order=tuple(tuple(str(each) for each in pins) for pins in order),
     )

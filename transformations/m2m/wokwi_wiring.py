@@ -7,6 +7,7 @@ pins are `knowledge/wokwi_types`, the text of the file is `m2t/wokwi_project`.
 
 from __future__ import annotations
 
+from collections import Counter
 from pathlib import Path
 
 from robosmi.diagnostics import Location
@@ -162,12 +163,17 @@ class _Wiring:
         used = {end for wire in self.result.wires for end in wire[:2]}
         board = self.names[self.board]
         for component, part in self.parts.items():
+            name = self.names[component]
             rest = {pin: _GROUND if kind == "ground" else _SUPPLY for pin, kind in part.supplies.items()}
+            if all(f"{name}:{pin}" in used for pin in part.returns):
+                rest |= dict.fromkeys(part.feeds, _SUPPLY)
             for pin, carried in (rest | dict(part.returns)).items():
-                end, own = f"{self.names[component]}:{pin}", self.drawn.supplies.get(carried)
+                end, own = f"{name}:{pin}", self.drawn.supplies.get(carried)
                 if end not in used and own is not None:
                     self.result.wires.append((f"{board}:{own}", end, carried))
                     self.result.added += 1
+        ends = Counter(end.rpartition(":")[0] for wire in self.result.wires for end in wire[:2])
+        self.result.loose = [name for component in self.parts if ends[name := self.names[component]] == 1]
 
 
 def _label(connection: migration.Connection) -> str:
