@@ -413,3 +413,38 @@ def test_a_library_that_an_adapter_declares_and_does_not_include_is_refused(proj
     assert not (project / "out").exists()
     adapter.write_text(f"\ufeff{GLOW}", encoding="utf-8")  # as some editors write it
     assert run("migrate", project / "stick.c", "-o", project / "out").code == 0
+
+
+@pytest.mark.parametrize(
+    ("include", "message", "fix"),
+    [
+        ("<Wire.h>", "its text includes no header of it, and <Wire.h> is none", "include: <NewPing.h>"),
+        ("<NewPing.h>", "", ""),
+        ('"NewPing.h"', "", ""),
+    ],
+)
+def test_an_include_of_another_library_than_the_declared_one_is_refused(
+    include: str, message: str, fix: str, project: Path
+) -> None:
+    (project / "glow.h").write_text("int glow_pulses(int pin, int count);\n")
+    (project / "adapters").mkdir()
+    declared = GLOW.replace("//#   kind:", f"//#   library: NewPing\n//#   include: {include}\n//#   kind:", 1)
+    (project / "adapters" / "glow.cpp").write_text(declared)
+    (project / "stick.c").write_text('#include "simpletools.h"\n#include "glow.h"\nint main() { glow_pulses(9, 3); }\n')
+    outcome = run("migrate", project / "stick.c", "-o", project / "out")
+    assert outcome.code == (3 if message else 0), outcome.err
+    assert message in outcome.err
+    assert fix in outcome.err
+    assert (project / "out").exists() == (not message)
+
+
+def test_an_include_that_nobody_knows_is_refused(project: Path) -> None:
+    require_tools("avr-gcc", "arduino-core-avr")
+    (project / "glow.h").write_text("int glow_pulses(int pin, int count);\n")
+    (project / "adapters").mkdir()
+    (project / "adapters" / "glow.cpp").write_text(GLOW.replace("//#   kind:", "//#   include: <Gloww.h>\n//#   kind:", 1))
+    (project / "stick.c").write_text('#include "simpletools.h"\n#include "glow.h"\nint main() { glow_pulses(9, 3); }\n')
+    outcome = run("migrate", project / "stick.c", "-o", project / "out")
+    assert outcome.code == 3
+    assert "'Gloww.h', which it includes, is neither installed nor a header of a known library" in outcome.err
+    assert not (project / "out").exists()

@@ -150,6 +150,9 @@ def _to_write(api: ApiIndex, header: str, name: str) -> dict[str, Json]:
     }  # fmt: skip
 
 
+_FOREIGN = "keep it in the program, or write adapters/NAME.cpp by hand for the header NAME.h that the program includes for it"
+
+
 def _whole(piece: AdapterPiece) -> dict[str, Json]:
     return {
         "signatures": list(piece.signatures), "fidelity": piece.fidelity, "needs": list(piece.needs), "mcus": list(piece.mcus),
@@ -183,7 +186,7 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
         header = ancestor_of_kind(use.function, platform.Header) if use.function is not None else None
         if header is None:
             message = f"'{use.name}' is no function of a known header, so no adapter file can be for it"
-            told.findings.append(Finding("RS528", Severity.warning, message, Location(str(output)), fix="keep it in the program"))
+            told.findings.append(Finding("RS528", Severity.warning, message, Location(str(output)), fix=_FOREIGN))
             continue
         wanted[str(header.name), str(use.name)] = use
     files = _files(wanted, found, folder, ending, whose, plan)
@@ -191,9 +194,11 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
         header_name, function, said = fault
         message, place = f"the body of '{function}' does not compile alone: {said}", Location(str(output))
         del wanted[header_name, function]
+        outside = f"; what it uses of the sketch may stand in '{header_name.removesuffix('.h')}{ending}' as a helper"
         if not wanted:
-            raise PlatformDataError(message, location=place, fix="correct it in the sketch, or keep it there: nothing was saved")
-        fix = "correct it in the sketch and save again, or keep it there: it was not saved"
+            fix = f"correct it in the sketch, or keep it there: nothing was saved{outside}"
+            raise PlatformDataError(message, location=place, fix=fix)
+        fix = f"correct it in the sketch and save again, or keep it there: it was not saved{outside}"
         told.findings.append(Finding("RS528", Severity.error, message, place, fix=fix))
         files = _files(wanted, found, folder, ending, whose, plan)
     told.adapters += [

@@ -60,7 +60,7 @@ def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platfo
         PlatformDataError: one does not compile, at its place in its file, or declares a library of which it includes nothing.
     """
     own = [piece for piece in choice.chosen_pieces if choice.index.kept_by(piece) != BUILT_IN]
-    _check_libraries(own, choice)
+    _check_libraries(own, choice, target)
     if not own or target.language not in _PROGRAMS:
         return
     fault = first_fault(own, choice.pieces, choice.mcu, target, board)
@@ -73,7 +73,7 @@ def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platfo
         )
 
 
-def _check_libraries(own: Iterable[AdapterPiece], choice: AdapterChoice) -> None:
+def _check_libraries(own: Iterable[AdapterPiece], choice: AdapterChoice, target: TargetFacts) -> None:
     """Refuse a library that a piece declares and of which neither it nor what it needs includes a header.
 
     Raises:
@@ -82,12 +82,38 @@ def _check_libraries(own: Iterable[AdapterPiece], choice: AdapterChoice) -> None
     for piece in own:
         needed = choice.pieces.needed([(piece.header, piece.name)], choice.mcu).pieces if piece.libraries else ()
         for name in piece.libraries:
-            if not any(each.includes for each in needed if name in each.libraries):
-                raise PlatformDataError(
-                    f"'{piece.name}' declares the library '{name}', and its text includes no header of it",
-                    location=piece.location,
-                    fix=f"add `{MARK}   include: <HEADER.h>` to its markers, or take `library: {name}` out; nothing was written",
-                )
+            included = [header for each in needed if name in each.libraries for header in each.includes]
+            if included and any(name in _offering(header, target) for header in included):
+                continue
+            others = f", and {', '.join(included)} is none" if included else ""
+            own_header = _header_of(name, target)
+            raise PlatformDataError(
+                f"'{piece.name}' declares the library '{name}', and its text includes no header of it{others}",
+                location=piece.location,
+                fix=f"add `{MARK}   include: <{own_header}>` to its markers, or take `library: {name}` out; nothing was written",
+            )
+
+
+def _offering(header: str, target: TargetFacts) -> list[str]:
+    """The libraries that have a header, as it is included."""
+    from robosmi.transformations.knowledge.library_ranking import libraries_by_header  # most programs have no own adapters
+
+    if not target.libraries:
+        return []
+    return [library.name for library in libraries_by_header(_bare(header), target.libraries)]
+
+
+def _header_of(name: str, target: TargetFacts) -> str:
+    """The header of a library that programs include."""
+    from robosmi.transformations.knowledge.library_ranking import library_index
+
+    library = library_index(target.libraries).library_named(name) if target.libraries else None
+    return library.header if library is not None else "HEADER.h"
+
+
+def _bare(header: str) -> str:
+    """The name of a header's file, as an include or a path has it."""
+    return header.strip().strip('<>"').rpartition("/")[2]
 
 
 def first_fault(
@@ -112,6 +138,11 @@ def first_fault(
     except (MissingToolError, SourceError):  # not installed, or found data that names programs and that nobody has trusted
         return None
     for finding in wrong:
+        lost = _bare(str(finding.evidence.get("header", "")))
+        includer = next((each for each in own if lost and any(_bare(header) == lost for header in each.includes)), None)
+        if includer is not None and not _offering(lost, target):
+            message = f"'{lost}', which it includes, is neither installed nor a header of a known library"
+            return includer, Finding(finding.rule, finding.severity, message, includer.location)
         piece, line = _piece_at(pieces, text, finding.location.line if finding.location is not None else None)
         if piece is not None and piece in own:
             return piece, Finding(finding.rule, finding.severity, finding.message, Location(piece.location.path, line))
@@ -175,7 +206,8 @@ def _errors(text: str, target: TargetFacts, board: platform.Board) -> list[Findi
     for each in report.diagnostics:
         if each.severity is Severity.error and each.location is not None and Path(each.location.path).name == name:
             line = (each.location.line or 0) - start.count("\n")
-            found.append(Finding(each.rule, each.severity, each.message, Location(each.location.path, line)))
+            at = Location(each.location.path, line)
+            found.append(Finding(each.rule, each.severity, each.message, at, evidence=each.evidence))
     return found
 
 
