@@ -33,7 +33,18 @@ def configure(parser: Options) -> None:
         action.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    action: str
+    target: str | None
+    source_platform: str | None
+    name: str
+    output: Path
+    whose: str
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("adapters")
     if arguments.action == "list":

@@ -23,7 +23,17 @@ def configure(parser: Options) -> None:
     parser.add_argument("-o", dest="output", metavar="code.xmi", type=Path, help="store the code model as XMI")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    files: list[Path]
+    source_platform: str | None
+    include_dirs: list[Path]
+    defines: list[str]
+    output: Path | None
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("analyse")
     project = project_of(arguments.files[0])

@@ -24,7 +24,14 @@ def configure(parser: Options) -> None:
     )  # fmt: skip
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    model: Path
+    metamodels: list[Path]
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("check")
     project = project_of(arguments.model)

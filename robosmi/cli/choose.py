@@ -33,7 +33,19 @@ def configure(parser: Options) -> None:
     parser.add_argument("--dry-run", action="store_true", help="say what would be made and write nothing")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    output: Path
+    answers: list[str]
+    reopen: list[str]
+    why: str
+    source: Path | None
+    history: str | None
+    dry_run: bool
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command.
 
     Raises:

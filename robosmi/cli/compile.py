@@ -21,7 +21,15 @@ def configure(parser: Options) -> None:
     parser.add_argument("-o", dest="into", metavar="DIR", type=output_folder, help="folder for the program instead of OUT/build")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    output: Path
+    board: str | None
+    into: Path | None
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     from robosmi.verify.kept_program import compile_into
 

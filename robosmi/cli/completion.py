@@ -20,7 +20,13 @@ def configure(parser: Options) -> None:
     parser.add_argument("shell", choices=sorted(_SCRIPTS), help="the shell that the script is for")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    shell: str
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("completion")
     script = _SCRIPTS[arguments.shell]()

@@ -17,7 +17,13 @@ def configure(parser: Options) -> None:
     parser.add_argument("rules", nargs="*", metavar="RULE", help="id or name of a rule, as RS311; none lists all")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    rules: list[str]
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     from robosmi.report.rules import finding_rules, page, rule_called, terminal_page
 

@@ -25,7 +25,17 @@ def configure(parser: Options) -> None:
     parser.add_argument("--strict", action="store_true", help="stop when a choice is open")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    plan: Path
+    output: Path
+    bench: bool
+    dry_run: bool
+    strict: bool
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("generate")
     done: MadeSketch = content("chain", "generate")(

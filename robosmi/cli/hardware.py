@@ -26,7 +26,16 @@ def configure(parser: Options) -> None:
     parser.add_argument("--write-table", metavar="FILE", type=Path, help="write the wiring as a pin table (.csv or .toml)")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    sketch: Path
+    output: Path | None
+    svg: Path | None
+    write_table: Path | None
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("hardware")
     project = project_of(arguments.sketch)

@@ -34,7 +34,19 @@ def configure(parser: Options) -> None:
         sub.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    action: str
+    history: str | None
+    part: str | None
+    part_id: str | None
+    library: str | None
+    everything: bool
+    file: Path
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("history")
     history = History(arguments.history)

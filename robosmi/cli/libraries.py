@@ -30,7 +30,16 @@ def configure(parser: Options) -> None:
         action.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    action: str
+    folder: Path
+    platform: str | None
+    name: str
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     platform: str = arguments.platform or content("query", "default_library_platform")()
     return _show(arguments.name, platform) if arguments.action == "show" else _import(arguments.folder, platform)

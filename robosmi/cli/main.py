@@ -154,7 +154,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             raise UsageError(
                 f"there is no command '{name}'{did_you_mean(name, COMMANDS)}", fix=f"use one of: {', '.join(COMMANDS)}"
             )
-        parsed = build_parser(name).parse_args(words)
+        parsed = build_parser(name).parse_args(words, _Parsed())
         try:
             return _run(parsed)
         except SystemExit as error:  # no command ends so: a plug-in does
@@ -198,7 +198,17 @@ def _collect_less() -> None:
     gc.set_threshold(200_000, 20, 20)
 
 
-def _run(parsed: argparse.Namespace) -> int:
+class _Parsed(argparse.Namespace):
+    """What each command is told."""
+
+    command: str
+    fail_on: str
+    json: bool
+    sarif: Path | None
+    verbose: bool
+
+
+def _run(parsed: _Parsed) -> int:
     from robosmi.plugins import plugin_findings
     from robosmi.report import takes_colour, terminal_text
 

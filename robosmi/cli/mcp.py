@@ -30,7 +30,16 @@ def configure(parser: Options) -> None:
     )  # fmt: skip
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    json: bool
+    root: Path
+    limit: float
+    unconfined: bool
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     if arguments.json:
         raise UsageError("standard output is the protocol's", fix="leave --json out")

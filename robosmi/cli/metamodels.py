@@ -26,7 +26,16 @@ def configure(parser: Options) -> None:
         sub.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    action: str
+    folder: Path
+    metamodels: list[Path]
+    output: Path
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("metamodels")
     if arguments.action == "export":

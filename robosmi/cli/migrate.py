@@ -53,7 +53,31 @@ def configure(parser: Options) -> None:
     )
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    json: bool
+    files: list[Path]
+    source_platform: str | None
+    include_dirs: list[Path]
+    defines: list[str]
+    hardware: Path | None
+    target: str | None
+    output: Path
+    libraries: list[str]
+    bind: list[str]
+    adapters: str | None
+    widths: str
+    history: str | None
+    bench: bool
+    dry_run: bool
+    yes: bool
+    strict: bool
+    verify: bool
+    open: bool
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("migrate")
     if not arguments.dry_run:

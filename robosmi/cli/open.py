@@ -27,7 +27,17 @@ def configure(parser: Options) -> None:
     parser.add_argument("--source", metavar="FILE", type=Path, help="a source of the program, beside which robosmi.toml lies")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    json: bool
+    output: Path
+    port: int
+    no_browser: bool
+    source: Path | None
+
+
+def run(arguments: Arguments) -> Report:
     """Make the page ready; it is served once the report is printed."""
     report = Report("open")
     serve(report, arguments.output, arguments.port, browser=not (arguments.no_browser or arguments.json), source=arguments.source)

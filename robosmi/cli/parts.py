@@ -27,7 +27,14 @@ def configure(parser: Options) -> None:
     add.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    folders: list[Path]
+    output: Path | None
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("parts")
     target = arguments.output or _own_file(arguments.folders[0])

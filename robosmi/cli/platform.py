@@ -34,7 +34,17 @@ def configure(parser: Options) -> None:
     taking.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    folder: Path
+    name: str
+    like: str | None
+    include_dirs: list[Path]
+    defines: list[str]
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("platform")
     done: ImportedPlatform = content("chain", "platform_import")(

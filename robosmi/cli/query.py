@@ -32,7 +32,17 @@ def configure(parser: Options) -> None:
     )
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    model: Path
+    expression: str
+    driver: str | None
+    metamodels: list[Path]
+    models: list[str]
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     from robosmi.model.metamodel import Metamodel
     from robosmi.model.opening import open_model

@@ -26,12 +26,22 @@ def configure(parser: Options) -> None:
     )
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    sketch: Path | None
+    components: Path | None
+    ranker: str | None
+    history: str | None
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
-    if (arguments.sketch is None) == (arguments.components is None):
+    given = arguments.sketch or arguments.components
+    if given is None or (arguments.sketch is not None and arguments.components is not None):
         raise UsageError("give a drawing or --components, one of them", fix="see: robosmi recommend --help")
     report = Report("recommend")
-    project = project_of(arguments.sketch or arguments.components)
+    project = project_of(given)
     done: RankedLibraries = content("chain", "recommend")(
         arguments.sketch,
         components=arguments.components,

@@ -22,7 +22,14 @@ def configure(parser: Options) -> None:
     parser.add_argument("-o", dest="path", required=True, metavar="FILE.html", type=Path, help="the file")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    output: Path
+    path: Path
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("report")
     text: str = content("chain", "report_page")(arguments.output, secrets.token_urlsafe(16))

@@ -34,7 +34,17 @@ def configure(parser: Options) -> None:
     )
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    chain: Path
+    dry_run: bool
+    force: bool
+    fix: str | None
+    keep: bool
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     from robosmi.chain import read_chain
 

@@ -24,7 +24,17 @@ def configure(parser: Options) -> None:
     parser.add_argument("-o", dest="vcd", metavar="FILE.vcd", type=Path, help="write the trace for a viewer of waveforms")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    output: Path
+    scenario: Path | None
+    seconds: float | None
+    engine: str | None
+    vcd: Path | None
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("simulate")
     check_replaced(arguments.vcd, b"$timescale", "trace")

@@ -18,7 +18,13 @@ def configure(parser: Options) -> None:
     parser.add_argument("folder", metavar="FOLDER", type=Path, help="a project, or its folder .robosmi")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    folder: Path
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("trust")
     folder, files = trust(arguments.folder)

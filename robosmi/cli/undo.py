@@ -10,6 +10,8 @@ from robosmi.generate.undo import undo
 from robosmi.report import Report
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from robosmi.cli.options import Options
 
 
@@ -18,7 +20,13 @@ def configure(parser: Options) -> None:
     parser.add_argument("output", metavar="OUT", type=output_folder, help="output folder of migrate or generate")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    output: Path
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("undo")
     done = undo(arguments.output)

@@ -23,7 +23,18 @@ def configure(parser: Options) -> None:
     parser.add_argument("--dry-run", action="store_true", help="send nothing; say what would be done")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    output: Path
+    port: str
+    build: Path | None
+    baud: int | None
+    unfinished: bool
+    dry_run: bool
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     from robosmi.verify.upload import upload_sketch
 

@@ -27,7 +27,17 @@ def configure(parser: Options) -> None:
     parser.add_argument("-o", dest="vcd", metavar="FILE.vcd", type=Path, help="write both traces of the first difference")
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    output: Path
+    scenarios: list[Path]
+    engine: str | None
+    seed: int
+    vcd: Path | None
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("verify")
     check_replaced(arguments.vcd, b"$timescale", "trace")

@@ -30,7 +30,15 @@ def configure(parser: Options) -> None:
     )
 
 
-def run(arguments: argparse.Namespace) -> Report:
+class Arguments(argparse.Namespace):
+    """What the command was told."""
+
+    output: Path
+    form: str
+    path: Path
+
+
+def run(arguments: Arguments) -> Report:
     """Run the command."""
     report = Report("wiring")
     if not str(arguments.path).strip("\0 "):
