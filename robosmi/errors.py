@@ -26,7 +26,7 @@ class RobosmiError(Exception):
     exit_code = 70
 
     def __init__(self, message: str, *, location: Location | None = None, fix: str | None = None) -> None:
-        if type(self) is RobosmiError:
+        if self.__class__ is RobosmiError:
             raise TypeError("RobosmiError is abstract: raise one of its leaves")
         super().__init__(message)
         self.message = message

@@ -9,10 +9,10 @@ from __future__ import annotations
 import sysconfig
 import traceback
 from collections import Counter
-from functools import cache
 from types import FrameType
 
 from robosmi.diagnostics import Location
+from robosmi.typed import kept
 
 END = "let it come to an end for every element, for example by passing over those that it has seen"
 """What to do about a function that calls itself without end."""
@@ -41,7 +41,7 @@ def _is_foreign(frame: FrameType) -> bool:
     return module.partition(".")[0] != "robosmi" and not file.startswith(("<", *_installed()))
 
 
-@cache
+@kept
 def _installed() -> tuple[str, ...]:
     names = ("stdlib", "platstdlib", "purelib", "platlib")
     return tuple({sysconfig.get_path(name) for name in names if sysconfig.get_path(name)})

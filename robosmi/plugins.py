@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterable
 from functools import cache
 from importlib.machinery import PathFinder
 from types import ModuleType
-from typing import Any
+from typing import Any, Protocol
 
 from msgspec import Struct
 
@@ -380,6 +380,14 @@ def plugin_findings() -> list[Finding]:
     ]
 
 
-def content(kind: str, name: str) -> Any:
-    """Shorthand for `registry().get(kind, name)`."""
-    return registry().get(kind, name)
+class Offered(Protocol):
+    """A function that content offers under a name; what it takes and makes is agreed for its kind."""
+
+    def __call__(self, *arguments: object, **options: object) -> Any:
+        """What it makes."""
+
+
+def content(kind: str, name: str) -> Offered:
+    """Shorthand for `registry().get(kind, name)` where that is called."""
+    found: Offered = registry().get(kind, name)
+    return found

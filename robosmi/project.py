@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from functools import cache
 from itertools import pairwise
 from pathlib import Path
 
@@ -19,6 +18,7 @@ from robosmi import inputs, resources
 from robosmi.data_text import Json, as_table, as_text, line_of_key, toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, did_you_mean
+from robosmi.typed import kept
 
 FILE_NAME = "robosmi.toml"
 LEVELS = ("off", "info", "warning", "error")
@@ -204,9 +204,9 @@ def _servo(path: Path, name: str, entry: Json, line: int | None) -> ServoTrim:
             raise wrong(f"'{key}' is no key of it{did_you_mean(key, _SERVO)}", f"use one of: {', '.join(_SERVO)}")
     neutral, speeds = entry.get("neutral", 0), entry.get("speeds", [])
     whole = isinstance(speeds, list) and all(
-        isinstance(point, list) and len(point) == 2 and all(type(value) is int for value in point) for point in speeds
+        isinstance(point, list) and len(point) == 2 and all(value.__class__ is int for value in point) for point in speeds
     )
-    if "neutral" in entry and (type(neutral) is not int or not least <= neutral <= most):
+    if "neutral" in entry and (neutral.__class__ is not int or not least <= neutral <= most):
         raise wrong(f"neutral = {neutral!r} is no pulse", f"give whole microseconds from {least} to {most}")
     if "speeds" in entry and (not whole or len(speeds) < 2):
         raise wrong("speeds is no list of two [speed, microseconds] or more", "write speeds = [[-100, 1300], [100, 1700]]")
@@ -327,7 +327,7 @@ def _default_files(project: Path | None) -> Iterator[Path]:
     return (path for folder in resources.folders("platform_repo", project) if (path := folder / "defaults.toml").is_file())
 
 
-@cache
+@kept
 def _merged(files: tuple[tuple[str, int], ...]) -> dict[str, dict[str, Json]]:  # by time of change: an edited file is read anew
     merged: dict[str, dict[str, Json]] = {}
     built_in = read_data(Path(files[-1][0])) if files else {}

@@ -65,6 +65,20 @@ def dynamic_attribute(thing: object, name: str, *default: object) -> Any:
     return getattr(thing, name, *default)
 
 
+def first_of(values: Iterable[T]) -> T:
+    """The first of some values, of which there is at least one.
+
+    >>> first_of({"red": 1, "green": 2})
+    'red'
+    """
+    return next(iter(values))
+
+
+def kept(function: Callable[P, T]) -> Callable[P, T]:
+    """Decorator: keep all results of a function by its arguments, as `functools.cache` does."""
+    return cast("Callable[P, T]", functools.cache(function))
+
+
 def matches(pattern: re.Pattern[AnyStr] | AnyStr, text: AnyStr, flags: int = 0) -> list[AnyStr]:
     """What a pattern finds in a text, in order: what its group matched if it has one, the whole match if it has none.
 

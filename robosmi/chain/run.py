@@ -393,6 +393,6 @@ class ChainRun:
 def _same(one: Any, other: Any) -> bool:
     """Whether two values are equal; those that cannot be compared are not."""
     try:
-        return type(one) is type(other) and bool(one == other)
+        return one.__class__ is other.__class__ and bool(one == other)
     except (TypeError, ValueError):
         return False

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from functools import cache, cached_property
+from functools import cached_property
 
 from msgspec import Struct
 
-from robosmi.typed import replaced
+from robosmi.typed import kept, replaced
 
 PROTECTED, CONTROLLED = "protected", "controlled"
 
@@ -157,7 +157,7 @@ def partition(text: str, styles: Iterable[CommentStyle]) -> Parts:
     return parts
 
 
-@cache
+@kept
 def _patterns(style: CommentStyle) -> tuple[re.Pattern[str], re.Pattern[str], re.Pattern[str]]:
     """What a marker begins with; what follows: the id and whether the region begins or ends; the same with text behind it."""
     start = re.escape(style.start) + r"[^\S\n]*" if style.start else ""

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Iterable, Mapping, Sequence
-from functools import cache
 from pathlib import Path
 from types import MethodType
 from typing import TYPE_CHECKING, Any
@@ -31,7 +30,7 @@ from robosmi.model.driver import ModelElement, features_of, name_of, type_of
 from robosmi.model.ecore import EObject
 from robosmi.query.problems import unknown_property
 from robosmi.template_files import TemplateFiles
-from robosmi.typed import class_name, dynamic_attribute
+from robosmi.typed import class_name, dynamic_attribute, kept
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -259,7 +258,7 @@ class Templates:
         return {t.filename: t for t in cache.values() if t.filename is not None}
 
 
-@cache
+@kept
 def _built_in(folders: tuple[Path, ...]) -> _Environment:
     """The environment of the templates in these folders; compiling them takes longer than what is made with them."""
     return _environment(TemplateFiles([str(folder) for folder in folders], found=True), auto_reload=True, cache=TemplateCache())

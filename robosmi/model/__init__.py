@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from robosmi.typed import dynamic_attribute
+from robosmi.typed import dynamic_attribute, first_of
 
 if TYPE_CHECKING:
     from robosmi.model.driver import Model
@@ -53,7 +53,7 @@ def load_model(path: str | Path) -> DynamicEObject:
     from robosmi.model.metamodels import built_in
     from robosmi.model.versions import read_current
 
-    return next(iter(read_current(Path(path), built_in()).values()))
+    return first_of(read_current(Path(path), built_in()).values())
 
 
 def save_model(root: EObject, path: str | Path, others: Mapping[str, Root] | None = None) -> None:

@@ -198,4 +198,4 @@ def kind_of(element: EObject) -> str:
     """The name of an Ecore element's class; pyecore has the map entry as a data type, and users may extend Ecore's classes."""
     if element is ecore.EStringToStringMapEntry:
         return "EClass"
-    return next(cls.__name__ for cls in type(element).__mro__ if cls.__name__ in FEATURES)
+    return next(cls.__name__ for cls in element.__class__.__mro__ if cls.__name__ in FEATURES)

@@ -23,7 +23,7 @@ from robosmi.model.metamodel import Metamodel, Packages, TypedModel
 from robosmi.model.pyecore_internals import own_resource_of, set_own_resource
 from robosmi.model.resource import Home, Watch
 from robosmi.model.structure import contents, root_of, walk
-from robosmi.typed import distinct
+from robosmi.typed import distinct, first_of
 
 if TYPE_CHECKING:
     from robosmi.model.open_files import OpenFiles
@@ -104,7 +104,7 @@ class EmfModel(TypedModel):
                 as_data(element)
             return cls(packages, Metamodel.ecore(), name or file.stem, file)
         if roots is None:
-            roots = next(iter(documents.values())).roots
+            roots = first_of(documents.values()).roots
         packages = [*distinct(_outermost(root.eClass.ePackage) for root in roots), *used.epackages]
         model = cls(roots, Metamodel(dict.fromkeys(packages)), name or file.stem, file)
         if open_files is not None:
@@ -194,7 +194,7 @@ class EmfModel(TypedModel):
         everything = self._everything()
         found = self._extents.get((cls, exact))
         if found is None:
-            wanted = {cls} if exact else {c for c in {type(x) for x in everything} if issubclass(c, cls)}
+            wanted = {cls} if exact else {c for c in {x.__class__ for x in everything} if issubclass(c, cls)}
             found = self._extents[cls, exact] = [x for x in everything if x.__class__ in wanted]
         return found
 

@@ -40,7 +40,7 @@ def declared_features(cls: type) -> dict[str, Any]:
 
 def unknown_feature(element: EObject, name: str) -> UnknownFeatureError:
     """The error for a name that is no feature of the element, with the nearest that is."""
-    known = declared_features(type(element))
+    known = declared_features(element.__class__)
     return UnknownFeatureError(
         f"{class_name(element)} has no feature '{name}'{did_you_mean(name, known)}",
         fix=f"use one of: {', '.join(sorted(known))}",

@@ -9,11 +9,10 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Iterable, Iterator
-from functools import cache
 
 from robosmi.model.ecore import Package
 from robosmi.model.pyecore_internals import is_element
-from robosmi.typed import dynamic_attribute
+from robosmi.typed import dynamic_attribute, kept
 
 BUILT_IN = ("ccode", "hardware", "platform", "trace", "migration")
 """The names of the built-in metamodels, each a package of `robosmi.metamodels`."""
@@ -51,7 +50,7 @@ def _with_subpackages(packages: Iterable[Package]) -> Iterator[Package]:
         pending.extend(reversed(list(epackage.eSubpackages)))
 
 
-@cache
+@kept
 def built_in() -> Metamodels:
     """The five metamodels of this package."""
     return Metamodels(importlib.import_module(f"robosmi.metamodels.{name}") for name in BUILT_IN)

@@ -8,7 +8,6 @@ Which parts can wait, and how they are built, is the driver's business.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import InternalError
@@ -28,7 +27,7 @@ from robosmi.model.pyecore_internals import (
     read,
     target_in,
 )
-from robosmi.typed import class_name
+from robosmi.typed import class_name, kept
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -144,10 +143,10 @@ def fill(element: EObject, feature: EStructuralFeature, value: Any) -> None:
         slots[SET_FEATURES][feature] = None
 
 
-@cache
+@kept
 def _stand_ins(cls: Any) -> Any:
     """A class whose elements stand for parts that are built later; `cls` is a class that every place for such a part takes."""
-    quiet: Any = type("Quiet", (type(cls),), {"__init__": type.__init__})  # it becomes part of no metamodel
+    quiet: Any = type("Quiet", (cls.__class__,), {"__init__": type.__init__})  # it becomes part of no metamodel
     made = quiet(f"Later{cls.__name__}", (cls,), {})
     prepare(made)
     return made
@@ -175,7 +174,7 @@ def settle(element: EObject, links: Callable[[Any, Any], Any] | None = None) -> 
     while pending:
         one = pending.pop()
         slots = one.__dict__
-        cls: type = type(one)
+        cls: type = one.__class__
         slots[REFUSAL] = refused
         for feature, name, is_link, holds in _held(cls):
             slot = slots.get(name)
@@ -200,7 +199,7 @@ def settle(element: EObject, links: Callable[[Any, Any], Any] | None = None) -> 
 _READ_ONLY = (Promise, ReadOnlyValue, ReadOnlySet, ReadOnlyList)
 
 
-@cache
+@kept
 def _held(cls: Any) -> list[tuple[Any, str, bool, bool]]:
     """The features of a class whose slots must be made read-only one by one; that metamodel does not change any more.
 
@@ -238,7 +237,7 @@ def _promised(element: EObject, feature: EStructuralFeature, slot: Any) -> list[
     return built
 
 
-@cache
+@kept
 def _empty(cls: Any, name: str, feature: EStructuralFeature) -> Any:
     """The slot of a feature without a value; all elements of a class share it."""
     if feature.many:

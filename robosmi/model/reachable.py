@@ -57,13 +57,13 @@ def of_models(obj: Any, attribute: str) -> bool | None:
     if attribute.startswith("_"):
         return False
     if isinstance(obj, ECollection):
-        own = hasattr(type(obj), attribute) or attribute in _NOT_OF_COLLECTIONS
+        own = hasattr(obj.__class__, attribute) or attribute in _NOT_OF_COLLECTIONS
         return attribute in OF_COLLECTIONS or (isinstance(obj, Queried) and not own)  # what queries read
     if isinstance(obj, (EObject, ModelElement)):
         return attribute in OF_ELEMENTS or _is_own(obj, attribute)
     if isinstance(obj, TypeHandle):
         return attribute in OF_TYPES or not hasattr(TypeHandle, attribute)  # the name of a literal
-    return attribute in OF_MODELS or not (hasattr(type(obj), attribute) or attribute in vars(obj))  # the name of a type
+    return attribute in OF_MODELS or not (hasattr(obj.__class__, attribute) or attribute in vars(obj))  # the name of a type
 
 
 def is_resource(obj: Any) -> bool:
@@ -75,12 +75,12 @@ def is_resource(obj: Any) -> bool:
 def _is_own(element: EObject | ModelElement, name: str) -> bool:
     """Whether a name is the element's own: of its metamodel or of its package's code, or, so that this is told, of nobody."""
     if not isinstance(element, EObject):  # plain XML and tables have no metamodel, and features that no class defines
-        return not hasattr(type(element), name) or name in element._features()
+        return not hasattr(element.__class__, name) or name in element._features()
     kind = element.eClass
     if kind.findEStructuralFeature(name) is not None:
         return True
     # operations are judged by who wrote them, too: Ecore's own, as `getEClassifier`, give what can be called
-    owners = [base for base in type(element).__mro__ if name in vars(base)]
+    owners = [base for base in element.__class__.__mro__ if name in vars(base)]
     if not owners:
         return not hasattr(element, name)
     return name not in _MADE and not any(f"{base.__module__}.".startswith(_BASES) for base in owners)

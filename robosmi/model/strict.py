@@ -107,7 +107,7 @@ class Element(_Base):
     if not TYPE_CHECKING:  # to a type checker an element has its features and no others
 
         def __setattr__(self, name: str, value: Any) -> None:
-            enumerations = declared_features(type(self))
+            enumerations = declared_features(self.__class__)
             expected = enumerations.get(name, _MISSING)
             if expected is _MISSING:
                 if name in INTERNAL or name[0] == "_":
@@ -132,7 +132,7 @@ class Element(_Base):
         return element_html(self)
 
     def __repr__(self) -> str:
-        known = declared_features(type(self))
+        known = declared_features(self.__class__)
         shown = [
             f"{n}={self.eGet(n)!r}"
             for n in ("name", "title", "label", "path", "elementId", "line")

@@ -36,7 +36,7 @@ def make_strict(package: EPackage) -> None:
 
 
 def _set(self: Any, name: str, value: Any) -> None:
-    feature = dynamic_attribute(type(self), name, None)
+    feature = dynamic_attribute(self.__class__, name, None)
     if feature is None and name[:1] != "_" and name not in INTERNAL:
         known = [str(f.name) for f in self.eClass.eAllStructuralFeatures()]
         raise UnknownFeatureError(

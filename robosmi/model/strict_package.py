@@ -146,7 +146,7 @@ else:
             return dynamic_attribute(ecore, name)
         raise AttributeError(name)
 
-    EStringToStringMapEntry = type(ecore.EObject)("EStringToStringMapEntry", (Element,), {})
+    EStringToStringMapEntry = ecore.EObject.__class__("EStringToStringMapEntry", (Element,), {})
     EStringToStringMapEntry.eClass = ecore.EClass("EStringToStringMapEntry", metainstance=EStringToStringMapEntry)
     for _name in ("key", "value"):
         setattr(EStringToStringMapEntry, _name, EAttribute(name=_name, eType=ecore.EString))

@@ -41,19 +41,19 @@ class Row(ModelElement):
         return []
 
     def _features(self) -> list[str]:
-        return list(type(self)._columns)  # type: ignore[attr-defined]
+        return list(self.__class__._columns)  # type: ignore[attr-defined]
 
     def __getattr__(self, name: str) -> Any:
-        place = type(self)._places.get(name)  # type: ignore[attr-defined]
+        place = self.__class__._places.get(name)  # type: ignore[attr-defined]
         if place is None:
             raise _unknown(class_name(self), name, self._features())
         return self._values[place]
 
     def __setattr__(self, name: str, value: Any) -> None:
-        place = type(self)._places.get(name)  # type: ignore[attr-defined]
+        place = self.__class__._places.get(name)  # type: ignore[attr-defined]
         if place is None:
             raise _unknown(class_name(self), name, self._features())
-        self._values[place] = type(self)._check(name, value)  # type: ignore[attr-defined]
+        self._values[place] = self.__class__._check(name, value)  # type: ignore[attr-defined]
 
     def __repr__(self) -> str:
         shown = ", ".join(f"{c}={v!r}" for c, v in list(paired(self._features(), self._values))[:3])

@@ -19,6 +19,7 @@ from robosmi.model.ecore import DynamicEObject, EObject
 from robosmi.model.metamodels import Metamodels
 from robosmi.model.xmi_reader import UnreadableModelError, read_models
 from robosmi.plugins import load, registry
+from robosmi.typed import first_of
 
 KIND = "model migration"
 
@@ -63,7 +64,7 @@ def _current(roots: dict[Path, DynamicEObject], steps: dict[str, Any]) -> tuple[
     replaced: list[Any] = []
     seen: set[str] = set()
     while pending := {file: uri for file, root in current.items() if (uri := _namespace(root)) in steps and uri not in seen}:
-        step = steps[next(iter(pending.values()))]
+        step = steps[first_of(pending.values())]
         older = {file: current[file] for file, uri in pending.items() if steps[uri] is step}
         seen |= {pending[file] for file in older}
         replaced += older.values()

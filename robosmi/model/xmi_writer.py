@@ -365,7 +365,7 @@ class _Writer:
         """An element with a reference to another file. Its type is given if the declared one is abstract (EMF's rule)."""
         kind = ""
         if column.names_types:
-            eclass = target.eClass if isinstance(target, ecore.EObject) else type(target).eClass
+            eclass = target.eClass if isinstance(target, ecore.EObject) else target.__class__.eClass
             if eclass is not column.declared:
                 self.uses_xsi = True
                 kind = f' xsi:type="{self.name_of(eclass)}"'

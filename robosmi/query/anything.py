@@ -242,7 +242,7 @@ def errln(value: T, prefix: Answer = "", suffix: Answer = "") -> T:
 
 def native_type(value: Answer) -> type:
     """The Python class."""
-    return type(value)
+    return value.__class__
 
 
 def size(value: Answer) -> int:

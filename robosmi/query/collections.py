@@ -355,7 +355,7 @@ class Lazy(Generic[T]):
         wanted = resolve(kind)
         if isinstance(wanted, EolType):
             return self.select(wanted.is_type)
-        return self.select(lambda x: type(x) is wanted)
+        return self.select(lambda x: x.__class__ is wanted)
 
     def first(self) -> T | None:
         """The first item, or None."""

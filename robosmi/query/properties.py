@@ -98,7 +98,7 @@ def get_all(items: Iterable[Any], name: str, default: Answer = _MISSING) -> list
         ModelError: an item has no such property.
     """
     found = items if isinstance(items, list) else list(items)
-    classes = {type(x) for x in found}
+    classes = {x.__class__ for x in found}
     if default is not _MISSING and type(None) in classes:
         return [default if x is None else _of(x, name) for x in found]
     if type(None) not in classes and all(_has_feature(cls, name) for cls in classes):
@@ -106,7 +106,7 @@ def get_all(items: Iterable[Any], name: str, default: Answer = _MISSING) -> list
             values = list(map(attrgetter(name), found))
         except AttributeError:
             values = [_of(x, name) for x in found]  # an operation without arguments, or the one that has none, and says so
-        if not any(compares_itself(cls) or issubclass(cls, _METHODS) for cls in {type(x) for x in values}):
+        if not any(compares_itself(cls) or issubclass(cls, _METHODS) for cls in {x.__class__ for x in values}):
             return values
     return [_of(x, name) for x in found]
 

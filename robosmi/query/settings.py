@@ -27,8 +27,13 @@ class Settings:
         Raises:
             UsageError: there is no such setting.
         """
-        if type(self) is self._settled and name[:1] != "_" and name not in self.__dict__ and not hasattr(type(self), name):
-            known = sorted({n for n in (*self.__dict__, *_settable(type(self))) if n[:1] != "_"})
+        if (
+            self.__class__ is self._settled
+            and name[:1] != "_"
+            and name not in self.__dict__
+            and not hasattr(self.__class__, name)
+        ):
+            known = sorted({n for n in (*self.__dict__, *_settable(self.__class__)) if n[:1] != "_"})
             raise UsageError(
                 f"{class_name(self)} has no setting '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(known)}"
             )

@@ -42,7 +42,7 @@ def sorted_by(items: list[T], body: Callable[[T], Any]) -> list[T]:
         if len(values) < len(items):
             raise  # of the body, not of a comparison
         made = None
-    classes = {type(x) for x in values}
+    classes = {x.__class__ for x in values}
     if made is not None and (classes <= _NUMBERS or classes in ({str}, {bool})):
         return made
     by_value = cmp_to_key(_compare)
@@ -67,5 +67,5 @@ def _compare(left: Any, right: Any) -> int:
 def _comparable(value: Answer) -> bool:
     if isinstance(value, (str, bool)) or is_number(value):
         return True
-    own: Any = dynamic_attribute(type(value), "__lt__", None)  # dates and the like, and Python's tuples of keys
+    own: Any = dynamic_attribute(value.__class__, "__lt__", None)  # dates and the like, and Python's tuples of keys
     return isinstance(value, tuple) or (collection_kind(value) is None and own is not _UNORDERED)

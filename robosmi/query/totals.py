@@ -35,7 +35,7 @@ class Totals(Generic[T]):
 
         A sum of Integers wraps around at 32 bits, as in the engine; Python's `sum(q)` is exact.
         """
-        items: Any = self._items if {type(x) for x in self._items} <= _NUMBERS else list(self._numbers())
+        items: Any = self._items if {x.__class__ for x in self._items} <= _NUMBERS else list(self._numbers())
         return _fitting(builtins.sum(items), items)
 
     def product(self) -> Any:
@@ -61,7 +61,7 @@ def _number(value: Answer) -> Any:
 def _fitting(value: Any, items: Iterable[Any]) -> Any:
     """An exact result as the engine holds it: Integers have 32 bits, and 64 as soon as a Long takes part."""
     if isinstance(value, float) or (
-        INT_MIN <= value <= INT_MAX and value.__class__ is int and Long not in {type(x) for x in items}
+        INT_MIN <= value <= INT_MAX and value.__class__ is int and Long not in {x.__class__ for x in items}
     ):
         return value
     long = any(x.__class__ is Long or not INT_MIN <= x <= INT_MAX for x in items)

@@ -139,7 +139,7 @@ def is_type_of(value: V, kind: AnyKind) -> bool:
     (False, True)
     """
     wanted = resolve(kind)
-    return bool(wanted.is_type(value)) if isinstance(wanted, EolType) else type(value) is wanted
+    return bool(wanted.is_type(value)) if isinstance(wanted, EolType) else value.__class__ is wanted
 
 
 def matching(items: Iterable[V], kind: AnyKind, exact: bool = False) -> list[V]:

@@ -118,7 +118,7 @@ _NUMERIC = frozenset({int, float, bool, Long})
 def unique(items: Iterable[V]) -> list[V]:
     """Each item once, in the order first seen, by `key`."""
     found = list(items)
-    classes = {type(x) for x in found}
+    classes = {x.__class__ for x in found}
     if len(classes & _NUMERIC) < 2 and not any(compares_itself(cls) for cls in classes):
         try:
             return distinct(found)  # the same answer, ten times faster

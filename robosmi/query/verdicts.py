@@ -37,7 +37,7 @@ def verdict_of(answer: T, says: str, fix: str) -> T:
         given = "a coroutine (it is an `async def`)"
     elif isinstance(answer, Iterator):
         given = "a generator or another iterator (it has a `yield`?)"
-    elif type(answer) in (list, tuple, dict, set, frozenset):
+    elif answer.__class__ in (list, tuple, dict, set, frozenset):
         given = f"a plain {class_name(answer)}"
     elif inspect.isroutine(answer):
         given = f"the function {answer.__name__!r}, which was not called"

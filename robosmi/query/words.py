@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from functools import cache
+
+from robosmi.typed import kept
 
 
-@cache
+@kept
 def snake(name: str) -> str:
     """An EOL name in Python's way.
 

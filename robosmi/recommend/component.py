@@ -107,7 +107,7 @@ def read_components(path: Path) -> tuple[ComponentQuery, ...]:
 
 def _kind(value: object) -> str:
     names = {dict: "an object", list: "a list", str: "a text", bool: "true or false", type(None): "null"}
-    return names.get(type(value), "a number")
+    return names.get(value.__class__, "a number")
 
 
 class _Reader(Struct, frozen=True):

@@ -10,7 +10,6 @@ import inspect
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
-from functools import cache
 from types import CodeType, FunctionType
 from typing import TYPE_CHECKING, Any
 
@@ -21,7 +20,7 @@ from robosmi.model.driver import Model, TypeHandle, class_of
 from robosmi.model.ordering import post_order
 from robosmi.query.erl import RuleType, arity, called, failed, place_of, type_name
 from robosmi.query.verdicts import guarded
-from robosmi.typed import attribute_of, paired
+from robosmi.typed import attribute_of, kept, paired
 
 if TYPE_CHECKING:
     from robosmi.functions import Function, NamedFunction
@@ -115,7 +114,7 @@ def _parameters(body: NamedFunction) -> list[str]:
 _MORE = inspect.CO_VARARGS | inspect.CO_VARKEYWORDS
 
 
-@cache
+@kept
 def _compiled(annotation: str) -> CodeType:
     code: CodeType = compile(annotation, "<annotation>", "eval")
     return code

@@ -70,7 +70,7 @@ def _recorders(models: list[Model]) -> Iterator[Callable[[], Any]]:
     changed = [technology(m) for m in models]
     yield lambda: Recording([m for m in changed if isinstance(m, EmfModel)])
     for model in changed:
-        if not isinstance(model, EmfModel) and (own := dynamic_attribute(type(model), "recording", None)) is not None:
+        if not isinstance(model, EmfModel) and (own := dynamic_attribute(model.__class__, "recording", None)) is not None:
             yield lambda model=model, own=own: own(model)  # type: ignore[misc]
 
 

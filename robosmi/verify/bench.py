@@ -15,7 +15,7 @@ from operator import itemgetter
 from typing import Any, ClassVar, TypeVar
 
 from robosmi.errors import UsageError, VerificationError
-from robosmi.plugins import content, registry
+from robosmi.plugins import registry
 from robosmi.typed import class_name, distinct
 from robosmi.verify.simulation import ConsoleByte, DeviceEvent, DeviceUse, PinChange, PinTrace, Wave
 
@@ -159,7 +159,7 @@ class Bench(ABC):
             unknown = sorted({*use.pins.values()} - {*self.driven})
             if unknown:
                 raise UsageError(f"the board has no pin '{unknown[0]}'", fix=f"use one of: {', '.join(self.driven)}")
-            kind: type[Device] = content("device", use.kind)
+            kind = device_class(use.kind)
             device = kind(self, number, use.pins, use.settings)
             self._devices.append(device)
             for pin in distinct(use.pins.values()):
@@ -175,6 +175,12 @@ class Bench(ABC):
         """Tell the devices that the run is over."""
         for device in self._devices:
             device.ended()
+
+
+def device_class(kind: str) -> type[Device]:
+    """The class of the devices that are registered under a name."""
+    found: type[Device] = registry().get("device", kind)
+    return found
 
 
 class Device:

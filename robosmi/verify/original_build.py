@@ -12,7 +12,6 @@ import re
 import subprocess
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from functools import cache
 from pathlib import Path
 from time import monotonic
 
@@ -20,7 +19,7 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, MissingToolError, VerificationError
-from robosmi.typed import matches, paired
+from robosmi.typed import kept, matches, paired
 from robosmi.verify import archives
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.temporary import temporary_folder
@@ -278,7 +277,7 @@ def _read_names(said: str) -> _Names:
     )
 
 
-@cache
+@kept
 def _defined(tool: str, archive: Path) -> frozenset[str]:
     """The names that an archive defines; its name says its content (see `archives`), so that it is read once."""
     return _read_names(run([tool, "-S", str(archive)]).stdout).defined
@@ -291,7 +290,7 @@ def _environment() -> dict[str, str]:
     return {"PATH": os.environ.get("PATH", os.defpath), "LC_ALL": "C"}
 
 
-@cache
+@kept
 def compiler_version(path: str) -> str:
     """The version that a compiler tells, `unknown` if it tells none."""
     return tool_version(path, ["--version"])

@@ -19,9 +19,8 @@ from time import monotonic
 from msgspec import Struct
 
 from robosmi.errors import UsageError, VerificationError
-from robosmi.plugins import content
 from robosmi.typed import sum_of
-from robosmi.verify.bench import Bench, Level
+from robosmi.verify.bench import Bench, Level, device_class
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace, Wave
 from robosmi.verify.temporary import temporary_folder
@@ -142,7 +141,7 @@ def _boards_own(program: OriginalProgram, devices: Sequence[DeviceUse]) -> list[
 
 def _address(use: DeviceUse) -> object:
     try:
-        known = content("device", use.kind).setting_names
+        known = device_class(use.kind).setting_names
     except KeyError:
         return None
     return use.settings.get("address", known.get("address"))

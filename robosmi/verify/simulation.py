@@ -14,7 +14,6 @@ import os
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
-from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
@@ -24,6 +23,7 @@ from msgspec.structs import asdict
 from robosmi.data_text import json_written
 from robosmi.errors import EngineCrashError, InternalError, MissingToolError, UsageError, VerificationError
 from robosmi.plugins import content, registry
+from robosmi.typed import kept
 from robosmi.verify.tools import end_session
 
 LEVELS = (0, 1, "z", "p")
@@ -264,7 +264,7 @@ def _environment() -> dict[str, str]:
     return os.environ | {"PYTHONPATH": os.pathsep.join([_root(), *filter(None, [os.environ.get("PYTHONPATH")])])}
 
 
-@cache
+@kept
 def _root() -> str:
     import robosmi
 

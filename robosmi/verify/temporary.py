@@ -13,10 +13,11 @@ import shutil
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from functools import cache
 from pathlib import Path
 from secrets import token_hex
 from time import time
+
+from robosmi.typed import kept
 
 _NAME = re.compile(r"robosmi-[a-z]+-(\d+)-\w+")
 _LEAST_AGE_S = 3600.0
@@ -57,7 +58,7 @@ def _remove_what_is_left() -> None:
             _remove(path)
 
 
-@cache
+@kept
 def _sweep_once(process: int) -> None:
     sweep(Path(tempfile.gettempdir()))
 

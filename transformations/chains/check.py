@@ -25,7 +25,7 @@ from robosmi.transformations.chains.constraint_sets import KIND, constraints_of
 from robosmi.transformations.chains.readers import is_drawing
 from robosmi.transformations.chains.reading import read_drawing
 from robosmi.transformations.constraints.electrical_plan import wired
-from robosmi.typed import distinct, sum_of
+from robosmi.typed import distinct, first_of, sum_of
 
 
 class Checked:
@@ -73,7 +73,7 @@ def _checked(file: Path, metamodels: Sequence[Path]) -> Checked:
         return _validated(done, [EmfModel(read.circuit, name="hardware")])
     if file.suffix != ".xmi":
         return _validated(done, [open_model(file)])
-    root = next(iter(read_current(file, built_in(), inside=Path(os.path.realpath(file)).parent).values()))
+    root = first_of(read_current(file, built_in(), inside=Path(os.path.realpath(file)).parent).values())
     if isinstance(root, migration.MigrationPlan) and root.circuit is not None:
         wired(root)  # the board is the plan's, not the repository's
     models = [EmfModel(root, name=file.stem)]

@@ -9,13 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 from robosmi import inputs
 from robosmi.data_text import Json, as_texts
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, did_you_mean
-from robosmi.plugins import content, registry
+from robosmi.plugins import Offered, content, registry
 from robosmi.project import defaults, defaults_place
 
 DRAWING = "drawing reader"
@@ -31,7 +30,7 @@ HEAD = 4096
 """Bytes that a recogniser is given; fewer where the file has fewer."""
 
 
-def reader_for(path: Path, kind: str, fallback: str | None = None) -> Any:
+def reader_for(path: Path, kind: str, fallback: str | None = None) -> Offered:
     """The registered reader for a file.
 
     Args:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from fnmatch import fnmatchcase, translate
-from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -23,7 +22,7 @@ from robosmi.metamodels import hardware
 from robosmi.resources import folders
 from robosmi.transformations.knowledge.board_models import ABILITIES
 from robosmi.transformations.knowledge.part_names import Phrases, read_toml
-from robosmi.typed import distinct, replaced
+from robosmi.typed import distinct, kept, replaced
 
 FILE = "parts/electrical.toml"
 """Place of the table in a folder of data; its head says what the keys mean."""
@@ -198,7 +197,7 @@ def rests_beyond_names(components: Iterable[hardware.Component]) -> dict[str, st
     return found
 
 
-@cache
+@kept
 def _read(files: tuple[tuple[str, int], ...]) -> Electrical:
     return Electrical(tuple(ElectricalFacts(read_toml(path), path) for path, _ in files))
 

@@ -9,9 +9,8 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Sequence
-from functools import cache
 
-from robosmi.typed import matches
+from robosmi.typed import kept, matches
 
 Token = tuple[str, int, int, str]
 """Kind (name, number, string, char, punct, comment, directive), start, end, text. One character is one byte."""
@@ -29,9 +28,9 @@ _BEHIND = rf">>=|<<=|\.\.\.|->|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|##|
 _PIECES = re.compile(f"{_BEFORE}|{_DIRECTIVE}|{_BEHIND}", re.DOTALL | re.ASCII)
 _KINDS = (
     dict.fromkeys("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_$", "name")
-    | dict.fromkeys((chr(code) for code in range(0x80, 0x100)), "name")
+    | dict.fromkeys((chr(code) for code in range(128, 256)), "name")
     | dict.fromkeys("0123456789", "number")
-    | dict.fromkeys(" \t\r\n\f\v", "space")
+    | dict.fromkeys(" \t\r\n\x0c\x0b", "space")
     | {'"': "string", "'": "char", "#": "directive"}
 )
 """Kinds of pieces by their first character, punctuation left out; some need a second look."""
@@ -147,7 +146,7 @@ def tokens(data: bytes, limit: int = sys.maxsize) -> list[Token]:
     return found
 
 
-@cache
+@kept
 def _pieces_of_a_line() -> re.Pattern[str]:  # few programs have a hash within a line, and compiling takes milliseconds
     return re.compile(f"{_BEFORE}|{_BEHIND}", re.DOTALL | re.ASCII)
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from fnmatch import fnmatchcase
-from functools import cache
 from pathlib import Path
 
 from msgspec import Struct
@@ -19,7 +18,7 @@ from robosmi.data_text import Json, toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
-from robosmi.typed import matches
+from robosmi.typed import kept, matches
 from robosmi.verify.tables import DataTable
 
 _LISTS = ("supply", "ground", "idle", "polarity", "control", "bus", "write", "read", "read_chip", "write_chip")
@@ -226,7 +225,7 @@ def parse_toml(text: str, path: str, first_line: int) -> dict[str, Json]:
         raise PlatformDataError(f"not valid TOML: {cause}", location=place, fix="mend the entry") from error
 
 
-@cache
+@kept
 def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
     table = DataTable(Path(path), read_toml(path))
     either, boards, drawn = (table.table(key, needed=False) for key in ("either", "boards", "drawn"))

@@ -25,7 +25,7 @@ from robosmi.transformations.queries.port_pins import NOT_WIRED
 from robosmi.transformations.queries.ports import Port, ProgramPorts, convention_of
 from robosmi.transformations.queries.split_wires import wires_of
 from robosmi.transformations.queries.value_flows import PinArgument
-from robosmi.typed import paired
+from robosmi.typed import first_of, paired
 
 _SIGNALS = {"in": "read", "out": "write"}
 _ANOTHER_PROGRAM = "take it out there, or give each program a folder of its own with its project file"
@@ -286,7 +286,7 @@ def _on_board(
 def signal_of(port: Port) -> str:
     """read, write or bus: what the program does with the port."""
     directions = port.directions
-    return _SIGNALS[next(iter(directions))] if len(directions) == 1 and directions <= set(_SIGNALS) else "bus"
+    return _SIGNALS[first_of(directions)] if len(directions) == 1 and directions <= set(_SIGNALS) else "bus"
 
 
 def _words(port: Port, api: ApiIndex) -> list[str]:

@@ -167,7 +167,7 @@ def _whole(element: ccode.Located, place: tuple[int, int], text: SourceText) -> 
 
 def port_place(element: ccode.Located) -> tuple[int, int] | None:
     """The bytes that hold a port's value: an initial value, a macro's body, an enumerator's value, a literal."""
-    finder = _PLACES.get(type(element))
+    finder = _PLACES.get(element.__class__)
     if finder is not None:
         return finder(element)
     return (element.startOffset, element.endOffset) if isinstance(element, ccode.Expression) else None

@@ -8,7 +8,6 @@ contained in its platform and knew its name there. A target was not in the model
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +25,7 @@ from robosmi.transformations.queries.binding_edits import referred
 from robosmi.transformations.queries.main_locals import MovedDeclaration
 from robosmi.transformations.queries.signature_text import parameter_name, parameter_type, taken_apart
 from robosmi.transformations.queries.source_text import SourceText
-from robosmi.typed import paired
+from robosmi.typed import kept, paired
 
 AND, NEXT, REASONS = "+", ";", "; "
 """Between the rules of a disposition that had several, what they put in, and why."""
@@ -42,7 +41,7 @@ def rules(f: Flock) -> None:
     """Add the rules; sources are read from beside the first model."""
     folder = f.original.path.parent if f.original.path is not None else Path()
 
-    @cache
+    @kept
     def texts(program: ccode.Program) -> list[SourceText]:
         return [SourceText(unit, _stored(folder / unit.path), ()) for unit in program.units]
 

@@ -42,11 +42,11 @@ def _evaluate(node: ast.expr, known: Callable[[str], int | None]) -> int | None:
         return known(node.id)
     if isinstance(node, ast.UnaryOp):
         value = _evaluate(node.operand, known)
-        change = _CHANGES.get(type(node.op))
+        change = _CHANGES.get(node.op.__class__)
         return None if value is None or change is None else change(value)
     if isinstance(node, ast.BinOp):
         left, right = _evaluate(node.left, known), _evaluate(node.right, known)
-        operator = _BINARY.get(type(node.op))
+        operator = _BINARY.get(node.op.__class__)
         return None if left is None or right is None or operator is None else calculate(operator, left, right)
     return None
 

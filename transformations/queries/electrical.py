@@ -19,7 +19,7 @@ from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.described_circuit import describe, device_facts, joins_by_bus_only, supply_limit
 from robosmi.transformations.knowledge.drawn_boards import drawn_board
 from robosmi.transformations.knowledge.electrical_facts import DeviceFacts
-from robosmi.typed import distinct
+from robosmi.typed import distinct, first_of
 
 T = TypeVar("T")
 Role = hardware.Role
@@ -157,7 +157,7 @@ class Wiring:
         if component.role is not Role.Passive or component in self._joins:
             return None
         others = {other for _, other in self.nets(component)}
-        return next(iter(others - {net})) if len(others) == 2 and net in others else None
+        return first_of(others - {net}) if len(others) == 2 and net in others else None
 
     def sources(self, net: hardware.Net) -> list[tuple[hardware.Component, hardware.Connector]]:
         """The supply and ground connectors of boards and supplies at a net."""

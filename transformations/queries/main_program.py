@@ -86,7 +86,7 @@ def _in_macro(unit: ccode.SourceUnit, loop: ccode.Loop, variable: ccode.Variable
 
 def exits(loop: ccode.Loop) -> list[LoopExit]:
     """The breaks, returns and gotos that leave a loop, in text order."""
-    return sorted((LoopExit(_KINDS[type(e)], int(e.line)) for e in ways_out(loop)), key=lambda e: e.line)
+    return sorted((LoopExit(_KINDS[e.__class__], int(e.line)) for e in ways_out(loop)), key=lambda e: e.line)
 
 
 _KINDS: dict[type, str] = {ccode.Break: "break", ccode.Return: "return", ccode.Goto: "goto"}

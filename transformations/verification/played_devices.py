@@ -12,10 +12,10 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import UsageError, did_you_mean
-from robosmi.plugins import content
 from robosmi.transformations.verification.port_devices import BoundPort, at_rest, device_facts
 from robosmi.transformations.verification.signal_values import check_signal
 from robosmi.typed import paired
+from robosmi.verify.bench import device_class
 from robosmi.verify.scenario import POINTS, Points, Scenario
 from robosmi.verify.simulation import DeviceUse
 
@@ -64,7 +64,7 @@ def devices_at(ports: Sequence[BoundPort], target: bool) -> list[PlayedDevice]:
             places = dict(paired(split["pins"], first.split))
             found.append(PlayedDevice(split["kind"], tuple(numbers), places, first.settings))
             continue
-        if (wired or on_bus) and set(content("device", first.device).pin_names) <= wired.keys():
+        if (wired or on_bus) and set(device_class(first.device).pin_names) <= wired.keys():
             found.append(PlayedDevice(first.device, tuple(numbers), wired, first.settings))
     return found
 
@@ -90,7 +90,7 @@ def played(ports: Iterable[BoundPort], scenario: Scenario | None, target: bool) 
         for name, points in given.items():
             before = settings.get(name, []) if points[0][0] > 0 else []  # at rest until its first point
             settings[name] = [*before, *(list(point) for point in points)]
-        known = content("device", device.kind).setting_names
+        known = device_class(device.kind).setting_names
         if not settings and known.get(POINTS, None) is ...:
             settings = {POINTS: []}  # a device that does nothing at rest
         fixed = device_facts().get(device.kind, {}).get("fixed", {})

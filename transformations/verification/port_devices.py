@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -28,7 +27,7 @@ from robosmi.transformations.queries.port_flows import port_flows
 from robosmi.transformations.queries.ports import program_ports
 from robosmi.transformations.queries.split_wires import answering_pin, asking_pin
 from robosmi.transformations.verification.wired_devices import WiredDevice, wired_devices
-from robosmi.typed import distinct, replaced
+from robosmi.typed import distinct, first_of, kept, replaced
 from robosmi.verify.tables import DataTable
 
 _FACTS = "simulation/devices.toml"
@@ -191,7 +190,7 @@ def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice]) -> Non
         at = {called: f"P{number}" for called, number in device.pins.items()}
         if not set(at.values()) <= ports.keys():
             continue
-        group = next(iter(at.values()))
+        group = first_of(at.values())
         closed = any(not set(device.closed_by).isdisjoint(ports[source].functions) for source in at.values())
         shown = () if closed else device_facts().get(device.kind, {}).get("shown", ())
         for source in distinct(at.values()):
@@ -209,7 +208,7 @@ def reads_console(plan: migration.MigrationPlan) -> bool:
     return any(use.name in known for use in plan.adapterUses)
 
 
-@cache
+@kept
 def _table(platform: str) -> DataTable:
     path = resources.find("platform_repo", f"{platform}/devices.toml")
     return DataTable(path, read_data(path))
@@ -260,6 +259,6 @@ def device_facts() -> Mapping[str, Any]:
     return _facts(resources.find("platform_repo", _FACTS))
 
 
-@cache
+@kept
 def _facts(path: Path) -> Mapping[str, Any]:
     return read_data(path)

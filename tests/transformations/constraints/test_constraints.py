@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from robosmi.metamodels import ccode, hardware, migration
-from robosmi.plugins import content
+from robosmi.plugins import registry
 from robosmi.transformations.constraints.code import code
 from robosmi.transformations.constraints.hardware import circuit
 from robosmi.transformations.constraints.plan import plan
@@ -70,7 +70,7 @@ def test_a_fix_mends_what_it_is_for(rule: str) -> None:
 
 def test_the_sets_are_registered_by_the_name_of_their_metamodel() -> None:
     for root, constraints in SETS.items():
-        assert content("constraints", root.eClass.ePackage.name) is constraints  # type: ignore[attr-defined]
+        assert registry().get("constraints", root.eClass.ePackage.name) is constraints  # type: ignore[attr-defined]
 
 
 def test_a_name_that_is_defined_twice_is_judged_anew_in_another_model() -> None:

@@ -11,7 +11,7 @@ import pytest
 
 from robosmi.diagnostics import Finding
 from robosmi.errors import PlatformDataError
-from robosmi.plugins import content
+from robosmi.plugins import registry
 from robosmi.project import Project
 from robosmi.query.run import Run
 from robosmi.transformations.chains.check import check
@@ -142,8 +142,8 @@ def test_a_plan_without_a_drawing_is_asked_nothing_of_it() -> None:
 
 
 def test_the_constraints_belong_to_the_sets_that_check_runs() -> None:
-    assert set(electrical.modules()) < set(content("constraints", "hardware").modules())
-    assert together in content("constraints", "migration").modules()
+    assert set(electrical.modules()) < set(registry().get("constraints", "hardware").modules())
+    assert together in registry().get("constraints", "migration").modules()
 
 
 def test_components_of_one_title_are_told_apart(tmp_path: Path) -> None:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
-from functools import cache
 
 from robosmi.transformations.knowledge.lexer import directive_parts
 from robosmi.transformations.knowledge.platform_api import ApiIndex
@@ -28,7 +27,7 @@ from robosmi.transformations.t2m.c_source.mending import Edit, Scratch
 from robosmi.transformations.t2m.c_source.precompiled import beginning, forget
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import ReadSource
-from robosmi.typed import matches
+from robosmi.typed import kept, matches
 
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _WITHOUT_OWN_MACROS = "-undef"
@@ -156,7 +155,7 @@ class Call:
         return bool(own) and own.isdisjoint(words) and own.isdisjoint(names)
 
 
-@cache
+@kept
 def own_macros(given: tuple[str, ...]) -> frozenset[str]:
     """The names of the macros that the parser has by itself when it is called with these arguments; none where it gave up."""
     library = clang.library()

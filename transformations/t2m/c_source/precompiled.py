@@ -16,7 +16,6 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 from contextlib import suppress
-from functools import cache
 from itertools import count
 from threading import Lock
 from typing import TYPE_CHECKING, NamedTuple
@@ -30,7 +29,7 @@ from robosmi.transformations.t2m.c_source.headers import Folders, State, reached
 from robosmi.transformations.t2m.c_source.invocation import HEADERS, VIRTUAL, standard_headers, unsaved
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import ReadSource
-from robosmi.typed import replaced, sum_of
+from robosmi.typed import kept, replaced, sum_of
 
 if TYPE_CHECKING:
     import tempfile
@@ -233,7 +232,7 @@ def _passing_folder() -> tempfile.TemporaryDirectory[str]:
     return folder
 
 
-@cache
+@kept
 def _kept(process: int) -> _Kept:
     """Those of a process: one that was forked off must not share its parent's folder."""
     return _Kept()

@@ -11,7 +11,6 @@ import ctypes
 import ctypes.util
 import re
 from collections.abc import Callable, Sequence
-from functools import cache
 from typing import Any
 
 from robosmi.errors import MissingToolError, VerificationError
@@ -24,7 +23,7 @@ from robosmi.transformations.verification.engines.simavr_library import (
     installed_library,
     run_in_a_row,
 )
-from robosmi.typed import dynamic_attribute, replaced
+from robosmi.typed import dynamic_attribute, kept, replaced
 from robosmi.verify.bench import Bench
 from robosmi.verify.simulation import ConsoleByte, Job, PinTrace
 
@@ -55,7 +54,7 @@ _START, _STOP, _ADDRESSED, _ACKNOWLEDGE, _WRITE, _READ = 1, 2, 4, 8, 16, 32
 """Bits of a message on the two-wire bus."""
 
 
-@cache
+@kept
 def _code(text: str) -> int:
     """Four characters as simavr's number of a peripheral."""
     return int.from_bytes(text.encode(), "big")

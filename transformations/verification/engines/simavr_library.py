@@ -9,9 +9,8 @@ from __future__ import annotations
 import ctypes
 import ctypes.util
 from collections.abc import Callable
-from functools import cache
 
-from robosmi.typed import dynamic_attribute
+from robosmi.typed import dynamic_attribute, kept
 
 _IN_A_ROW = 64
 """Cycles that the library may run before it looks at its timers again, which it does earlier where one is due: a third faster."""
@@ -33,7 +32,7 @@ class Firmware(ctypes.Structure):
     )  # fmt: skip
 
 
-@cache
+@kept
 def installed_library() -> ctypes.CDLL | None:
     """The library with its functions declared, or None where it is not installed."""
     for name in ("libsimavr.so.2", ctypes.util.find_library("simavr"), "libsimavr.so"):
