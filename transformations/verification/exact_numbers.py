@@ -11,8 +11,8 @@ from collections.abc import Callable, Mapping, Sequence
 
 from msgspec.structs import replace
 
-from robosmi.data_text import Json
-from robosmi.transformations.verification.port_devices import device_facts
+from robosmi.data_text import Json, as_number
+from robosmi.transformations.verification.simulated_kinds import device_facts
 from robosmi.verify.activity import READING, ActivityEvent
 from robosmi.verify.alignment import numbers_of, shape_of
 from robosmi.verify.simulation import DeviceUse
@@ -71,9 +71,9 @@ def _showing(use: DeviceUse, part: float) -> DeviceUse:
     """A device that shows more of all that it measures by a part of it, and something where it shows nothing."""
     if use.kind not in MEASURED:
         return use
-    ends: Mapping[str, tuple[float, float]] = device_facts()[use.kind]["ends"]
     changed: dict[str, Json] = {}
-    for name, (least, most) in ends.items():
+    for name, ends in device_facts()[use.kind]["ends"].items():
+        least, most = (as_number(end) for end in ends)
         points: Sequence[tuple[float, float | None]] = use.settings[name]
         changed[name] = [[at_ms, _shifted(value, part, least, most)] for at_ms, value in points]
     return replace(use, settings={**use.settings, **changed})

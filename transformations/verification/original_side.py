@@ -14,7 +14,8 @@ from msgspec import Struct
 
 from robosmi.transformations.verification.exact_numbers import MEASURED, with_exact_numbers
 from robosmi.transformations.verification.played_devices import devices_at, played
-from robosmi.transformations.verification.port_devices import BoundPort, device_facts
+from robosmi.transformations.verification.port_devices import BoundPort
+from robosmi.transformations.verification.simulated_kinds import SimulatedKind, device_facts
 from robosmi.typed import paired, replaced
 from robosmi.verify.activity import IDLE, LEVEL, LINE, SIGHTS, WAVE, ActivityEvent, activity, console_lines, merged, text_lines
 from robosmi.verify.comparison import NOT_EXERCISED, RACY, SAME, ChannelComparison, ClosedLoop, compare
@@ -106,7 +107,7 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
     """
     found = {port.title: _at_port(trace, port, target) for port in ports if port.watched}
     for port in ports:
-        known: Mapping[str, object] = device_facts().get(port.device, {})
+        known = device_facts().get(port.device, {})
         if port.compared and known.get("driven"):
             found[f"{port.title}{DRIVEN}"] = [held_levels(trace, port.target if target else port.source)]
         elif port.compared and known.get("driven_as_output"):
@@ -157,7 +158,7 @@ def _at_port(trace: PinTrace, port: BoundPort, target: bool) -> list[list[Activi
     return [merged([replaced(e, value=(0.0, e.value[1])) if e.kind == WAVE else e for e in events]) for events in seen]
 
 
-def _told(trace: PinTrace, number: int, facts: Mapping[str, Any], measures: bool) -> list[ActivityEvent]:
+def _told(trace: PinTrace, number: int, facts: SimulatedKind, measures: bool) -> list[ActivityEvent]:
     """What a device was told: text where it takes bytes, else a line for each thing that it noted."""
     seen = [event for event in trace.device_events if event.device == number]
     if text := facts.get("tells_text"):

@@ -12,8 +12,9 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import UsageError, did_you_mean
-from robosmi.transformations.verification.port_devices import BoundPort, at_rest, device_facts
+from robosmi.transformations.verification.port_devices import BoundPort, at_rest
 from robosmi.transformations.verification.signal_values import check_signal
+from robosmi.transformations.verification.simulated_kinds import device_facts
 from robosmi.typed import paired
 from robosmi.verify.bench import device_class
 from robosmi.verify.scenario import POINTS, Points, Scenario

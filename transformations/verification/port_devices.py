@@ -26,11 +26,11 @@ from robosmi.transformations.queries.pin_uses import PinUse, pin_uses
 from robosmi.transformations.queries.port_flows import port_flows
 from robosmi.transformations.queries.ports import program_ports
 from robosmi.transformations.queries.split_wires import answering_pin, asking_pin
+from robosmi.transformations.verification.simulated_kinds import device_facts
 from robosmi.transformations.verification.wired_devices import WiredDevice, wired_devices
 from robosmi.typed import distinct, first_of, kept, replaced
 from robosmi.verify.tables import DataTable
 
-_FACTS = "simulation/devices.toml"
 _MOST_TEXTS = 24
 _CHANNEL = re.compile(r"AD(\d+)|.*\.channel_(\d+)")
 
@@ -252,13 +252,3 @@ def at_rest(device: str, kinds: frozenset[str]) -> Mapping[str, Json]:
     facts = device_facts().get(device, {})
     own = [shown for kind, shown in facts.get("rest_of", {}).items() if kind in kinds]
     return dict(own[0] if own else facts.get("rest", {}))
-
-
-def device_facts() -> Mapping[str, Any]:
-    """What is known of devices by kind: what they show at rest and in generated scenarios, and what they tell."""
-    return _facts(resources.find("platform_repo", _FACTS))
-
-
-@kept
-def _facts(path: Path) -> Mapping[str, Any]:
-    return read_data(path)

@@ -18,8 +18,9 @@ from msgspec import Struct
 from robosmi.doing import doing
 from robosmi.transformations.verification.original_side import LIMITS, Place, SourceRuns, places_reached, run_source, run_varied
 from robosmi.transformations.verification.played_devices import CONSOLE, TYPING
-from robosmi.transformations.verification.port_devices import BoundPort, device_facts
+from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.transformations.verification.scenario_goals import BESIDE, ENDS, GOALS, behaviour, beside, shown
+from robosmi.transformations.verification.simulated_kinds import device_facts
 from robosmi.typed import distinct, replaced
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_run import OriginalRun

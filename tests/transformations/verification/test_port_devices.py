@@ -10,7 +10,8 @@ import robosmi
 from robosmi.diagnostics import Location
 from robosmi.errors import UsageError
 from robosmi.transformations.verification.played_devices import played, signals_of
-from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, device_facts
+from robosmi.transformations.verification.port_devices import BoundPort, bound_ports
+from robosmi.transformations.verification.simulated_kinds import device_facts
 from robosmi.verify.scenario import Points, Scenario
 from robosmi.verify.simulation import DeviceUse
 

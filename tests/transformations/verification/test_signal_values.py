@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 from robosmi.errors import UsageError
-from robosmi.transformations.verification.port_devices import device_facts
 from robosmi.transformations.verification.signal_values import check_signal
+from robosmi.transformations.verification.simulated_kinds import device_facts
 
 
 @pytest.mark.parametrize(
