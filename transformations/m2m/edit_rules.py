@@ -14,6 +14,7 @@ from typing import Any
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.adapter_ranges import parameter_names
 from robosmi.transformations.m2m import compound_literals, early_functions, excess_values
+from robosmi.transformations.m2m.decided_conditions import as_decided
 from robosmi.transformations.m2m.declared_lists import without
 from robosmi.transformations.m2m.designated_lists import positional
 from robosmi.transformations.m2m.nested_types import before_record, tag_places
@@ -360,6 +361,7 @@ RULES: dict[str, EditRule] = {
     "rename-tag": _rename_tag,
     "qualify-type": _qualify_type,
     "linkage-of-c": _branch_out,
+    "decided-condition": lambda element, choice, text: as_decided(element, text),
     "open-size": _open_size,
     "positional": lambda element, choice, text: positional(element, text.data) or [],
     excess_values.RULE: lambda element, choice, text: excess_values.places(element, text.data),

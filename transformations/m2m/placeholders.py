@@ -62,7 +62,10 @@ def used_symbols(
     }
     for view in views:
         there = own[id(view.unit)]
+        asked = [(int(c.startOffset), int(c.endOffset)) for c in view.unit.conditionals]  # what is asked there is decided
         for use in view.unit.macroUses:
+            if any(start <= use.startOffset < end for start, end in asked):
+                continue
             entry = view.resolve(use.name)
             known = use.name in there or use.name in names.macros or use.name in STANDARD_NAMES or use.functionLike
             if use.macro is None and not known and (entry is None or entry.header not in target.standard_headers):

@@ -29,6 +29,7 @@ from robosmi.transformations.m2m.adapter_uses import (
     own_types,
 )
 from robosmi.transformations.m2m.concurrency import concurrency
+from robosmi.transformations.m2m.decided_conditions import decided_conditions
 from robosmi.transformations.m2m.dispositions import STEP, Known, dispositions
 from robosmi.transformations.m2m.hoisting import hoist
 from robosmi.transformations.m2m.language_gap import TEXT_RULES as LANGUAGE_RULES
@@ -295,6 +296,8 @@ def _change_unit_texts(
             change(prototype, "adapter-in-place", word, reason)
             verdict = judged.trace.equivalents(prototype, migration.Disposition)[0]
             verdict.action, verdict.choice = migration.Action.adapt, migration.Action.adapt.name
+    for condition in decided_conditions(views, sources, names):
+        change(condition.element, condition.rule, condition.text, condition.reason)
     for view in views:
         for found in changes(view, sources[view.unit.path], functions, cplusplus=cplusplus):
             text = _WORD.sub(lambda word: renamed[word[0]].new if word[0] in renamed else word[0], found.text)

@@ -1,0 +1,3 @@
+#pragma once
+#include "own_Wire.h"
+#define QB 4

@@ -1,0 +1,1 @@
+#define QC 5

@@ -1,0 +1,3 @@
+#pragma once
+#include "Wire.h"
+#define QB 4

@@ -1,0 +1,2 @@
+#define QA 3
+int quarter(void) { return QA; }
