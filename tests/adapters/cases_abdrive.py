@@ -102,7 +102,7 @@ void loop() {{}}
     assert told[10:] == pytest.approx([49, 88], abs=1)
 
 
-@proves(*d("goto", "setMaxSpeed"))
+@proves(beside=d("goto", "setMaxSpeed"))
 def drives_take_as_long_for_a_way_as_there(uno: Uno) -> None:
     program = f"""{SAY}
 void go(int left, int right) {{ uint32_t begun = millis(); drive_goto(left, right); say(millis() - begun); }}

@@ -45,7 +45,7 @@ void loop() {{}}
     assert [turned(trace, 0) / 5.625, turned(trace, 1) / 5.625] == pytest.approx(told[13:], abs=2)
 
 
-@proves(*d("goto"))
+@proves(beside=d("goto"))
 def drives_with_feedback_notice_that_wheels_stand(uno: Uno) -> None:
     program = f"""{SAY}
 void setup() {{ Serial.begin(115200); drive_encoderPins(A0, A1); drive_gotoMode(0);
@@ -59,7 +59,7 @@ void loop() {{}}
     assert max(took) < 1530  # a wheel whose angle trembles by its last digit stands: up to 0.3 s later without it
 
 
-@proves(*d("ramp"), beside=d("goto"))
+@proves(beside=d("ramp", "goto"))
 def drives_with_feedback_and_no_pin_hold_nothing_up(uno: Uno) -> None:
     program = f"""{SAY}
 void setup() {{ Serial.begin(115200); uint32_t begun = millis(); drive_ramp(60, 60); say(millis() - begun);

@@ -448,3 +448,47 @@ def test_an_include_that_nobody_knows_is_refused(project: Path) -> None:
     assert outcome.code == 3
     assert "'Gloww.h', which it includes, is neither installed nor a header of a known library" in outcome.err
     assert not (project / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new", "message"),
+    [
+        ("glow", "//#   kind:", "//#   setup: nosuch();\n//#   kind:", "'nosuch();' of its setup: 'nosuch' was not declared"),
+        ("gloww", "", "", "the adapter file is for 'glow.h'"),
+        ("glow", "int glow_pulses(", "void glow_pulses(", "and 'void glow_pulses(int pin, int count)' says otherwise"),
+    ],
+)
+def test_an_own_adapter_is_held_against_what_it_says(name: str, old: str, new: str, message: str, project: Path) -> None:
+    require_tools("avr-gcc", "arduino-core-avr")
+    (project / "glow.h").write_text("int glow_pulses(int pin, int count);\n")
+    (project / "adapters").mkdir()
+    (project / "adapters" / f"{name}.cpp").write_text(GLOW.replace(old, new, 1))
+    (project / "stick.c").write_text('#include "simpletools.h"\n#include "glow.h"\nint main() { glow_pulses(9, 3); }\n')
+    outcome = run("migrate", project / "stick.c", "-o", project / "out")
+    assert outcome.code == 3, outcome.out
+    assert message in outcome.err
+    assert f"{name}.cpp:" in outcome.err
+    assert not (project / "out").exists()
+
+
+def test_a_known_function_keeps_giving_something_back(project: Path) -> None:
+    (project / "adapters").mkdir()
+    text = (
+        "//# header ping.h\n\n//# adapter ping_cm\n//#   for: void ping_cm(int pin)\n//#   kind: semantic\n//#   fidelity: none\n"
+    )
+    (project / "adapters" / "ping.cpp").write_text(f"{text}inline void ping_cm(int32_t) {{}}\n")
+    (project / "stick.c").write_text('#include "simpletools.h"\n#include "ping.h"\nint main() { ping_cm(9); }\n')
+    outcome = run("migrate", project / "stick.c", "-o", project / "out")
+    assert outcome.code == 3
+    assert "'ping_cm' is for 'void ping_cm(int pin)', and ping.h declares 'int ping_cm(int pin)'" in outcome.err
+
+
+def test_adapters_beside_a_program_without_a_project_file_are_told(project: Path) -> None:
+    (project / "adapters").mkdir()
+    (project / "adapters" / "glow.cpp").write_text(GLOW)
+    (project / "stick.c").write_text('#include "simpletools.h"\nint main() { high(9); }\n')
+    (project / "robosmi.toml").unlink(missing_ok=True)
+    told = run("migrate", project / "stick.c", "-o", project / "out", "--json").document["findings"]
+    assert [Path(f["location"]["path"]).name for f in told if f["rule"] == "RS529"] == ["adapters"]
+    (project / "robosmi.toml").write_text("")
+    assert "RS529" not in run("migrate", project / "stick.c", "-o", project / "out", "--json").rules()

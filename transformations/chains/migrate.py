@@ -34,7 +34,7 @@ from robosmi.transformations.chains.earlier import history_findings
 from robosmi.transformations.chains.library_steps import earlier, library_decisions, ranker
 from robosmi.transformations.chains.models import MigrationModels
 from robosmi.transformations.chains.output import Generated, produce, remember
-from robosmi.transformations.chains.own_adapters import adapter_files_of, check_own_adapters
+from robosmi.transformations.chains.own_adapters import adapter_files_of, check_own_adapters, unread_adapters
 from robosmi.transformations.chains.ports import bindings, pins_to_choose, ports
 from robosmi.transformations.chains.program import ProgramFiles, StoredProgram, program_files, stored_program
 from robosmi.transformations.chains.reading import check_source_platform
@@ -250,6 +250,7 @@ def models(
     findings += lost_findings(widenings, list(program.program.units), program.copies)
     findings += text_findings(widenings, list(program.program.units), program.copies)
     findings += history_findings(earlier)
+    findings += unread_adapters(settings, (Path(given).parent for given in program.places))
     decided = Decided(
         program.name, __version__, program.program, drawing.hardware if drawing is not None else None, board, target,
         *judgement, widenings, widths != KEEP, ports, bindings, *library_decisions, files, findings, places,

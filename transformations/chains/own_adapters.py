@@ -15,7 +15,7 @@ from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import MissingToolError, PlatformDataError, SourceError
 from robosmi.metamodels import migration, platform
-from robosmi.project import Project
+from robosmi.project import FILE_NAME, Project
 from robosmi.transformations.knowledge.adapter_data import adapter_paths
 from robosmi.transformations.knowledge.adapter_files import MARK, AdapterPiece
 from robosmi.transformations.knowledge.adapter_index import BUILT_IN, OWN, AdapterIndex, adapter_index
@@ -26,8 +26,14 @@ from robosmi.transformations.m2m.adapter_choice import AdapterChoice
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
 from robosmi.transformations.queries.port_pins import UNBOUND
+from robosmi.transformations.queries.signature_text import taken_apart
+from robosmi.typed import distinct
 
 _UNKNOWN = re.compile(r"['‘](\w+)['’] (?:was not declared|undeclared)|implicit declaration of function ['‘](\w+)['’]")
+_MISSING_HEADER = "RS803"
+"""The rule of a header that the compiler does not find."""
+_FIRST_STATEMENT = 3
+"""So many lines behind the last of the pieces' text stands the first statement of `setup`."""
 _C_HEAD = """#include <{header}>
 #include <stdbool.h>
 #include <stddef.h>
@@ -36,16 +42,40 @@ _C_HEAD = """#include <{header}>
 #define AVR_ADC(channel) (100 + (channel))
 """
 _PROGRAMS = {
-    "C": (_C_HEAD, "int main(void) { return 0; }\n", "check.c", "Makefile"),
-    "C++": ("#include <{header}>\n", "void setup() {}\nvoid loop() {}\n", "check.ino", ""),
+    "C": (_C_HEAD, "int main(void) {\n{setup}return 0; }\n", "check.c", "Makefile"),
+    "C++": ("#include <{header}>\n", "void setup() {\n{setup}}\nvoid loop() {}\n", "check.ino", ""),
 }
-"""Language of a target -> what stands in front of and behind the pieces, the file, and the project file that there has to be."""
+"""Language of a target -> what stands in front of and behind the pieces (with a line for each statement of `setup`), the file,
+and the project file that there has to be."""
 
 
 def adapter_files_of(settings: Project, target: TargetFacts, api: ApiIndex) -> AdapterIndex:
-    """The adapter files for a target, those beside the project file in front."""
+    """The adapter files for a target, those beside the project file in front.
+
+    Raises:
+        PlatformDataError: one beside the project file is wrong; one that is misnamed would not be missed.
+    """
     beside = settings.path.parent if settings.path is not None else None
-    return adapter_index(target.platform, api.name, beside=beside, language=target.language)
+    index = adapter_index(target.platform, api.name, beside=beside, language=target.language)
+    index.check_those_of("project")
+    return index
+
+
+def unread_adapters(settings: Project, folders: Iterable[Path]) -> list[Finding]:
+    """That a folder of adapter files lies beside a program and is not read, since no project file lies there.
+
+    Args:
+        settings: of the project.
+        folders: where the program's files lie.
+    """
+    found = []
+    for folder in distinct(folders) if settings.path is None else ():
+        paths = adapter_paths(folder / OWN) if (folder / OWN).is_dir() else []
+        if any(MARK.encode() in inputs.read_bytes(path, inputs.DATA) for path in paths):
+            message = f"the adapter files are not read: there is no {FILE_NAME} beside the folder"
+            fix = f"make an empty {FILE_NAME} there"
+            found.append(Finding("RS529", Severity.warning, message, Location(str(folder / OWN)), fix=fix))
+    return found
 
 
 def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platform.Board) -> None:
@@ -61,6 +91,7 @@ def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platfo
     """
     own = [piece for piece in choice.chosen_pieces if choice.index.kept_by(piece) != BUILT_IN]
     _check_libraries(own, choice, target)
+    _check_results(own, choice.api)
     if not own or target.language not in _PROGRAMS:
         return
     fault = first_fault(own, choice.pieces, choice.mcu, target, board)
@@ -92,6 +123,27 @@ def _check_libraries(own: Iterable[AdapterPiece], choice: AdapterChoice, target:
                 location=piece.location,
                 fix=f"add `{MARK}   include: <{own_header}>` to its markers, or take `library: {name}` out; nothing was written",
             )
+
+
+def _check_results(own: Iterable[AdapterPiece], api: ApiIndex) -> None:
+    """Refuse a piece for a function that gives something back, which gives nothing, or the other way round.
+
+    Raises:
+        PlatformDataError: at the piece; calls that use the result would not compile.
+    """
+    for piece in own:
+        known = [api.signature(piece.name, entry) for entry in api.entries(piece.name) if entry.header == piece.header]
+        nothing = {_gives_nothing(signature) for signature in known}
+        if known and piece.signatures and not any(_gives_nothing(signature) in nothing for signature in piece.signatures):
+            raise PlatformDataError(
+                f"'{piece.name}' is for '{piece.signatures[0]}', and {piece.header} declares '{known[0]}'",
+                location=piece.location,
+                fix=f"write `{MARK}   for: {known[0]}`, and let the text give the same; nothing was written",
+            )
+
+
+def _gives_nothing(signature: str) -> bool:
+    return taken_apart(signature)[0].strip() == "void"
 
 
 def _offering(header: str, target: TargetFacts) -> list[str]:
@@ -133,16 +185,21 @@ def first_fault(
     """
     pieces = known.needed([(piece.header, piece.name) for piece in own], mcu).pieces
     text = adapter_text([adapter_element(piece) for piece in pieces], {}, UNBOUND)
+    setup = [(piece, str(statement)) for piece in pieces for statement in piece.setup]
     try:
-        wrong = _errors(text, target, board)
+        wrong = _errors(text, [statement for _, statement in setup], target, board)
     except (MissingToolError, SourceError):  # not installed, or found data that names programs and that nobody has trusted
         return None
     for finding in wrong:
-        lost = _bare(str(finding.evidence.get("header", "")))
+        lost = _bare(finding.message.partition(":")[0]) if finding.rule == _MISSING_HEADER else ""
         includer = next((each for each in own if lost and any(_bare(header) == lost for header in each.includes)), None)
         if includer is not None and not _offering(lost, target):
             message = f"'{lost}', which it includes, is neither installed nor a header of a known library"
             return includer, Finding(finding.rule, finding.severity, message, includer.location)
+        at = (finding.location.line or 0) - text.count("\n") - _FIRST_STATEMENT if finding.location is not None else -1
+        if 0 <= at < len(setup) and setup[at][0] in own:
+            message = f"'{setup[at][1]}' of its setup: {finding.message}"
+            return setup[at][0], Finding(finding.rule, finding.severity, message, setup[at][0].location)
         piece, line = _piece_at(pieces, text, finding.location.line if finding.location is not None else None)
         if piece is not None and piece in own:
             return piece, Finding(finding.rule, finding.severity, finding.message, Location(piece.location.path, line))
@@ -189,7 +246,7 @@ def _put(path: Path, text: str) -> None:
     path.write_text(text, encoding="utf-8")
 
 
-def _errors(text: str, target: TargetFacts, board: platform.Board) -> list[Finding]:
+def _errors(text: str, setup: Iterable[str], target: TargetFacts, board: platform.Board) -> list[Finding]:
     """What the target's compiler says of a text of adapters; lines count from its first."""
     from robosmi.verify.toolchain import compile_sketch  # most programs have no own adapters
 
@@ -198,7 +255,8 @@ def _errors(text: str, target: TargetFacts, board: platform.Board) -> list[Findi
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place) / "check"
         folder.mkdir()
-        (folder / name).write_text(f"{start}{text}\n{tail}", encoding="utf-8")
+        end = tail.replace("{setup}", "".join(f"{statement}\n" for statement in setup))
+        (folder / name).write_text(f"{start}{text}\n{end}", encoding="utf-8")
         if project:
             (folder / project).write_text(f"BOARD := {board.name}\n", encoding="utf-8")
         report = compile_sketch(folder, str(board.name))
@@ -206,8 +264,7 @@ def _errors(text: str, target: TargetFacts, board: platform.Board) -> list[Findi
     for each in report.diagnostics:
         if each.severity is Severity.error and each.location is not None and Path(each.location.path).name == name:
             line = (each.location.line or 0) - start.count("\n")
-            at = Location(each.location.path, line)
-            found.append(Finding(each.rule, each.severity, each.message, at, evidence=each.evidence))
+            found.append(Finding(each.rule, each.severity, each.message, Location(each.location.path, line)))
     return found
 
 

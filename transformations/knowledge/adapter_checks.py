@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 _SIGNATURE = re.compile(r"[\w\s*&:<>,]*?[\s*&](?P<name>\w+)\s*\((?P<parameters>.*)\)\s*;?", re.DOTALL)
 _WORD = re.compile(r"\w+")
+_NOTHING = re.compile(r"(?:extern\s+|static\s+|inline\s+)*void\s+\w+\s*\(")
 _CLOSES = {")": "(", "]": "[", "}": "{"}
 Lines = Mapping[tuple[str, str], int]
 """Key and value of each marker of a piece -> its line."""
@@ -121,6 +122,21 @@ def _parameters(piece: AdapterPiece, found: list[Token], name: str, wrong: _Wron
         if "..." not in said["parameters"] and all(len(names) != count for names in definitions):
             message = f"the function '{name}' takes {len(definitions[0])} parameters, '{signature}' has {count}"
             raise wrong("for", signature, message, "let the text take as many as the signature has")
+        nothing = _returns_nothing(found, name)
+        if nothing is not None and nothing is not bool(_NOTHING.match(signature.strip())):
+            gives = "gives nothing back" if nothing else "gives something back"
+            message = f"the function '{name}' {gives}, and '{signature}' says otherwise"
+            raise wrong("for", signature, message, "let both say the same")
+
+
+def _returns_nothing(found: list[Token], name: str) -> bool | None:
+    """Whether the first definition of a function begins with `void`; None where none is found, or it is a macro."""
+    for at in range(1, len(found) - 1):
+        if found[at][3] == name and found[at + 1][3] == "(":
+            end = closing(found, at + 1) + 1
+            if end < len(found) and found[end][3] == "{":
+                return found[at - 1][3] == "void"
+    return None
 
 
 def parameters_of(text: str, name: str) -> list[str]:

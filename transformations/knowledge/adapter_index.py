@@ -62,6 +62,16 @@ class AdapterIndex:
                 known += [self._checked(path, header) for named, path in self._listed(folder) if named == header]
         return known
 
+    def check_those_of(self, whose: str) -> None:
+        """Read all files that somebody keeps, whatever is asked for.
+
+        Raises:
+            PlatformDataError: as of `files`.
+        """
+        for folder in (folder for folder, kept in self.own.items() if kept == whose):
+            for header, _ in self._listed(folder):
+                self.files(header)
+
     def kept_by(self, piece: AdapterPiece) -> str:
         """Whose a piece is: `project`, `user` or `built-in`."""
         path = Path(piece.location.path)
