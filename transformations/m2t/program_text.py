@@ -68,7 +68,7 @@ def _declared_names(plan: migration.MigrationPlan) -> set[str]:
 def _gets_bodies(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> bool:
     """Whether a header gets bodies of functions that it only declared."""
     bodies = (d.element for d in plan.dispositions if IN_PLACE in d.rules and d.element is not None)
-    return any(unit_of(element) is unit for element in bodies)
+    return any(ancestor_of_kind(element, ccode.SourceUnit) is unit for element in bodies)
 
 
 def _place_of_prototypes(source: SourceText, functions: Sequence[ccode.Function], ahead: Sequence[ccode.Function]) -> int:
@@ -76,9 +76,15 @@ def _place_of_prototypes(source: SourceText, functions: Sequence[ccode.Function]
     unit = source.unit
     first = min((int(f.startOffset) for f in functions), default=len(source.data))
     uses = [use for f in ahead for use in (f.returnType, *(p.valueType for p in f.parameters)) if use is not None]
-    types = [int(use.declaration.endOffset) for use in uses if use.declaration is not None and unit_of(use.declaration) is unit]
+    declared = [use.declaration for use in uses if use.declaration is not None]  # of a header that is no file here: in none
+    types = [int(d.endOffset) for d in declared if ancestor_of_kind(d, ccode.SourceUnit) is unit]
     if any(end > first for end in types):
-        named = [int(use.startOffset) for f in ahead for use in (*f.calls, *f.references) if unit_of(use) is unit]
+        named = [
+            int(use.startOffset)
+            for f in ahead
+            for use in (*f.calls, *f.references)
+            if ancestor_of_kind(use, ccode.SourceUnit) is unit
+        ]
         starts = [int(d.startOffset) for d in unit.declarations if any(d.startOffset <= at < d.endOffset for at in named)]
         first = next((start for start in starts if start >= first), first)
     return source.line_start(first) if source.blank(source.line_start(first), first) else first
