@@ -182,4 +182,5 @@ def _needless(events: Sequence[ActivityEvent], number: int, last: int) -> bool:
     event = events[number]
     if event.barely or (event.kind == PULSES and 0 < event.frames <= _FEW_FRAMES):
         return True
-    return number - 1 > last >= 0 and alike(event, events[last])
+    before = number if event.kind == PULSES else number - 1  # what is between two widths that are the same may not be seen
+    return before > last >= 0 and alike(event, events[last])

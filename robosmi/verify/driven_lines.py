@@ -76,7 +76,7 @@ def _lengths(
 
 def _long_pause(held: list[tuple[float, float]]) -> float:
     """How long a line is not held where that is no part of what goes on: much longer than usual."""
-    pauses = sorted(after[0] - held[number][0] - held[number][1] for number, after in enumerate(held[1:]))
+    pauses = sorted(held[at + 1][0] - held[at][0] - held[at][1] for at in range(len(held) - 1))
     return max(_LEAST_PAUSE_US, _PAUSES * pauses[len(pauses) // 2]) if pauses else inf
 
 

@@ -24,11 +24,12 @@ from robosmi.transformations.chains.models import load_models
 from robosmi.transformations.chains.verify import FOLDER, Case, Verified, _board, _original, verify
 from robosmi.transformations.verification.jobs import job
 from robosmi.transformations.verification.judging import judged
-from robosmi.transformations.verification.original_side import run_source, run_varied
+from robosmi.transformations.verification.original_side import SourceRuns, run_further, run_source, run_varied
 from robosmi.transformations.verification.played_devices import played
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports
+from robosmi.transformations.verification.second_look import looked_at_again
 from robosmi.transformations.verification.target_side import TargetSide
-from robosmi.verify.scenario import read_scenario
+from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.simulation import simulate
 from robosmi.verify.toolchain import compile_sketch
 
@@ -78,6 +79,8 @@ class Study:
     files: Mapping[str, str]
     machine_code: bytes = b""
     _models: Any = field(default=None, repr=False)
+    _program: Any = field(default=None, repr=False)
+    _more: dict[str, SourceRuns] = field(default_factory=dict, repr=False)
 
     @classmethod
     def made(cls, name: str, place: Path, seed: int = 1, scenarios: Sequence[Path] = ()) -> Study:
@@ -107,7 +110,7 @@ class Study:
             scenario = read_scenario(path, "stored")
             cases.append((scenario, run_varied(program, ports, scenario, run_source(program, ports, scenario))))
         files = {path.name: path.read_text() for path in sorted((out / name).iterdir()) if path.suffix in (".ino", ".h", ".cpp")}
-        study = cls(name, out, place, right, ports, cases, files, _models=models)
+        study = cls(name, out, place, right, ports, cases, files, _models=models, _program=program)
         with tempfile.TemporaryDirectory() as built:
             report = compile_sketch(out, keep=Path(built))
             assert report.hex is not None
@@ -166,6 +169,13 @@ class Study:
             except RobosmiError as error:
                 return Outcome("error", error.message)
 
+    def _further(self, scenario: Scenario, runs: SourceRuns) -> SourceRuns:
+        """The runs of a scenario with further ones, made once, whatever part of its time is looked at."""
+        if scenario.name not in self._more:
+            whole = next(each for each, _ in self.cases if each.name == scenario.name)
+            self._more[scenario.name] = run_further(self._program, self.ports, whole, runs)
+        return self._more[scenario.name]
+
     def _compared(self, side: TargetSide, early: bool) -> Outcome:
         doubt = ""
         cases = [(replace(s, horizon_ms=max(_LEAST_MS, _PART * s.horizon_ms)), s, runs) for s, runs in self.cases]
@@ -177,7 +187,9 @@ class Study:
                 (trace,) = side.run([asked])
                 if isinstance(trace, RobosmiError):
                     raise trace
-                result = judged(asked, runs, trace, self.ports, self._models.plan.concurrency is None)
+                one_thread = self._models.plan.concurrency is None
+                result = judged(asked, runs, trace, self.ports, one_thread)
+                result = looked_at_again(result, asked, trace, self.ports, one_thread, runs, self._further)
                 if result.first is not None:
                     first = result.first
                     functions = next((port.functions for port in self.ports if port.title == first.channel), ())

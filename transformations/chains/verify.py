@@ -31,6 +31,7 @@ from robosmi.transformations.verification.original_side import (
     SourceRuns,
     channel_events,
     places_reached,
+    run_further,
     run_source,
     run_varied,
 )
@@ -38,6 +39,7 @@ from robosmi.transformations.verification.originals import original_program, wit
 from robosmi.transformations.verification.played_devices import signals_of
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, reads_console, texts_understood
 from robosmi.transformations.verification.scenario_search import search
+from robosmi.transformations.verification.second_look import looked_at_again
 from robosmi.transformations.verification.source_reached import cover
 from robosmi.transformations.verification.target_side import LIMIT_S, NOTHING_SEEN, TargetSide
 from robosmi.typed import paired, sum_of
@@ -170,30 +172,48 @@ def verify(
         ran = side.run([scenario for scenario, _ in cases])
         verdict.engine = side.engine
         doing("compare what both do")
+        one_thread = plan.concurrency is None
+
+        def further(scenario: Scenario, runs: SourceRuns) -> SourceRuns:
+            doing(f"look whether the source differs from itself in '{scenario.name}'")
+            return run_further(program, ports, scenario, runs, LIMIT_S)
+
         undecided: list[VerificationError] = []
+        kept: list[Case] = []
+        traces: list[PinTrace] = []
         for (scenario, runs), trace in paired(cases, ran):
             if not side.shows_console:
                 runs.channels.pop(CONSOLE_CHANNEL, None)
             if isinstance(trace, VerificationError):
-                verdict.scenarios.append(without_target(scenario, runs, trace))
+                told, seen = without_target(scenario, runs, trace), NOTHING_SEEN
                 undecided += [] if ended_badly(runs) else [trace]
             else:
-                verdict.scenarios.append(judged(scenario, runs, trace, ports, plan.concurrency is None))
+                first, seen = judged(scenario, runs, trace, ports, one_thread), trace
+                told = looked_at_again(first, scenario, trace, ports, one_thread, runs, further)
+                if told is not first and told.verdict == NOT_DECIDABLE and scenario.origin == "generated":
+                    verdict.racy += 1
+                    made.racy_counts.append(runs.nominal.counts)
+                    made.new.remove(scenario)
+                    continue
+            verdict.scenarios.append(told)
+            kept.append((scenario, runs))
+            traces.append(seen)
         if undecided and verdict.verdict != DIFFERENT_VERDICT:
             raise undecided[0]
-        traces = [NOTHING_SEEN if isinstance(trace, VerificationError) else trace for trace in ran]
+        if cases and not kept:
+            verdict.reasons.append(f"no scenario is left: in all {verdict.racy} that were made the source differs from itself")
         if (found := verdict.first_difference) is not None:
-            scenario, runs = cases[verdict.scenarios.index(found[0])]
+            scenario, runs = kept[verdict.scenarios.index(found[0])]
             verdict.calls = calls_around(program, ports, scenario, runs, found[1])
         if verdict.nothing_compared:
             verdict.reasons.append(why_nothing_was_compared(verdict, ports))
-        cover(verdict, program, [runs for _, runs in cases], made.racy_counts, plan, output, ports)
+        cover(verdict, program, [runs for _, runs in kept], made.racy_counts, plan, output, ports)
         done = Verified(verdict, report)
         _store(made.new, plan_file.parent / FOLDER, done)
-        if cases:
-            _write_picture(plan_file.parent / PICTURE, verdict, cases, traces, ports, done)
+        if kept:
+            _write_picture(plan_file.parent / PICTURE, verdict, kept, traces, ports, done)
             if vcd is not None:
-                _write_vcd(vcd, verdict, cases, traces, done)
+                _write_vcd(vcd, verdict, kept, traces, done)
     return done
 
 

@@ -63,6 +63,9 @@ _FACTORS = (
     Variation(5, early_part=0.001, line_part=_LINE_PART),
 )
 """What the program's steps cost in the varied runs; a microcontroller of another kind is about so much faster or slower."""
+_FURTHER = tuple(Variation(seed, noise=0.3, late_us=100.0, clock_us=_CLOCK_US * (seed % 3) / 2) for seed in range(6, 14))
+"""Further ones for a scenario in which the migrated program differs: with noise, and inputs moved otherwise each time; in
+the first two all of them as far as they may be, earlier and later."""
 _MOVED_MS = 20.0
 """By so much the instants of inputs are moved: the longest time between two looks of a program that polls."""
 
@@ -85,6 +88,11 @@ class SourceRuns(Struct, frozen=True):
     channels: dict[str, list[list[list[ActivityEvent]]]]
     given_up: str = ""
     loop: ClosedLoop | None = None
+
+    @property
+    def unsteady(self) -> bool:
+        """Whether the program comes to its end or to the horizon, and with other costs or inputs to no good end."""
+        return self.nominal.status in SETTLED and any(run.status not in SETTLED for run in self.varied)
 
     @property
     def racy_channels(self) -> list[str]:
@@ -262,6 +270,33 @@ def run_varied(
     return replaced(runs, channels=with_exact_numbers(runs.channels, devices, again)) if not runs.given_up else runs
 
 
+def run_further(
+    program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, runs: SourceRuns, limit_s: float = 60.0
+) -> SourceRuns:
+    """The runs of a scenario with further varied ones, which tell better whether the source differs from itself.
+
+    Args:
+        program: the original.
+        ports: the ports.
+        scenario: what happens.
+        runs: those that there are.
+        limit_s: seconds of this machine's time for all further ones.
+    """
+    devices = played(ports, scenario, target=False)
+    until = monotonic() + limit_s
+    channels = runs.channels
+    for number, variation in enumerate(_FURTHER):
+        chance = random.Random(variation.seed)
+        ways = (-_MOVED_MS, _MOVED_MS)
+        moved = moved_devices(devices, chance, ways[number] if number < len(ways) else None)
+        run = run_original(program, scenario.horizon_ms * 1000, moved, variation, max(0.0, until - monotonic()))
+        if run.status in LIMITS:
+            break
+        seen = channel_events(run.trace, ports, target=False)
+        channels = {name: [[*events, seen[name][sight]] for sight, events in enumerate(each)] for name, each in channels.items()}
+    return replaced(runs, channels=channels)
+
+
 def _loop(trace: PinTrace, ports: Sequence[BoundPort]) -> ClosedLoop | None:
     """How a program waits for the wheels that it drives, from the first pulse for one of them on."""
     wheels = [port for port in ports if port.loop_ms and "servo" in port.pin.split()]
@@ -273,15 +308,21 @@ def _by_channel(seen: Sequence[Mapping[str, list[list[ActivityEvent]]]]) -> dict
     return {name: [list(runs) for runs in zip(*(each[name] for each in seen), strict=True)] for name in seen[0]}
 
 
-def moved_devices(devices: Sequence[DeviceUse], chance: random.Random) -> list[DeviceUse]:
-    """Devices whose signals change a little earlier or later, and whose values are a little off."""
+def moved_devices(devices: Sequence[DeviceUse], chance: random.Random, by_ms: float | None = None) -> list[DeviceUse]:
+    """Devices whose signals change a little earlier or later, and whose values are a little off.
+
+    Args:
+        devices: the devices.
+        chance: what is random.
+        by_ms: by how much all signals are later; each change by another time if None.
+    """
     facts = device_facts()
     made = []
     for use in devices:
         percent = float(facts.get(use.kind, {}).get("jitter_percent", 0))
         smallest = float(facts.get(use.kind, {}).get("jitter_least", 0))
         settings = {
-            name: [_moved(point, chance, percent, smallest) for point in value] if _is_signal(value) else value
+            name: [_moved(point, chance, percent, smallest, by_ms) for point in value] if _is_signal(value) else value
             for name, value in use.settings.items()
         }
         for name, value in settings.items():
@@ -315,9 +356,10 @@ def _is_signal(value: Any) -> bool:
     return isinstance(value, list) and all(isinstance(point, list) and len(point) == 2 for point in value)
 
 
-def _moved(point: list[Any], chance: random.Random, percent: float, least: float) -> list[Any]:
+def _moved(point: list[Any], chance: random.Random, percent: float, least: float, by_ms: float | None) -> list[Any]:
     at_ms, value = point
-    at_ms = max(0.0, at_ms + chance.uniform(-_MOVED_MS, _MOVED_MS)) if at_ms else at_ms
+    later_ms = chance.uniform(-_MOVED_MS, _MOVED_MS) if by_ms is None else by_ms
+    at_ms = max(0.0, at_ms + later_ms) if at_ms else at_ms
     if percent and isinstance(value, (int, float)):
         off = chance.uniform(-1, 1)
         value = value + off * max(abs(value) * percent / 100, min(least, abs(value)))

@@ -138,7 +138,7 @@ class _Search:
             return places
         if runs.given_up:  # others would be, too
             self.until = monotonic()
-        elif runs.racy_channels:
+        elif runs.racy_channels or runs.unsteady:
             found.least_racy = found.least_racy or (scenario, run)
             found.racy += 1
             found.racy_counts.append(run.counts)

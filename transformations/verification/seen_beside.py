@@ -7,7 +7,6 @@ program should leave alone may be switched on by it, or be driven against.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
 
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.comparison import FirstDifference
@@ -22,6 +21,8 @@ _FASTEST_US = 100.0
 """Only a line whose bytes take less tells that one is too fast: others may wait for what computes them."""
 _LATE_US = 500_000.0
 """What begins so near to the end may come later in the source."""
+_READ = "levels"
+"""The device at ports that a program only reads; others are asked, charged or driven by it."""
 DRIVEN = (0, 1)
 
 
@@ -33,7 +34,8 @@ def console_speed(source: PinTrace, target: PinTrace, channel: str) -> FirstDiff
         target: what the migrated program has done.
         channel: the console's.
     """
-    distances = [after.at_us - before.at_us for before, after in pairwise(source.console)]
+    sent = source.console
+    distances = [sent[number + 1].at_us - sent[number].at_us for number in range(len(sent) - 1)]
     if len(distances) < _FEWEST or not target.console_baud or not target.console:
         return None
     byte_us = min(distances)
@@ -56,15 +58,21 @@ def foreign_pin(source: PinTrace, target: PinTrace, ports: Sequence[BoundPort]) 
         ports: the ports.
     """
     driven = _driven(source)
-    its_own = {port.target for port in ports if port.watched or port.line or port.source in driven}
+    its_own = {port.target for port in ports if not _only_read(port) or port.source in driven}
     its_own |= {pin for port in ports for pin in port.split}
     named = {port.target: port.title for port in ports}
-    for pin, at_us in sorted(_driven(target).items(), key=lambda each: each[1]):
+    begins = sorted((at_us, pin) for pin, at_us in _driven(target).items())
+    for at_us, pin in begins:
         if pin not in its_own and at_us < target.simulated_us - _LATE_US:
             what = f"{pin} ({named[pin]})" if pin in named else pin
             why = "the source only reads it" if pin in named else "no port of the program is on it"
             return FirstDifference(at_us / 1000, what, f"the migrated program drives {pin}, and {why}", None, None)
     return None
+
+
+def _only_read(port: BoundPort) -> bool:
+    """Whether a port is one that the program does nothing but read, unless it drives it as an output, which is seen."""
+    return port.device == _READ and not port.line
 
 
 def _driven(trace: PinTrace) -> dict[str, float]:

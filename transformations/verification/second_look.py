@@ -1,0 +1,57 @@
+"""A second look at a scenario in which the migrated program differs: does the source differ from itself there, too?
+
+The few varied runs that each scenario has are a sample. An input that changes just beside the instant at which the program looks
+at it is seen by the next look in some of them only by luck, and so is the frame of a servo in which a new speed falls. So where a
+difference is found further runs are made, and it counts if it is none that they show as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from robosmi.transformations.verification.judging import judged
+from robosmi.transformations.verification.original_side import SourceRuns
+from robosmi.transformations.verification.port_devices import BoundPort
+from robosmi.verify.alignment import alike
+from robosmi.verify.scenario import Scenario
+from robosmi.verify.simulation import PinTrace
+from robosmi.verify.verdict import DIFFERENT_VERDICT, ScenarioVerdict
+
+_SAME_MS = 45.0
+
+
+def looked_at_again(
+    told: ScenarioVerdict,
+    scenario: Scenario,
+    trace: PinTrace,
+    ports: Sequence[BoundPort],
+    one_thread: bool,
+    runs: SourceRuns,
+    further: Callable[[Scenario, SourceRuns], SourceRuns],
+) -> ScenarioVerdict:
+    """The verdict on a scenario, with further runs of the source where it is that something is different.
+
+    Args:
+        told: the verdict with the runs that there are.
+        scenario: what happened.
+        trace: what the migrated program did.
+        ports: the ports.
+        one_thread: whether one thread of the source does all that is seen.
+        runs: those of the source.
+        further: makes further runs.
+    """
+    first = told.first
+    if told.verdict != DIFFERENT_VERDICT or first is None or told.crash is not None:
+        return told
+    more = further(scenario, runs)
+    again = judged(scenario, more, trace, ports, one_thread)
+    selves = [each.itself for each in again.channels if each.channel == first.channel]
+    itself = selves[0] if selves else None
+    if itself is None or again.verdict == DIFFERENT_VERDICT:
+        return again
+    until_ms = first.at_ms
+    if first.source is not None and first.target is not None and alike(first.source, first.target):  # it lasts otherwise
+        events = more.channels[first.channel][0][0]
+        later_ms = [event.at_us / 1000 for event in events if event.at_us / 1000 > first.at_ms]
+        until_ms = min(later_ms) if later_ms else scenario.horizon_ms
+    return again if itself.at_ms <= until_ms + _SAME_MS else told  # what comes later explains nothing
