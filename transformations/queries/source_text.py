@@ -60,45 +60,9 @@ def _file_name(include: ccode.Include) -> str:
     return str(include.header.replace("\\", "/").rpartition("/")[2])
 
 
-_TAKEN = frozenset(
-    [
-        "adapters",
-        "arduino",
-        "binary",
-        "cdc",
-        "client",
-        "hardwareserial",
-        "hardwareserial_private",
-        "hid",
-        "ipaddress",
-        "new",
-        "pins_arduino",
-        "pluggableusb",
-        "print",
-        "printable",
-        "server",
-        "stream",
-        "udp",
-        "usbapi",
-        "usbcore",
-        "usbdesc",
-        "wcharacter",
-        "wiring_private",
-        "wstring",
-        "eeprom",
-        "servo",
-        "softwareserial",
-        "spi",
-        "wire",
-    ]
-)
-"""Headers that a generated program has by these names, or that compilers find before its own: of cores and their libraries."""
-
-
 def header_file(name: str) -> str:
     """What a header of the program's own is called in a sketch, whose compiler takes each `.c` file there for itself."""
-    made = name if name.lower().endswith(HEADERS) else f"{name.replace('.', '_')}.h"
-    return f"own_{made}" if made.lower().rpartition(".")[0] in _TAKEN else made
+    return name if name.lower().endswith(HEADERS) else f"{name.replace('.', '_')}.h"
 
 
 class Piece(Struct, frozen=True):
