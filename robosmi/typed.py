@@ -14,6 +14,7 @@ from msgspec import Struct, structs
 
 A = TypeVar("A")
 B = TypeVar("B")
+C = TypeVar("C")
 H = TypeVar("H", bound=Hashable)
 N = TypeVar("N", int, float)
 P = ParamSpec("P")
@@ -72,6 +73,15 @@ def first_of(values: Iterable[T]) -> T:
     'red'
     """
     return next(iter(values))
+
+
+def in_threes(first: Iterable[A], second: Iterable[B], third: Iterable[C], *, strict: bool = True) -> Iterator[tuple[A, B, C]]:
+    """The values of three collections side by side; `strict` as for `paired`.
+
+    >>> list(in_threes("ab", [1, 2], "xy"))
+    [('a', 1, 'x'), ('b', 2, 'y')]
+    """
+    return zip(first, second, third, strict=strict)
 
 
 def kept(function: Callable[P, T]) -> Callable[P, T]:

@@ -20,7 +20,7 @@ from typing import TypeVar
 
 from msgspec import Struct
 
-from robosmi.typed import matches, paired
+from robosmi.typed import in_threes, matches, paired
 
 T = TypeVar("T")
 Span = tuple[int, int]
@@ -91,7 +91,7 @@ def by_words(base: Sequence[str], ours: Sequence[str], theirs: Sequence[str]) ->
     made = {i for i, line in enumerate(theirs) if line != base[i]}
     if not (mine <= made or made <= mine):
         return None
-    merged = [_line_by_words(*three) for three in zip(base, ours, theirs, strict=True)]
+    merged = [_line_by_words(*three) for three in in_threes(base, ours, theirs)]
     lines = [line for line in merged if line is not None]
     return lines if len(lines) == len(merged) else None
 

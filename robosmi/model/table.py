@@ -18,7 +18,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, SourceError, did_you_mean
 from robosmi.model.driver import Model, ModelElement, name_of
 from robosmi.model.strict import FeatureValueError, UnknownFeatureError
-from robosmi.typed import class_name, paired
+from robosmi.typed import class_name, in_threes, paired
 
 _DELIMITERS = ",;\t|"
 
@@ -229,7 +229,7 @@ def _table(path: Path, columns: list[str], types: Mapping[str, Callable[[str], A
 
 def _values(table: Table, cells: list[str], line: int, problems: list[str]) -> list[Any]:
     values: list[Any] = []
-    for cell, kind, column in zip(cells, table.types, table.columns, strict=True):
+    for cell, kind, column in in_threes(cells, table.types, table.columns):
         try:
             values.append(cell if kind is str else kind(cell) if cell else None)
         except ValueError:

@@ -20,7 +20,7 @@ from typing import Any, NamedTuple, Protocol
 from msgspec import Struct
 from msgspec.structs import asdict
 
-from robosmi.data_text import json_written
+from robosmi.data_text import Json, json_written
 from robosmi.errors import EngineCrashError, InternalError, MissingToolError, UsageError, VerificationError
 from robosmi.plugins import content, registry
 from robosmi.typed import kept
@@ -106,7 +106,7 @@ class DeviceEvent(NamedTuple):
     at_us: float
     device: int
     what: str
-    value: Any
+    value: Json
 
 
 class PinTrace(Struct, frozen=True):

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import pytest
 
+from robosmi.data_text import as_whole
 from robosmi.verify.simulation import DeviceUse
 from tests.adapters.bench import Uno, proves
 
@@ -30,7 +31,7 @@ void loop() {}
     ]
     trace = uno.run(program, [*LINES, "simpletext.h/writeChar"], 150, devices)
     assert [int(each) for each in trace.text.split()] == [0, 1, 0, 200, 65, ord("h"), ord("i"), ord("x")]
-    assert sorted(event.value for event in trace.device_events) == [65, 98, 99, 200]
+    assert sorted(as_whole(event.value) for event in trace.device_events) == [65, 98, 99, 200]
     assert [trace.levels(pin)[-1][1] for pin in ("D10", "D11", "D12")] == ["z", "z", "z"]
 
 
@@ -117,7 +118,7 @@ void loop() {}
     assert told[0] == pytest.approx(100 + 80 + 10 + 10 * 10 / 4.8, abs=3)
     assert told[1:7] == [0x0A0, 0x1FF, 0xABC, 0x100, 2, 3]
     assert told[7:] == [101 << 16 | 118 << 8 | 124, 248 << 8 | 255]  # what is below 0 is 0, above 255 255
-    said = [event.value for event in trace.device_events if event.what == "byte"]
+    said = [as_whole(event.value) for event in trace.device_events if event.what == "byte"]
     assert bytes(said).endswith(b"=(00 $ m)!")
     levels = trace.levels("D10")
     held = [until - at for (at, level), (until, _) in pairwise(levels) if level == 0 and until - at > 20_000]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from robosmi.data_text import as_number
 from robosmi.verify.simulation import DeviceUse, PinTrace
 from tests.adapters.bench import Uno, proves
 
@@ -22,7 +23,7 @@ def s(*names: str) -> list[str]:
 def turned(trace: PinTrace, number: int) -> float:
     """How far a servo has turned, in degrees."""
     start = SERVOS[number].settings.get("degrees", 90.0)
-    said = [event.value for event in trace.device_events if event.device == number and event.what == "degrees"]
+    said = [as_number(event.value) for event in trace.device_events if event.device == number and event.what == "degrees"]
     return float(said[-1]) - float(start)
 
 

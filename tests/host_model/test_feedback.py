@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from robosmi.data_text import as_number
 from robosmi.verify.simulation import DeviceUse, PinTrace
 from tests.host_model.bench import run
 from tests.tools import require_tools
@@ -38,7 +39,7 @@ def turned(trace: PinTrace, number: int) -> float:
     """How far a servo has turned, in degrees."""
     start = SERVOS[number].settings.get("degrees", 90.0)
     return float(
-        next(event.value for event in trace.device_events if event.device == number and event.what == "degrees")
+        next(as_number(event.value) for event in trace.device_events if event.device == number and event.what == "degrees")
     ) - float(start)
 
 

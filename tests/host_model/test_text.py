@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from robosmi.data_text import as_whole
 from robosmi.verify.simulation import DeviceUse
 from tests.host_model.bench import ended, run, said
 from tests.tools import require_tools
@@ -102,7 +103,7 @@ def test_a_serial_line_at_pins_sends_and_receives() -> None:  # serial_rxtx.c
     )
     found = run(text, 500, [use])
     assert found.trace.text == "75"
-    assert bytes(event.value for event in found.trace.device_events if event.what == "byte") == b"hi5"
+    assert bytes(as_whole(event.value) for event in found.trace.device_events if event.what == "byte") == b"hi5"
 
 
 def test_memory_is_that_of_the_chip() -> None:

@@ -9,12 +9,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
 
 from msgspec import Struct
 
 from robosmi import inputs
-from robosmi.data_text import Json
+from robosmi.data_text import Json, as_texts
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, SourceError, UsageError, did_you_mean
 from robosmi.generate.places import Places, free_name
@@ -48,12 +47,12 @@ class AdaptersTold(Struct):
         written: the adapter files that were written.
     """
 
-    adapters: list[dict[str, Any]] = []
+    adapters: list[dict[str, Json]] = []
     findings: list[Finding] = []
     written: list[str] = []
 
     @property
-    def result(self) -> dict[str, Any]:
+    def result(self) -> dict[str, Json]:
         """The contract's result."""
         return {"adapters": self.adapters} | ({"written": self.written} if self.written else {})
 
@@ -65,9 +64,9 @@ class AdaptersTold(Struct):
             lines.append(
                 f"{each['header']:16} {each['function']:28} {each['status']:11} {each['kind']:8} {each['source']}".rstrip()
             )
-            lines += [f"  {signature}" for signature in each.get("signatures", ()) if not text]
-            lines += [f"  {_HOW}" for _ in each.get("signatures", ()) if each["status"] == "todo"]
-            lines += [f"  limit: {limit}" for limit in each["limits"]] if text is not None else []
+            lines += [f"  {signature}" for signature in as_texts(each.get("signatures", [])) if not text]
+            lines += [f"  {_HOW}" for _ in as_texts(each.get("signatures", [])) if each["status"] == "todo"]
+            lines += [f"  limit: {limit}" for limit in as_texts(each["limits"])] if text is not None else []
             lines += ["", *str(text).split("\n"), ""] if text else []
         counted = [each for each in self.adapters if each["status"] in ("filled", "care")]
         if self.written:
@@ -85,7 +84,7 @@ def list_adapters(target: str | None = None, source: str | None = None) -> Adapt
         source: name of the source platform, likewise.
     """
     index, api = _of(target, source)
-    rows: list[dict[str, Any]] = []
+    rows: list[dict[str, Json]] = []
     for header in index.headers:
         known = [piece for pieces in index.of(header) for piece in pieces if piece.kind == "adapter"]
         first = {piece.name: piece for piece in reversed(known)}

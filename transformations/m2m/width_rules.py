@@ -17,7 +17,7 @@ from robosmi.transformations.m2m.width_wants import NAME, ORDER, READ, SHIFT, TE
 from robosmi.transformations.queries.expansion import TextPlace
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number
 from robosmi.transformations.queries.typed import NumberKind, TypedExpression
-from robosmi.typed import paired
+from robosmi.typed import in_threes, paired
 
 _ARITHMETIC = frozenset(["+", "-", "*", "/", "%", "&", "|", "^"])
 _TRUTH = Number(8, False)
@@ -146,7 +146,7 @@ class Walk(Struct):
             self.wants.append(Want(TEXT, text, text="?"))
             return
         offsets = []
-        given = zip(conversions(text.text, reads), arguments[node.fixed :], numbers[node.fixed :], strict=False)
+        given = in_threes(conversions(text.text, reads), arguments[node.fixed :], numbers[node.fixed :], strict=False)
         for conversion, argument, number in given:
             length, letter, offset = conversion
             if reads:

@@ -12,6 +12,7 @@ from typing import Any
 
 from msgspec import Struct
 
+from robosmi.data_text import as_whole
 from robosmi.transformations.verification.exact_numbers import MEASURED, with_exact_numbers
 from robosmi.transformations.verification.played_devices import devices_at, played
 from robosmi.transformations.verification.port_devices import BoundPort
@@ -170,7 +171,7 @@ def _told(trace: PinTrace, number: int, facts: SimulatedKind, measures: bool) ->
     """What a device was told: text where it takes bytes, else a line for each thing that it noted."""
     seen = [event for event in trace.device_events if event.device == number]
     if text := facts.get("tells_text"):
-        return text_lines(trace, [ConsoleByte(e.at_us, int(e.value)) for e in seen if e.what == text], measures)
+        return text_lines(trace, [ConsoleByte(e.at_us, as_whole(e.value)) for e in seen if e.what == text], measures)
     told: list[ActivityEvent] = []
     of_value: dict[str, int] = {}
     for event in seen:

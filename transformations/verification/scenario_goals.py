@@ -16,7 +16,7 @@ from typing import Any
 
 from robosmi.transformations.verification.original_side import Place, channel_events
 from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.typed import distinct
+from robosmi.typed import distinct, in_threes
 from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.original_run import OriginalRun
 
@@ -36,7 +36,9 @@ def behaviour(run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
     found: set[Place] = set()
     for name, (events, *_) in channel_events(run.trace, ports, target=False).items():
         told = [_short(event) for event in events]
-        then: list[Place] = [(THEN, name, *each) for each in (*pairwise(told), *zip(told, told[1:], told[2:], strict=False))]
+        then: list[Place] = [
+            (THEN, name, *each) for each in (*pairwise(told), *in_threes(told, told[1:], told[2:], strict=False))
+        ]
         found.update(distinct(then)[:_MOST_ON_A_CHANNEL])
         texts = [_NUMBER.sub(_signed_zero, str(event.value[0])) for event in events if event.kind in (LINE, READING)]
         negative: list[Place] = [(NEGATIVE, name, text) for text in texts if "-0" in text]

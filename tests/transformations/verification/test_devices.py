@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from robosmi.data_text import as_whole
 from robosmi.transformations.verification.devices.feedback_servo import FeedbackServo
 from robosmi.transformations.verification.devices.servo_pulses import PulseDriven
 from robosmi.transformations.verification.devices.way_marks import WayMarks
@@ -238,5 +239,5 @@ def test_a_serial_line_carries_bytes_both_ways(job_of: Run, engine: str) -> None
     trace = simulate(
         job_of("serial_line", 100, [DeviceUse("serial_line", pins, {"points": [[20, "a"], [40, "b"], [60, "z"]]})]), engine
     )
-    noted = [(event.what, chr(event.value)) for event in trace.device_events]
+    noted = [(event.what, chr(as_whole(event.value))) for event in trace.device_events]
     assert [each for each in noted if each[0] == "byte"] == [("byte", "A"), ("byte", "B"), ("byte", "Z")]
