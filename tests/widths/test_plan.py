@@ -107,6 +107,15 @@ def test_a_macro_that_is_used_for_other_things_is_said_where_no_change_fits(tmp_
     assert [f.location.line for f in lost if f.location is not None] == [1]
 
 
+@pytest.mark.parametrize(("deep", "told"), [(300, []), (450, [453])])
+def test_macros_that_are_too_deep_to_be_read_are_said(deep: int, told: list[int], tmp_path: Path) -> None:
+    program = tmp_path / "deep.c"
+    macros = "".join(f"#define M{number} M{number - 1} + 10\n" for number in range(1, deep + 1))
+    program.write_text(f"#define M0 30000\n{macros}int a;\nint main(void) {{ a = M{deep} * 3; return 0; }}\n")
+    findings = robosmi.plan_migration([program]).plan.findings
+    assert [int(f.line) for f in findings if f.rule == "RS319"] == told
+
+
 def test_a_macro_that_writes_its_changed_argument_is_said(tmp_path: Path) -> None:
     program = tmp_path / "shown.c"
     program.write_text(

@@ -11,7 +11,7 @@ from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, TargetF
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.renaming import RENAME
 from robosmi.transformations.m2m.widths import Widened, retype_decisions, widenings
-from robosmi.transformations.queries.expansion import macros_of
+from robosmi.transformations.queries.expansion import TextPlace, macros_of
 from robosmi.transformations.queries.numbers import Machine
 from robosmi.transformations.t2m.c_source.included_before import included_before
 from robosmi.transformations.t2m.c_source.typed import typed_unit
@@ -47,6 +47,7 @@ def widened(
     given = {copy: path for path, copy in program.places.items()}
     real = {os.path.realpath(copy): os.path.abspath(path) for copy, path in given.items()}
     folders, defines = [str(d) for d in files.include_dirs], list(files.defines)
+    stayed: list[TextPlace] = []
     typed = {
         unit.path: typed_unit(
             unit,
@@ -60,6 +61,7 @@ def widened(
             adapted,
             target.wider_names,
             [real[each] for each in included_before(str(unit.path), units) if each in real],
+            stayed,
         )
         for unit in units
     }
@@ -68,4 +70,6 @@ def widened(
         for d in dependence.dispositions
         if RENAME in d.rules and d.changes and isinstance(d.element, (ccode.Declaration, ccode.Macro))
     }
-    return widenings(units, program.copies, typed, machines, target.wider_names, renamed, target.language == CPLUSPLUS)
+    made = widenings(units, program.copies, typed, machines, target.wider_names, renamed, target.language == CPLUSPLUS)
+    made.unread = stayed
+    return made

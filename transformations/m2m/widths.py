@@ -22,6 +22,7 @@ from robosmi.transformations.m2m.width_changes import WidthEdit, Writer
 from robosmi.transformations.m2m.width_formats import handing_on
 from robosmi.transformations.m2m.width_rules import Walk
 from robosmi.transformations.m2m.width_wants import Want
+from robosmi.transformations.queries.expansion import TextPlace
 from robosmi.transformations.queries.numbers import Machine
 from robosmi.transformations.queries.typed import TypedExpression, deep_calls
 from robosmi.transformations.queries.width_types import retyped, retyped_words
@@ -46,10 +47,12 @@ class Widened(Struct):
     Attributes:
         widenings: the decisions, in the order of units and lines.
         lost: what has to be written otherwise and finds no place.
+        unread: uses of macros that stand for too much to be read.
     """
 
     widenings: list[migration.Widening] = []
     lost: list[Want] = []
+    unread: list[TextPlace] = []
 
 
 def widenings(
@@ -90,7 +93,7 @@ def widenings(
 
 
 def lost_findings(widened: Widened, units: Sequence[ccode.SourceUnit], texts: Mapping[str, bytes]) -> list[Finding]:
-    """RS319: what has to be written otherwise so that it keeps its width, and where no change of text has room.
+    """RS319: what has to be written otherwise so that it keeps its width, and no change of text has room, or nothing is read.
 
     Args:
         widened: what was found.
@@ -111,6 +114,13 @@ def lost_findings(widened: Widened, units: Sequence[ccode.SourceUnit], texts: Ma
             Finding("RS319", Severity.warning, f"{_LOST[want.rule]}, and no change of the text fits all its uses", location,
                     fix="write it with int32_t, or with a cast, in the source"),
         )  # fmt: skip
+    for place in widened.unread:
+        before = texts[place.unit][: place.start]
+        location = Location(place.unit, before.count(b"\n") + 1, place.start - before.rfind(b"\n"))
+        name = texts[place.unit][place.start : place.end].decode("ascii", "replace")
+        message = f"'{name}' stands for too many macros within each other to be read: what it computes may lose its width"
+        fix = "write int32_t into the first of them: `#define NAME ((int32_t)...)`"
+        found.setdefault((place.unit, place.start, place.end), Finding("RS319", Severity.warning, message, location, fix=fix))
     return [found[key] for key in sorted(found)]
 
 

@@ -161,6 +161,7 @@ class Expanded:
         data: the text.
         changed: whether it is another than the file's.
         whole: whether no use had to stay because it stands for too much.
+        stayed: the uses that had to.
     """
 
     def __init__(
@@ -175,6 +176,7 @@ class Expanded:
         self._paths: list[Path] = []
         self.changed = False
         self.whole = True
+        self.stayed: list[TextPlace] = []
         self.data = self._expand_file(data, found, set(uses))
 
     def _expand_file(self, data: bytes, found: Sequence[Token], uses: set[int]) -> bytes:
@@ -222,7 +224,9 @@ class Expanded:
         made = self._expanded(pieces, frozenset(), at)
         while made and self._takes_more(made[-1], frozenset(), at) and (end := self._arguments(plain, behind, pieces)) > behind:
             behind, made = end, self._expanded(pieces, frozenset(), at)
-        self.whole &= made is not None
+        if made is None:
+            self.whole = False
+            self.stayed.append(TextPlace(self.unit, plain[number][1], plain[number][2]))
         return (made, behind, pieces[-1].path[-1].end) if made is not None else None
 
     def _arguments(self, plain: Sequence[Token], number: int, pieces: list[MacroToken]) -> int:

@@ -11,7 +11,7 @@ from collections.abc import Collection, Mapping, Sequence
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.queries.expansion import Definition, Expanded, expanded_unit
+from robosmi.transformations.queries.expansion import Definition, Expanded, TextPlace, expanded_unit
 from robosmi.transformations.queries.numbers import Machine, Number
 from robosmi.transformations.queries.typed import NumberKind, TypedExpression, deep_calls
 from robosmi.transformations.t2m.c_source import clang, cursor_kinds, type_kinds
@@ -91,6 +91,7 @@ def typed_unit(
     platform: Collection[str] = (),
     wider: Collection[str] = (),
     before: Sequence[str] = (),
+    stayed: list[TextPlace] | None = None,
 ) -> list[TypedExpression]:
     """What a unit declares and does, with types.
 
@@ -105,8 +106,11 @@ def typed_unit(
         platform: names of functions that adapters replace.
         wider: names of standard types that are written as wider ones.
         before: paths of headers that stand before the unit in the file that includes it.
+        stayed: gets the uses of macros that stand for too much to be read.
     """
     expanded = expanded_unit(unit, data, macros)
+    if stayed is not None:
+        stayed += expanded.stayed
     source = ReadSource(path, expanded.data, expanded.data, "UTF-8", "", len(expanded.data))
     source._lines = [0]
     source.tokens = tokens(expanded.data)
