@@ -183,8 +183,8 @@ def _end_in_order() -> None:
         _received.append(number)
         raise KeyboardInterrupt
 
-    for name in ("SIGTERM", "SIGHUP"):
-        number = attribute_of(signal, name, signal.Signals)  # Windows has no SIGHUP
+    for name in ("SIGTERM", "SIGHUP", "SIGQUIT"):
+        number = attribute_of(signal, name, signal.Signals)  # Windows has neither of the last two
         if number is not None and signal.getsignal(number) is signal.SIG_DFL:  # nohup has it ignored
             signal.signal(number, asked)
 

@@ -86,7 +86,8 @@ def read_scenario(path: Path, origin: str = "given") -> Scenario:
             raise _wrong(path, f"'{key}' is no key of a scenario{did_you_mean(key, _KEYS)}", f"use: {', '.join(_KEYS)}")
     horizon: Any = data.get("horizon_ms")
     if not _is_number(horizon) or not 0 < horizon <= LONGEST_MS:
-        raise _wrong(path, f"horizon_ms is {horizon!r}", f"write milliseconds, more than 0 and at most {LONGEST_MS:,.0f}")
+        told = "there is no horizon_ms, how long the scenario lasts" if horizon is None else f"horizon_ms is {horizon!r}"
+        raise _wrong(path, told, f"write horizon_ms = 4000: milliseconds, more than 0 and at most {LONGEST_MS:,.0f}")
     name, signals = data.get("name", path.stem), data.get("signals", {})
     if not isinstance(name, str) or not isinstance(signals, dict):
         raise _wrong(path, "'name' must be a text, and 'signals' a table", 'write name = "..." and [signals]')

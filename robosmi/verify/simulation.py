@@ -243,6 +243,7 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
         command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, encoding="utf-8",
         start_new_session=True, env=_environment(),
     ) as process:  # fmt: skip
+        _RUNNING.add(process)
         try:
             answer, complaint = process.communicate(question, timeout=limit_s)
         except subprocess.TimeoutExpired:
@@ -251,12 +252,22 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
             ) from None
         finally:
             end_session(process)  # the worker may have started a process of its own
+            _RUNNING.discard(process)
     if process.returncode != 0 or not answer:
         code = process.returncode
         ended = f"its process was ended by signal {-code}" if code < 0 else f"its process ended with {code}"
         last = (complaint.strip().splitlines() or [ended])[-1]
         raise EngineCrashError(f"the engine '{chosen.name}' crashed: {last}", fix="try another engine: --engine NAME")
     return _trace(json.loads(answer), chosen.name)
+
+
+def end_simulations() -> None:
+    """End all simulations that this process has started, as other threads of it may wait for them."""
+    for process in tuple(_RUNNING):
+        end_session(process)
+
+
+_RUNNING: set[subprocess.Popen[str]] = set()
 
 
 def _environment() -> dict[str, str]:

@@ -63,3 +63,28 @@ def test_a_number_that_is_not_measured_is_compared_to_the_letter(change: str, ma
         first = outcome.result["first_difference"]
         assert first["channel"] == "console"
         assert told in first["message"]
+
+
+TYPED = """#include "simpletools.h"
+int main() {
+  int num;
+  while (1) {
+    if (getChar() == 'n') {
+      num = getDec();
+      print("n=%d\\n", num * 10);
+    }
+  }
+}
+"""
+
+
+@pytest.mark.parametrize(("type_name", "verdict"), [("int32_t", "no-difference-found"), ("int16_t", "different")])
+def test_numbers_behind_commands_go_beyond_16_bits(type_name: str, verdict: str, tmp_path: Path) -> None:
+    require_verification("simavr")
+    (tmp_path / "typed.c").write_text(TYPED)
+    assert run("migrate", tmp_path / "typed.c", "-o", tmp_path / "out").code in (0, 1)
+    sketch = tmp_path / "out" / "typed" / "typed.ino"
+    text = sketch.read_text()
+    assert "getDec()" in text
+    sketch.write_text(text.replace("getDec()", f"({type_name})getDec()"))
+    assert run("verify", tmp_path / "out", "--json").result["verdict"] == verdict

@@ -37,7 +37,7 @@ def test_a_scenario_is_read(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("horizon_ms = 4000", "", "horizon_ms is None"),
+        ("horizon_ms = 4000", "", "there is no horizon_ms, how long the scenario lasts"),
         ("horizon_ms = 4000", "horizon_ms = 0", "horizon_ms is 0"),
         ("horizon_ms = 4000", "horizon_ms = 1e9", "at most 600,000"),
         ("horizon_ms = 4000", "horizon_ms = true", "horizon_ms is True"),

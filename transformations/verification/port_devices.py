@@ -32,6 +32,8 @@ from robosmi.typed import distinct, first_of, kept, replaced
 from robosmi.verify.tables import DataTable
 
 _MOST_TEXTS = 24
+_NUMBERS = (50, 70000)
+_NUMBER_LINES = ("70000\r", "-40000\r", "4\r30\r-5\r12\r7\r")
 _CHANNEL = re.compile(r"AD(\d+)|.*\.channel_(\d+)")
 
 
@@ -215,18 +217,31 @@ def _table(platform: str) -> DataTable:
 
 
 def texts_understood(plan: migration.MigrationPlan) -> list[str]:
-    """Texts that a plan's program may understand: the characters in its code, and the texts that it compares with, as lines."""
+    """Texts that a plan's program may understand: the characters in its code, and the texts that it compares with, as lines.
+
+    Where it makes numbers of texts, each of these stands with a number behind it, too, one of them beyond 16 bits, and several
+    numbers follow one another.
+    """
     assert plan.program is not None
     assert plan.source is not None
-    compares = _table(str(plan.source.name)).table("console").texts("compares", ())
+    console = _table(str(plan.source.name)).table("console")
+    compares, numbers = console.texts("compares", ()), console.texts("numbers", ())
     letters: dict[str, None] = {}
     words: dict[str, None] = {}
+    reads_numbers = False
     for element in (e for unit in plan.program.units for e in all_contents(unit)):
         if isinstance(element, ccode.CharacterLiteral):
             letters.setdefault(chr(int(element.value) & 0xFF))
         elif isinstance(element, ccode.Call) and element.calleeName in compares:
-            words |= {str(a.text).strip('"') + "\r": None for a in element.arguments if isinstance(a, ccode.StringLiteral)}
-    return [*(letter for letter in letters if letter.isprintable()), *words][:_MOST_TEXTS]
+            words |= {str(a.text).strip('"'): None for a in element.arguments if isinstance(a, ccode.StringLiteral)}
+        elif isinstance(element, ccode.Call):
+            reads_numbers = reads_numbers or element.calleeName in numbers
+    shown = [letter for letter in letters if letter.isprintable()]
+    texts = [*shown, *(f"{word}\r" for word in words)][:_MOST_TEXTS]
+    if not reads_numbers:
+        return texts
+    behind = [f"{before}{number}\r" for number in _NUMBERS for before in (*(f"{word} " for word in words), *shown)]
+    return [*texts, *_NUMBER_LINES, *behind[:_MOST_TEXTS]]
 
 
 def _device(rules: Sequence[DataTable], used: Mapping[str, set[str]], channel: bool) -> tuple[str, str]:

@@ -3,7 +3,7 @@
 A branch that was taken once, for the first time, says little: a robot that stops is to be seen stopping from each of its
 motions, and going on after it. So each three things that follow one another on a channel are a goal, and values at the sides of a
 border between two ways of the program. What a device can show at the most and at the least is one, since numbers have their
-longest texts there and some a sign; so is each text in which a number is negative.
+longest texts there and some a sign; so is each text in which a number is negative, or beyond 16 bits.
 """
 
 from __future__ import annotations
@@ -20,10 +20,13 @@ from robosmi.typed import distinct, in_threes
 from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.original_run import OriginalRun
 
-THEN, BESIDE, ENDS, NEGATIVE = "then", "beside", "ends", "negative"
-GOALS = (THEN, BESIDE, ENDS, NEGATIVE)
+THEN, BESIDE, ENDS, NEGATIVE, LARGE = "then", "beside", "ends", "negative", "large"
+GOALS = (THEN, BESIDE, ENDS, NEGATIVE, LARGE)
 """What goals that are no places of the source begin with."""
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
+_LARGEST = 32767
+_BEYOND = "99999"
+"""What stands for a number beyond 16 bits."""
 _MOST_ON_A_CHANNEL = 24
 """A program that prints or plays something else all the time is not to be followed for ever."""
 
@@ -31,7 +34,7 @@ _MOST_ON_A_CHANNEL = 24
 def behaviour(run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
     """Each two and three things that follow one another on a channel, and each text in which a number is negative.
 
-    As ("then", channel, what, what, what) and ("negative", channel, text).
+    As ("then", channel, what, what, what), ("negative", channel, text) and ("large", channel, text).
     """
     found: set[Place] = set()
     for name, (events, *_) in channel_events(run.trace, ports, target=False).items():
@@ -43,6 +46,9 @@ def behaviour(run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
         texts = [_NUMBER.sub(_signed_zero, str(event.value[0])) for event in events if event.kind in (LINE, READING)]
         negative: list[Place] = [(NEGATIVE, name, text) for text in texts if "-0" in text]
         found.update(distinct(negative)[:_MOST_ON_A_CHANNEL])
+        texts = [_NUMBER.sub(_sized, str(event.value[0])) for event in events if event.kind in (LINE, READING)]
+        large: list[Place] = [(LARGE, name, text) for text in texts if _BEYOND in text]
+        found.update(distinct(large)[:_MOST_ON_A_CHANNEL])
     return frozenset(found)
 
 
@@ -55,6 +61,10 @@ def shown(run: OriginalRun, ports: Sequence[BoundPort]) -> dict[str, list[str]]:
 
 def _signed_zero(number: re.Match[str]) -> str:
     return "-0" if number[0].startswith("-") else "0"
+
+
+def _sized(number: re.Match[str]) -> str:
+    return _BEYOND if abs(float(number[0])) >= _LARGEST + 1 else "0"
 
 
 def _short(event: ActivityEvent) -> str:

@@ -17,7 +17,7 @@ from robosmi.transformations.verification.played_devices import played
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.scenario import Scenario
-from robosmi.verify.simulation import PinTrace, engines_for, simulate
+from robosmi.verify.simulation import PinTrace, end_simulations, engines_for, simulate
 
 LIMIT_S = 60.0
 """Seconds of this machine's time for each side of a scenario, twice so long where the source is run with other costs."""
@@ -56,6 +56,7 @@ class TargetSide:
         self._names = [each.name for each in engines_for(mcu, wanted)]
         self._crashed: set[str] = set()
         self._instead: set[str] = set()
+        self._over = False
 
     @property
     def engine(self) -> str:
@@ -67,8 +68,15 @@ class TargetSide:
 
     def run(self, scenarios: Sequence[Scenario]) -> list[PinTrace | VerificationError]:
         """What the program does in each scenario, as many at once as there are cores, or why that is not known."""
-        with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        pool = ThreadPoolExecutor(os.cpu_count() or 1)
+        try:
             return list(pool.map(self._run, scenarios))
+        except BaseException:  # an interruption, too: nobody waits for the others
+            self._over = True
+            end_simulations()
+            raise
+        finally:
+            pool.shutdown(cancel_futures=True)
 
     def _run(self, scenario: Scenario) -> PinTrace | VerificationError:
         assert self._report.elf is not None
@@ -81,6 +89,8 @@ class TargetSide:
                 trace = simulate(asked, name, LIMIT_S)
             except EngineCrashError as error:
                 crash = crash or error
+                if self._over:
+                    break
                 self._crashed.add(name)
             except VerificationError as error:
                 return crash or error
