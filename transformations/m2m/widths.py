@@ -15,6 +15,7 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
+from robosmi.query import all_of_kind
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.m2m.macro_order import MacroOrder
 from robosmi.transformations.m2m.platform_dependence import Dependence
@@ -86,10 +87,36 @@ def widenings(
     edits = [e._replace(text=_renamed(e.text, renamed)) for e in writer.edits()]
     if there.int_bits < here.int_bits:
         edits += [edit for unit in units for edit in _types(unit, texts[unit.path], here, names)]
+    if walk.resigned:
+        edits += [edit for unit in units for edit in _bit_fields(unit, texts[unit.path])]
     made = Widened(lost=writer.lost)
     for unit in units:
         made.widenings += _decisions(unit, [e for e in edits if e.unit == unit.path])
     return made
+
+
+def _bit_fields(unit: ccode.SourceUnit, data: bytes) -> Iterator[WidthEdit]:
+    """Bit fields of plain char: a conversion of what is read comes too late for them, since their highest bit is a sign there."""
+    written: set[int] = set()
+    for record in (d for d in all_of_kind(unit, ccode.Record)):
+        for member in record.fields:
+            use = member.valueType
+            if not member.bitWidth or use is None or use.pointerDepth or not _is_plain_char(use):
+                continue
+            words = use.spelling.removeprefix("const ").removeprefix("volatile ")
+            found = re.compile(rb"\b%s\b" % re.escape(words.encode())).search(data, member.startOffset, member.endOffset)
+            if found is not None and found.start() not in written:
+                written.add(found.start())
+                yield WidthEdit(str(unit.path), found.start(), found.end(), "unsigned char", "unsigned-char")
+
+
+def _is_plain_char(use: ccode.TypeUse) -> bool:
+    """Whether a type is char without a word on its sign, by whatever name."""
+    declared: ccode.TypeUse | None = use
+    while declared is not None and isinstance(declared.declaration, ccode.Typedef):
+        declared = declared.declaration.aliased
+    words = declared.spelling.split() if declared is not None and not declared.pointerDepth else []
+    return [word for word in words if word not in ("const", "volatile")] == ["char"]
 
 
 def lost_findings(widened: Widened, units: Sequence[ccode.SourceUnit], texts: Mapping[str, bytes]) -> list[Finding]:
