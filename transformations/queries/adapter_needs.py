@@ -86,9 +86,8 @@ class AdapterPieces:
 
     def _fits(self, piece: AdapterPiece, mcu: str) -> bool:
         """Whether a variant is for a microcontroller and for the program."""
-        if piece.members and self.members.isdisjoint(piece.members):
-            return False
-        return not (piece.beside and self.calls.isdisjoint(piece.beside)) and (not piece.mcus or mcu in piece.mcus)
+        wanted = ((piece.members, self.members), (piece.beside, self.calls), (piece.mcus, {mcu}))
+        return all(not names or not there.isdisjoint(names) for names, there in wanted)
 
     def variants(self, key: tuple[str, str]) -> list[AdapterPiece]:
         """All variants of a piece, those that count first in front."""

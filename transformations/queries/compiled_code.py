@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from functools import cached_property
 
 from msgspec import Struct
 
@@ -20,6 +21,7 @@ from robosmi.transformations.queries.folded_code import FoldedCode
 from robosmi.transformations.queries.folded_values import PURE, Key, ReadProgram
 from robosmi.transformations.queries.live_code import identity, in_macros, is_global
 from robosmi.transformations.queries.names import named_type
+from robosmi.transformations.queries.pointed_calls import pointed_calls
 from robosmi.transformations.queries.values import Values
 
 _COUNTS = ("++", "--")
@@ -27,7 +29,7 @@ _VALUE = re.compile(r"^(?:const \w+ \w+ =|#define \w+) (?P<number>-?(?:0x[0-9A-F
 """How a name of the platform is given a number on the target."""
 
 
-class CompiledCode(Struct):
+class CompiledCode(Struct, dict=True):
     """What is left of a program.
 
     Attributes:
@@ -45,6 +47,11 @@ class CompiledCode(Struct):
     unread: set[Key] = set()
     answers: dict[int, int] = {}
     arguments: dict[int, list[int | None]] = {}
+
+    @cached_property
+    def pointed(self) -> dict[int, list[ccode.Function]]:
+        """The functions that each call through a pointer may reach, by the identity of the call."""
+        return pointed_calls(self.elements)
 
 
 def compiled_code(plan: migration.MigrationPlan, program: ReadProgram, *, pins: bool = True) -> CompiledCode:

@@ -8,7 +8,7 @@ by something outside (a person, a sensor, a wheel), or nothing tells what a poin
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from functools import reduce
+from functools import cached_property, reduce
 
 from msgspec import Struct
 
@@ -104,9 +104,14 @@ class LoopTimes:
         }
         rates = (use.symbol for use in plan.symbolUses)
         self._rates = {str(each.name) for each in rates if each is not None and each.meaning == TICKS_A_SECOND}
-        self._pointed = pointed_calls(list(all_contents(plan.program)))
+        self._program = plan.program
         self._functions: dict[int, Time] = {}
         self._depth = 0
+
+    @cached_property
+    def _pointed(self) -> dict[int, list[ccode.Function]]:
+        """The functions that calls through pointers may reach: asked for where the loop has one."""
+        return pointed_calls(list(all_contents(self._program)))
 
     def of(self, element: Element | None) -> Time:
         """The time of a statement or expression, nothing for None."""

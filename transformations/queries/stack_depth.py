@@ -18,7 +18,6 @@ from robosmi.transformations.queries.cooperation import local_bytes, waits
 from robosmi.transformations.queries.interrupt_stack import HandlerBytes, upon_each_other
 from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.plan_adapters import closure, emitted
-from robosmi.transformations.queries.pointed_calls import pointed_calls
 from robosmi.typed import distinct
 
 START = 2
@@ -54,7 +53,7 @@ class _Program:
         self._pieces |= {str(use.name): use.adapter for use in plan.symbolUses if use.adapter is not None}
         self._variadic = {str(use.name) for use in plan.adapterUses if use.variadic}
         self._live = {id(element) for element in code.elements} - code.answers.keys()
-        self._pointed = pointed_calls(code.elements)
+        self._pointed = code.pointed
         self._places = Counter(str(e.calleeName) for e in code.elements if isinstance(e, ccode.Call) and id(e) in self._live)
         giving = [piece for piece in emitted(plan) if piece.name == YIELD] if plan.concurrency is not None else []
         self.turns = max((_bytes(piece, 1) for piece in giving), default=0)
@@ -112,8 +111,7 @@ def depth(plan: migration.MigrationPlan, code: CompiledCode, pieces: Iterable[pl
 
 def unfollowed(code: CompiledCode) -> tuple[int, ...]:
     """The lines of calls through pointers of which the models do not tell what they reach, so that `depth` has none of it."""
-    pointed = pointed_calls(code.elements)
-    calls = [each for each in code.elements if isinstance(each, ccode.Call) and not pointed.get(id(each), [each])]
+    calls = [each for each in code.elements if isinstance(each, ccode.Call) and not code.pointed.get(id(each), [each])]
     return tuple(distinct(int(call.line) for call in calls))
 
 
