@@ -61,12 +61,12 @@ def works(mark: str, stage: str) -> bool:
 def test_it_ends_with_all_that_it_started(name: str, stage: str, made: Path, tmp_path: Path) -> None:
     place = tmp_path / "passing"
     place.mkdir()
-    command = [sys.executable, "-m", "robosmi", "verify", made / "out"]
+    command = [sys.executable, "-m", "robosmi", "verify", str(made / "out")]
     if stage == "robosmi.verify.worker":
         (tmp_path / "s.toml").write_text("horizon_ms = 30000\n")
-        command += ["--scenario", tmp_path / "s.toml"]
+        command += ["--scenario", str(tmp_path / "s.toml")]
     elif stage == "/original":
-        command += ["--scenario", made / "long.toml"]
+        command += ["--scenario", str(made / "long.toml")]
     environment = os.environ | {"TMPDIR": str(place), "ROBOSMI_HOME": str(tmp_path / "home")}
     with subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
         until = time.monotonic() + 90
