@@ -56,8 +56,9 @@ void loop() {{}}
 )
 def servos_turn_at_speeds_that_are_ramped_and_held(uno: Uno) -> None:
     used = s(
-        "speed", "stop", "set", "feedback", "enable", "getSpeed", "couple", "setRampStep", "getMaxSpeed", "setUnitsFullCircle"
-    )
+        "speed", "stop", "set", "feedback", "enable", "getSpeed", "couple", "setRampStep", "getMaxSpeed", "setUnitsFullCircle",
+        "getRampStep",
+    )  # fmt: skip
     program = f"""{SAY}
 void setup() {{ Serial.begin(115200); servo360_connect(5, A0); servo360_connect(6, A1);
   say(servo360_couple(6, 9)); say(servo360_couple(6, 5));
@@ -66,12 +67,14 @@ void setup() {{ Serial.begin(115200); servo360_connect(5, A0); servo360_connect(
   say(servo360_speed(5, 360)); servo360_speed(6, -64); delay(2000); say(servo360_getSpeed(5)); say(servo360_getSpeed(6));
   say(servo360_stop(5)); servo360_stop(6); delay(1000);
   for (uint8_t n = 0; n < 16; n++) {{ say(servo360_getSpeed(5)); delay(21); }}
-  servo360_feedback(5, 0); say(servo360_set(5, 1600)); delay(200); servo360_enable(5, 0); delay(200); }}
+  servo360_feedback(5, 0); say(servo360_set(5, 1600)); delay(200); servo360_enable(5, 0); delay(200);
+  say(servo360_getRampStep(5)); }}
 void loop() {{}}
 """
     trace = uno.run(program, [*used, "servo360.h/servo360_connect"], 4500, SERVOS)
     told = [int(each) for each in trace.text.split()]
     assert told.pop(0) == -2
+    assert told.pop() == 410
     assert told[:4] == [1, 720, 1, 0]
     assert told[4] == pytest.approx(360, abs=40)
     assert told[5] == pytest.approx(-64, abs=8)

@@ -23,7 +23,7 @@ calls = moved.context(ccode.Call, guard=lambda c: move() is not None and bool(_r
 def AdapterServesTheValue(c: ccode.Call) -> bool | Fail:
     """What a program gives for a parameter is a value that the adapter can serve."""
     m, arguments = the_move(), list(c.arguments)
-    for one in _ranges(c):
+    for one in sorted(_ranges(c), key=lambda each: int(each.most) - int(each.least)):  # the limit that holds, not the widest one
         if one.position >= len(arguments) or (one.awayFrom and _reaches(c, one.awayFrom, m)):
             continue
         outside = sorted(n for n in _numbers(arguments[one.position], m) if not _serves(one, n))

@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+import robosmi
 from robosmi import check_model, migrate
 from robosmi.diagnostics import Finding, Severity
 from robosmi.query import Q
@@ -91,6 +92,16 @@ def test_many_findings_of_a_rule_are_one_with_all_places(tmp_path: Path) -> None
     few = path.read_text().replace("70000, " * (MANY + 1), "70000, " * MANY)
     path.write_text(few)
     assert sum(f.rule == "RS311" for f in found(path)) == MANY
+
+
+def test_a_value_beyond_several_limits_is_told_the_narrowest(tmp_path: Path) -> None:
+    program = tmp_path / "line.c"
+    program.write_text(
+        '#include "simpletools.h"\n#include "fdserial.h"\n#include "servo.h"\n'
+        "int main() { fdserial_open(2, 3, 0, 115200); servo_angle(9, 900); }\n"
+    )
+    plan = robosmi.plan_migration([program], bind={"P2": "D4", "P3": "D5"}).plan
+    assert ["245 to 19,200" in str(finding.message) for finding in plan.findings if finding.rule == "RS334"] == [True]
 
 
 @pytest.mark.parametrize("rule", RULES)
