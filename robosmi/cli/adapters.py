@@ -33,7 +33,7 @@ def configure(parser: Options) -> None:
         action.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     action: str
@@ -44,7 +44,7 @@ class Arguments(argparse.Namespace):
     whose: str
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("adapters")
     if arguments.action == "list":

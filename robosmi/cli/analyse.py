@@ -23,7 +23,7 @@ def configure(parser: Options) -> None:
     parser.add_argument("-o", dest="output", metavar="code.xmi", type=Path, help="store the code model as XMI")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     files: list[Path]
@@ -33,7 +33,7 @@ class Arguments(argparse.Namespace):
     output: Path | None
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("analyse")
     project = project_of(arguments.files[0])

@@ -24,14 +24,14 @@ def configure(parser: Options) -> None:
     )  # fmt: skip
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     model: Path
     metamodels: list[Path]
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("check")
     project = project_of(arguments.model)

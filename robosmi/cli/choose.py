@@ -33,7 +33,7 @@ def configure(parser: Options) -> None:
     parser.add_argument("--dry-run", action="store_true", help="say what would be made and write nothing")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     output: Path
@@ -45,7 +45,7 @@ class Arguments(argparse.Namespace):
     dry_run: bool
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command.
 
     Raises:

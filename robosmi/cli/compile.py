@@ -21,7 +21,7 @@ def configure(parser: Options) -> None:
     parser.add_argument("-o", dest="into", metavar="DIR", type=output_folder, help="folder for the program instead of OUT/build")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     output: Path
@@ -29,7 +29,7 @@ class Arguments(argparse.Namespace):
     into: Path | None
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     from robosmi.verify.kept_program import compile_into
 

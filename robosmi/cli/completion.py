@@ -20,13 +20,13 @@ def configure(parser: Options) -> None:
     parser.add_argument("shell", choices=sorted(_SCRIPTS), help="the shell that the script is for")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     shell: str
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("completion")
     script = _SCRIPTS[arguments.shell]()

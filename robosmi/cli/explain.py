@@ -17,13 +17,13 @@ def configure(parser: Options) -> None:
     parser.add_argument("rules", nargs="*", metavar="RULE", help="id or name of a rule, as RS311; none lists all")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     rules: list[str]
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     from robosmi.report.rules import finding_rules, page, rule_called, terminal_page
 

@@ -25,7 +25,7 @@ def configure(parser: Options) -> None:
     parser.add_argument("--strict", action="store_true", help="stop when a choice is open")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     plan: Path
@@ -35,7 +35,7 @@ class Arguments(argparse.Namespace):
     strict: bool
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("generate")
     done: MadeSketch = content("chain", "generate")(

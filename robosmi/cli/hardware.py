@@ -26,7 +26,7 @@ def configure(parser: Options) -> None:
     parser.add_argument("--write-table", metavar="FILE", type=Path, help="write the wiring as a pin table (.csv or .toml)")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     sketch: Path
@@ -35,7 +35,7 @@ class Arguments(argparse.Namespace):
     write_table: Path | None
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("hardware")
     project = project_of(arguments.sketch)

@@ -34,7 +34,7 @@ def configure(parser: Options) -> None:
         sub.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     action: str
@@ -46,7 +46,7 @@ class Arguments(argparse.Namespace):
     file: Path
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("history")
     history = History(arguments.history)

@@ -30,7 +30,7 @@ def configure(parser: Options) -> None:
         action.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     action: str
@@ -39,7 +39,7 @@ class Arguments(argparse.Namespace):
     name: str
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     platform: str = arguments.platform or content("query", "default_library_platform")()
     return _show(arguments.name, platform) if arguments.action == "show" else _import(arguments.folder, platform)

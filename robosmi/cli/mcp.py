@@ -30,7 +30,7 @@ def configure(parser: Options) -> None:
     )  # fmt: skip
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     json: bool
@@ -39,7 +39,7 @@ class Arguments(argparse.Namespace):
     unconfined: bool
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     if arguments.json:
         raise UsageError("standard output is the protocol's", fix="leave --json out")

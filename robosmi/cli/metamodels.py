@@ -26,7 +26,7 @@ def configure(parser: Options) -> None:
         sub.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     action: str
@@ -35,7 +35,7 @@ class Arguments(argparse.Namespace):
     output: Path
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("metamodels")
     if arguments.action == "export":

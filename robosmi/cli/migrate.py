@@ -53,7 +53,7 @@ def configure(parser: Options) -> None:
     )
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     json: bool
@@ -77,7 +77,7 @@ class Arguments(argparse.Namespace):
     open: bool
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("migrate")
     if not arguments.dry_run:

@@ -27,7 +27,7 @@ def configure(parser: Options) -> None:
     parser.add_argument("--source", metavar="FILE", type=Path, help="a source of the program, beside which robosmi.toml lies")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     json: bool
@@ -37,7 +37,7 @@ class Arguments(argparse.Namespace):
     source: Path | None
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Make the page ready; it is served once the report is printed."""
     report = Report("open")
     serve(report, arguments.output, arguments.port, browser=not (arguments.no_browser or arguments.json), source=arguments.source)

@@ -27,14 +27,14 @@ def configure(parser: Options) -> None:
     add.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     folders: list[Path]
     output: Path | None
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("parts")
     target = arguments.output or _own_file(arguments.folders[0])

@@ -34,7 +34,7 @@ def configure(parser: Options) -> None:
     taking.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     folder: Path
@@ -44,7 +44,7 @@ class Arguments(argparse.Namespace):
     defines: list[str]
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("platform")
     done: ImportedPlatform = content("chain", "platform_import")(

@@ -32,7 +32,7 @@ def configure(parser: Options) -> None:
     )
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     model: Path
@@ -42,7 +42,7 @@ class Arguments(argparse.Namespace):
     models: list[str]
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     from robosmi.model.metamodel import Metamodel
     from robosmi.model.opening import open_model

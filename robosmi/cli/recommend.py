@@ -26,7 +26,7 @@ def configure(parser: Options) -> None:
     )
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     sketch: Path | None
@@ -35,7 +35,7 @@ class Arguments(argparse.Namespace):
     history: str | None
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     given = arguments.sketch or arguments.components
     if given is None or (arguments.sketch is not None and arguments.components is not None):

@@ -22,14 +22,14 @@ def configure(parser: Options) -> None:
     parser.add_argument("-o", dest="path", required=True, metavar="FILE.html", type=Path, help="the file")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     output: Path
     path: Path
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("report")
     text: str = content("chain", "report_page")(arguments.output, secrets.token_urlsafe(16))

@@ -34,7 +34,7 @@ def configure(parser: Options) -> None:
     )
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     chain: Path
@@ -44,7 +44,7 @@ class Arguments(argparse.Namespace):
     keep: bool
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     from robosmi.chain import read_chain
 

@@ -24,7 +24,7 @@ def configure(parser: Options) -> None:
     parser.add_argument("-o", dest="vcd", metavar="FILE.vcd", type=Path, help="write the trace for a viewer of waveforms")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     output: Path
@@ -34,7 +34,7 @@ class Arguments(argparse.Namespace):
     vcd: Path | None
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("simulate")
     check_replaced(arguments.vcd, b"$timescale", "trace")

@@ -18,13 +18,13 @@ def configure(parser: Options) -> None:
     parser.add_argument("folder", metavar="FOLDER", type=Path, help="a project, or its folder .robosmi")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     folder: Path
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("trust")
     folder, files = trust(arguments.folder)

@@ -20,13 +20,13 @@ def configure(parser: Options) -> None:
     parser.add_argument("output", metavar="OUT", type=output_folder, help="output folder of migrate or generate")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     output: Path
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("undo")
     done = undo(arguments.output)

@@ -23,7 +23,7 @@ def configure(parser: Options) -> None:
     parser.add_argument("--dry-run", action="store_true", help="send nothing; say what would be done")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     output: Path
@@ -34,7 +34,7 @@ class Arguments(argparse.Namespace):
     dry_run: bool
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     from robosmi.verify.upload import upload_sketch
 

@@ -27,7 +27,7 @@ def configure(parser: Options) -> None:
     parser.add_argument("-o", dest="vcd", metavar="FILE.vcd", type=Path, help="write both traces of the first difference")
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     output: Path
@@ -37,7 +37,7 @@ class Arguments(argparse.Namespace):
     vcd: Path | None
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("verify")
     check_replaced(arguments.vcd, b"$timescale", "trace")

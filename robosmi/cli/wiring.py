@@ -30,7 +30,7 @@ def configure(parser: Options) -> None:
     )
 
 
-class Arguments(argparse.Namespace):
+class _Arguments(argparse.Namespace):
     """What the command was told."""
 
     output: Path
@@ -38,7 +38,7 @@ class Arguments(argparse.Namespace):
     path: Path
 
 
-def run(arguments: Arguments) -> Report:
+def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("wiring")
     if not str(arguments.path).strip("\0 "):
