@@ -33,6 +33,7 @@ from robosmi.transformations.queries.expression_type import (
     expectations,
     type_of,
 )
+from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.numbers import COMPARISONS
 from robosmi.transformations.queries.own_headers import included, own_macro
 from robosmi.transformations.queries.plan import RUN_IN_SETUP
@@ -65,6 +66,14 @@ def _sizes_of_characters(view: CodeView, data: bytes, functions: Mapping[str, Fu
     for size in view.of_kind(ccode.SizeOf):
         if isinstance(size.operand, ccode.CharacterLiteral):
             yield Change(size, "replace", "sizeof(int32_t)", "a character has the size of an int in C")
+
+
+def _name_of_main(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """`__func__` in main, whose statements stand in functions of other names on the target."""
+    main = main_of(view.unit) if b"__func__" in data or b"__FUNCTION__" in data else None
+    for literal in all_of_kind(main, ccode.StringLiteral) if main is not None else ():
+        if data[literal.startOffset : literal.endOffset] in (b"__func__", b"__FUNCTION__"):
+            yield Change(literal, "replace", '"main"', "the statements of main stand in other functions")
 
 
 def _library(view: CodeView) -> dict[str, FunctionType]:
@@ -368,6 +377,7 @@ RULES: tuple[Rule, ...] = (
     _comparisons,
     _void_arithmetic,
     _sizes_of_characters,
+    _name_of_main,
     read_only_registers,
     *old_c.RULES,
     *shared_names.RULES,
