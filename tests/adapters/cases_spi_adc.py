@@ -30,7 +30,7 @@ def voltages_of_converters_on_four_wires_are_read(uno: Uno) -> None:
     program = """
 float said[4];
 void setup() { Serial.begin(115200); delay(2); said[0] = MCP3202_getVolts(0, 4, 5, 6, 7, 4.096); delay(5);
-  said[1] = MCP3002_getVolts(1, 4, 5, 6, 7, 5); delay(5); said[2] = spi_adc(3, 4, 5, 6, 7, 8, 3);
+  said[1] = MCP3002_getVolts(0, 4, 5, 6, 7, 5); delay(5); said[2] = spi_adc(3, 4, 5, 6, 7, 8, 3);
   said[3] = spi_adc(0, 4, 5, 6, 7, -1, 3); for (float volts : said) { Serial.print(volts, 4); Serial.print(' '); } }
 void loop() {}
 """
@@ -40,7 +40,7 @@ void loop() {}
         asked = selected(trace)
         rises = [[at for at, _ in bits] for bits in asked]
         points = [[0, 0], [rises[0][4] + 0.001, 1], [rises[0][7] + 0.001, 0], [rises[1][13] + 0.001, 1]]
-    assert [[bit for _, bit in bits[:4]] for bits in asked] == [[1, 1, 0, 1], [1, 1, 1, 1], [1, 1, 1, 1]]
+    assert [[bit for _, bit in bits[:4]] for bits in asked] == [[1, 1, 0, 1], [1, 1, 0, 1], [1, 1, 1, 1]]
     assert [len(bits) for bits in asked] == [17, 15, 8]  # four out, the value, and one more while it is not selected
     error, told = trace.text.splitlines()[0], trace.text.splitlines()[1].split()
     assert error == "Error! Float Vref = -1.000000, should not be <= 0"
