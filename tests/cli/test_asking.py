@@ -65,15 +65,16 @@ def test_an_answer_is_a_persons_choice_and_is_remembered(
     def ask(choices: Sequence[Mapping[str, Any]]) -> dict[str, str]:
         asked.extend(str(choice["component"]) for choice in choices)
         assert all(len(choice["candidates"]) >= 5 for choice in choices)
-        return {f"#{choice['component_model_index']}": "HIH4030" for choice in choices if "HIH" in str(choice["component"])}
+        return {f"#{choice['component_model_index']}": choice["candidates"][1]["library"] for choice in choices}
 
     made = content("chain", "migrate")([line_follower], tmp_path / "out", ask=ask)
-    assert set(asked) == {"HIH4030 1", "HIH4030 2", "Red (633nm)-LED1"}
+    assert asked == ["Red (633nm)-LED1"], "its port is open; what rc_time reads needs no library"
     by = {c.component.title: (c.chosenBy.name, c.choice, c.open) for c in made.models.plan.libraryChoices}
-    assert by["HIH4030 1"] == ("person", "HIH4030", False)
-    assert by["Red (633nm)-LED1"] == ("nobody", "", True)
-    remembered = [entry for entry in History().entries() if entry.library == "HIH4030"]
-    assert [(entry.count, entry.target) for entry in remembered] == [(2, "uno")]
+    person, library, is_open = by["Red (633nm)-LED1"]
+    assert (person, is_open) == ("person", False)
+    assert by["HIH4030 1"] == ("rule", "none", False)
+    remembered = [entry for entry in History().entries() if entry.library == library]
+    assert [(entry.count, entry.target) for entry in remembered] == [(1, "uno")]
 
 
 PORT = {"name": "LED", "names": ["P26"], "options": [{"label": "LedWriteP1", "reasons": ["shares 'led' with the port's name"]}]}

@@ -8,8 +8,8 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2m.plan_tasks import plan_findings, settle_tasks
 from robosmi.transformations.m2t.program_text import file_name
-from robosmi.transformations.m2t.refused_text import Refused, refused_texts
 from robosmi.transformations.queries.plan import target_of
+from robosmi.transformations.t2m.c_source.refused_text import Refused, refused_texts
 
 RULE = "RS337"
 _CODE = (".ino", ".cpp", ".h")

@@ -11,7 +11,7 @@ from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, TargetF
 from robosmi.transformations.m2m.platform_dependence import Dependence
 from robosmi.transformations.m2m.renaming import RENAME
 from robosmi.transformations.m2m.widths import Widened, retype_decisions, widenings
-from robosmi.transformations.queries.expansion import TextPlace, macros_of
+from robosmi.transformations.queries.macro_definitions import TextPlace, macros_of
 from robosmi.transformations.queries.numbers import Machine
 from robosmi.transformations.t2m.c_source.included_before import included_before
 from robosmi.transformations.t2m.c_source.typed import typed_unit

@@ -12,23 +12,29 @@ from collections.abc import Callable
 from typing import Any
 
 from robosmi.metamodels import ccode
-from robosmi.transformations.knowledge.adapter_ranges import parameter_names
 from robosmi.transformations.m2m import compound_literals, early_functions, excess_values
 from robosmi.transformations.m2m.decided_conditions import as_decided
 from robosmi.transformations.m2m.declared_lists import without
 from robosmi.transformations.m2m.designated_lists import positional
+from robosmi.transformations.m2m.edit_definitions import (
+    Replacement,
+    body,
+    define_behind,
+    define_extern,
+    define_local,
+    define_without_extern,
+    name_place,
+    one_element,
+    sized,
+)
 from robosmi.transformations.m2m.nested_types import before_record, tag_places
 from robosmi.transformations.m2m.old_c import word_places
 from robosmi.transformations.m2m.read_only_registers import value_of_register
 from robosmi.transformations.queries.block_braces import inside
 from robosmi.transformations.queries.own_headers import own_header
 from robosmi.transformations.queries.plan import RUN_IN_SETUP
-from robosmi.transformations.queries.signature_text import nothing
-from robosmi.transformations.queries.source_text import SourceText, is_header
+from robosmi.transformations.queries.source_text import SourceText
 from robosmi.transformations.queries.tokens import name_tokens
-
-Replacement = tuple[int, int, str]
-"""First byte, byte behind the last, new text."""
 
 
 def _line(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
@@ -74,14 +80,6 @@ def _go_on(element: ccode.Located, choice: str, text: SourceText) -> list[Replac
 def _value_and_go_on(element: ccode.Return, choice: str, text: SourceText) -> list[Replacement]:
     assert element.value is not None  # else the rule does not hold
     return [*_void_value(element, choice, text), (element.value.endOffset, element.value.endOffset, f", {choice}()")]
-
-
-def name_place(variable: ccode.Variable | ccode.Parameter, data: bytes) -> int:
-    """Offset of a variable's name in its declaration."""
-    initial = variable.initializer if isinstance(variable, ccode.Variable) else None
-    end = initial.startOffset if initial is not None else variable.endOffset
-    found = [m.start() for m in re.finditer(rb"\b%s\b" % re.escape(variable.name.encode()), data[variable.startOffset : end])]
-    return variable.startOffset + (found[-1] if found else 0)
 
 
 def _out(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
@@ -247,87 +245,6 @@ def _implicit_int(element: ccode.Located, choice: str, text: SourceText) -> list
     return [(place, place, "int ")]
 
 
-def _define_local(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """A declaration in a function of what is nowhere defined: it becomes a variable that lasts."""
-    changes = _define_extern(element, choice, text)
-    start = text.data.rfind(b"extern", 0, element.startOffset + len(b"extern"))
-    found = re.compile(rb"extern\b").match(text.data, start) if start >= 0 else None
-    outside = found is not None and text.blank(found.end(), int(element.startOffset))
-    if found is not None and (outside or start >= element.startOffset):
-        return [(found.start(), found.end(), "static"), *(each for each in changes if each[2] and each[0] > found.start())]
-    return changes
-
-
-def _define_extern(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    return _defined("extern " * _constant(element), element, choice, text)  # a constant of C++ is its file's own but for extern
-
-
-def _define_without_extern(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    return _defined("", element, choice, text)
-
-
-def _defined(before: str, element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """The declaration of a variable as its definition, with a word before it."""
-    found = re.compile(rb"\bextern\b\s*").search(text.data, element.startOffset, element.endOffset)
-    kept = before + "__attribute__((weak)) " * is_header(text.unit)
-    made = [(found.start(), found.end(), kept)] if found else []
-    return made + _sized(element, choice, text)
-
-
-def _constant(variable: ccode.Variable) -> bool:
-    """Whether a variable is a constant, which C++ wants a value for."""
-    use = variable.valueType
-    return use is not None and bool(use.constant) and not use.pointerDepth
-
-
-def _sized(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """An array of which no size is known gets one, and a constant a value."""
-    found = re.compile(rb"\[\s*\]").search(text.data, name_place(element, text.data), element.endOffset)
-    value = [(int(element.endOffset), int(element.endOffset), " = {0}")] if _constant(element) and choice else []
-    return [*([(found.end() - 1, found.end() - 1, "16")] if found else []), *value]
-
-
-def _one_element(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """An array without a size that no other declaration completes has one element (C11 6.9.2)."""
-    found = re.compile(rb"\[\s*\]").search(text.data, name_place(element, text.data), element.endOffset)
-    return [(found.end() - 1, found.end() - 1, "1")] if found else []
-
-
-def _define_behind(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """Behind a declaration of several names the definitions of some of them."""
-    place = text.data.find(b";", element.endOffset) + 1
-    weak = "__attribute__((weak)) " if is_header(text.unit) else ""
-    value = " = {0}" * _constant(element)
-    made = "".join(f" {weak}__typeof__({name}) {name}{value};" for name in choice.split())
-    return [*_sized(element, "", text), *([(place, place, made)] if place else [])]
-
-
-_ATTRIBUTES_BEHIND = re.compile(rb"(?:\s*__attribute__\s*\(\((?:[^()]|\([^()]*\))*\)\))+\s*\Z")
-
-
-def _body(element: ccode.Function, choice: str, text: SourceText) -> list[Replacement]:
-    """The prototype becomes an adapter: the place of its semicolon takes a body that is to be written.
-
-    One of several names of a declaration is defined behind it, with the signature that is given.
-    """
-    returned = element.returnType.spelling if element.returnType is not None else "int"
-    lines = ["  // TODO: complete method", *(f"  (void){p.name};" for p in element.parameters if p.name)]
-    result = nothing(returned)
-    lines += [f"  return {result};"] if result else []
-    found = text.data.find(b";", element.endOffset - 1)
-    end = found + 1 if found >= 0 else element.endOffset
-    shared = is_header(text.unit)
-    if "(" in choice:  # plans of 0.1.0 have the name here
-        named = [f"  (void){name};" for name in parameter_names(choice) if name]
-        lines = ["  // TODO: complete method", *named, *([f"  return {result};"] if result else [])]
-        return [(end, end, "\n" + "inline " * shared + choice + " {\n" + "\n".join(lines) + "\n}")]
-    made = [(element.startOffset, element.startOffset, "inline ")] if shared else []
-    place = found if found >= 0 else end
-    attributes = _ATTRIBUTES_BEHIND.search(text.data, element.startOffset, place)
-    start = attributes.start() if attributes is not None else place  # a definition has none behind its list
-    return [*made, (start, end, " {\n" + "\n".join(lines) + "\n}")]
-
-
 def _more_arguments(element: ccode.Call, choice: str, text: SourceText) -> list[Replacement]:
     return [(element.endOffset - 1, element.endOffset - 1, choice)]
 
@@ -377,7 +294,7 @@ RULES: dict[str, EditRule] = {
     "words-between": _words_between,
     "enumeration-before": lambda element, choice, text: before_record(element, choice),
     "tag-of-member": lambda element, choice, text: tag_places(element, choice, text.unit, text.data),
-    "one-element": _one_element,
+    "one-element": one_element,
     "declare-only": _insert("extern "),
     "declare-static": _static("extern "),
     "no-static": _static(""),
@@ -395,14 +312,14 @@ RULES: dict[str, EditRule] = {
     "assign-behind": _assign_behind,
     "take-out": _out,
     "out-of-list": _out_of_list,
-    "define-extern": _define_extern,
-    "define-without-extern": _define_without_extern,
-    "define-local": _define_local,
-    "define-in-list": _sized,
-    "define-behind": _define_behind,
-    "shared-behind": _define_behind,
+    "define-extern": define_extern,
+    "define-without-extern": define_without_extern,
+    "define-local": define_local,
+    "define-in-list": sized,
+    "define-behind": define_behind,
+    "shared-behind": define_behind,
     "left-undefined": lambda element, choice, text: [],
-    "adapter-in-place": _body,
+    "adapter-in-place": body,
     "adapter-declared": _out,
 }
 """Rule of a disposition -> the changes of text that it asks for."""

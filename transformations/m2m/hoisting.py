@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from robosmi.metamodels import ccode, migration
-from robosmi.transformations.m2m.edit_rules import Replacement, name_place
+from robosmi.transformations.m2m.edit_definitions import Replacement, name_place
 from robosmi.transformations.queries.main_locals import MovedDeclaration
 from robosmi.transformations.queries.source_text import SourceText
 

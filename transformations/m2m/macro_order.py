@@ -14,7 +14,7 @@ from msgspec import Struct
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, closing
 from robosmi.transformations.queries.argument_places import TokenText
-from robosmi.transformations.queries.expansion import Definition, TextPlace, macros_of
+from robosmi.transformations.queries.macro_definitions import Definition, TextPlace, macros_of
 from robosmi.transformations.queries.tokens import name_tokens
 
 _SIGNS = frozenset("-+!~*&")

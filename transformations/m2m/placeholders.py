@@ -16,8 +16,9 @@ from robosmi.transformations.knowledge.standard_names import STANDARD_NAMES
 from robosmi.transformations.knowledge.target_names import TargetNames
 from robosmi.transformations.knowledge.target_platform import PLAIN_C, TargetFacts
 from robosmi.transformations.m2m.signatures import Signature, for_target
+from robosmi.transformations.m2m.undeclared_uses import is_computed, is_pointer, listed_values, pointers_in
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType, expectations, type_of
+from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType, expectations
 from robosmi.transformations.queries.own_headers import included
 from robosmi.transformations.queries.record_members import members
 from robosmi.transformations.queries.signature_text import declare, type_names
@@ -309,21 +310,6 @@ struct {ANY_VALUE} {{
 }};"""
 
 
-def pointers_in(views: Iterable[CodeView]) -> set[str]:
-    """Names of members that some text gives a pointer or a function."""
-    assigned = (a for view in views for a in view.of_kind(ccode.Assignment) if isinstance(a.left, ccode.Member))
-    return {str(a.left.name) for a in assigned if isinstance(a.left, ccode.Member) and _is_pointer(a.right)}
-
-
-def _is_pointer(value: ccode.Expression | None) -> bool:
-    if isinstance(value, ccode.StringLiteral) or (
-        isinstance(value, ccode.NameReference) and isinstance(value.target, ccode.Function)
-    ):
-        return True
-    kind = type_of(value, {})
-    return kind is not None and (kind.depth > 0 or kind.function)
-
-
 def _meant(name: str, views: Sequence[CodeView]) -> str:
     """The type of the platform that a typedef of its gives another name; empty for others."""
     entry = next((e for e in (v.resolve(name) for v in views) if e is not None), None)
@@ -342,16 +328,16 @@ def _type(
 ) -> str:
     uses = [t for v in views for t in v.of_kind(ccode.TypeUse) if t.declaration is not None and t.declaration.name in names]
     fields = members(names, views, sources)
-    listed = max((_listed(each, views) for each in names), key=len)
+    listed = max((listed_values(each, views) for each in names), key=len)
     anything = target.language != PLAIN_C
     if anything:
         pointers = pointers_in(views)
         fields = [f"{ANY_VALUE} {word}" if (word := _member_name(field)) in pointers else field for field in fields]
-    kind = ANY_VALUE if anything and any(_is_pointer(each) for each in listed) else "int32_t"
+    kind = ANY_VALUE if anything and any(is_pointer(each) for each in listed) else "int32_t"
     values = [f"{kind} value{number}" for number in range(1, len(listed) + 1)]
     fields += values[len(fields) :]
     tag = any(t.spelling.replace("const ", "").startswith(("struct ", "union ")) for t in uses)
-    if fields or tag or ((pointed or any(t.pointerDepth for t in uses)) and not any(_computed(n, views) for n in names)):
+    if fields or tag or ((pointed or any(t.pointerDepth for t in uses)) and not any(is_computed(n, views) for n in names)):
         return f"struct {name} {{{''.join(f' {f};' for f in fields)}{' ' * bool(fields)}}};"
     return f"typedef int32_t {name};"
 
@@ -360,43 +346,3 @@ def _member_name(declarator: str) -> str:
     """The name of a member as `record_members` declares it."""
     words: list[str] = matches(r"[A-Za-z_]\w*", declarator.partition(")")[0].partition("[")[0])
     return words[-1] if words else ""
-
-
-def _listed(name: str, views: Iterable[CodeView]) -> list[ccode.Expression]:
-    """The longest list of values that a variable of the type is given."""
-    variables = (v for view in views for v in view.of_kind(ccode.Variable) if isinstance(v.initializer, ccode.InitializerList))
-    kinds = [(v.valueType, v.initializer) for v in variables if v.valueType is not None]
-    lists = [
-        list(value.elements)
-        for kind, value in kinds
-        if isinstance(value, ccode.InitializerList)
-        and kind.declaration is not None
-        and kind.declaration.name == name
-        and not kind.arrayDims
-    ]
-    return max(lists, key=len, default=[])
-
-
-def _computed(name: str, views: Iterable[CodeView]) -> bool:
-    """Whether a value of the type is calculated with or is given a number."""
-    for view in views:
-        variables: tuple[ccode.Variable | ccode.Parameter, ...] = (
-            *view.of_kind(ccode.Variable),
-            *view.of_kind(ccode.Parameter),
-        )
-        for variable in variables:
-            use = variable.valueType
-            if use is None or use.declaration is None or use.declaration.name != name or use.pointerDepth or use.arrayDims:
-                continue
-            if isinstance(variable, ccode.Variable) and isinstance(variable.initializer, (ccode.IntegerLiteral, ccode.Binary)):
-                return True
-            if any(_calculates(r) for r in variable.references):
-                return True
-    return False
-
-
-def _calculates(reference: ccode.NameReference) -> bool:
-    container = reference.eContainer()
-    if isinstance(container, ccode.Assignment):
-        return isinstance(container.right, (ccode.IntegerLiteral, ccode.Binary)) or container.operator != "="
-    return isinstance(container, ccode.Binary) or (isinstance(container, ccode.Unary) and container.operator not in ("&", "*"))

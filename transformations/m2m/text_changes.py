@@ -14,7 +14,8 @@ from typing import Any
 from robosmi.errors import ModelError
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.m2m.edit_rules import EVERYWHERE, RULES, EditRule, Replacement
+from robosmi.transformations.m2m.edit_definitions import Replacement
+from robosmi.transformations.m2m.edit_rules import EVERYWHERE, RULES, EditRule
 from robosmi.transformations.m2m.port_texts import RULE as PORT
 from robosmi.transformations.m2m.port_texts import replacement
 from robosmi.transformations.queries.binding_edits import writes

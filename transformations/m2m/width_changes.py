@@ -15,7 +15,7 @@ from msgspec import Struct
 from robosmi.transformations.m2m.macro_order import MacroOrder
 from robosmi.transformations.m2m.width_rules import Walk
 from robosmi.transformations.m2m.width_wants import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, Want
-from robosmi.transformations.queries.expansion import TextPlace
+from robosmi.transformations.queries.macro_definitions import TextPlace
 from robosmi.transformations.queries.numbers import Number
 from robosmi.transformations.queries.typed import TypedExpression
 

@@ -14,7 +14,7 @@ from msgspec import Struct
 
 from robosmi.transformations.m2m.width_formats import conversions, has_format, wanted
 from robosmi.transformations.m2m.width_wants import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, Want
-from robosmi.transformations.queries.expansion import TextPlace
+from robosmi.transformations.queries.macro_definitions import TextPlace
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number
 from robosmi.transformations.queries.typed import NumberKind, TypedExpression
 from robosmi.typed import in_threes, paired

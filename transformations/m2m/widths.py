@@ -23,7 +23,7 @@ from robosmi.transformations.m2m.width_changes import WidthEdit, Writer
 from robosmi.transformations.m2m.width_formats import handing_on
 from robosmi.transformations.m2m.width_rules import Walk
 from robosmi.transformations.m2m.width_wants import Want
-from robosmi.transformations.queries.expansion import TextPlace
+from robosmi.transformations.queries.macro_definitions import TextPlace
 from robosmi.transformations.queries.numbers import Machine
 from robosmi.transformations.queries.typed import TypedExpression, deep_calls
 from robosmi.transformations.queries.width_types import retyped, retyped_words

@@ -10,115 +10,19 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Mapping, Sequence
 
-from msgspec import Struct
-
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, tokens
+from robosmi.transformations.queries.macro_definitions import Definition, Frame, MacroToken, Path, TextPlace, definition_of
 from robosmi.typed import paired
 
 MOST_TOKENS = 400_000
 """Tokens of an expanded text; what would become longer is left as it is."""
-REST = "__VA_ARGS__"
-"""What stands for the arguments that a macro with `...` is given besides the named ones."""
 MOST_TOKENS_OF_A_NUMBER = 2_000
 """Tokens of a short text, such as what a macro gives for a number."""
 DEEPEST = 400
 """Macros within macros; a use that needs more is left as it is."""
 _DEEP = 100
 """Macros within macros from which on a token counts more than once, as its way back takes room."""
-
-
-class TextPlace(Struct, frozen=True):
-    """A range of a unit's text.
-
-    Attributes:
-        unit: path of the unit.
-        start, end: byte offsets.
-        body: it lies in the body of a macro, so that each use of the macro has it.
-    """
-
-    unit: str
-    start: int
-    end: int
-    body: bool = False
-
-
-class Frame(Struct, frozen=True):
-    """Where a token, or the use of a macro that it comes out of, is written: unit, range, and whether in a macro's body."""
-
-    unit: str
-    start: int
-    end: int
-    body: bool
-
-
-Path = tuple[Frame, ...]
-"""The use in the file, the place in its macro's body, the place in the argument for it, and so on to the token itself."""
-
-
-class MacroToken(Struct, frozen=True):
-    """A token with its way back."""
-
-    kind: str
-    text: str
-    path: Path
-
-
-class Definition(Struct):
-    """A macro: its parameters (None for one without parentheses) and its body's tokens, with their places."""
-
-    name: str
-    parameters: list[str] | None
-    body: list[Token]
-    unit: str
-    offset: int
-    variadic: bool = False
-
-
-def definition(unit: str, data: bytes, start: int, end: int) -> Definition | None:
-    """The macro that a directive defines.
-
-    Args:
-        unit: path of the unit.
-        data: its bytes.
-        start, end: range of the directive.
-    """
-    mark = data.find(b"#", start, end)
-    behind = mark + 1 if mark >= 0 else start + 2
-    words = [t for t in tokens(b" " + data[behind:end]) if t[0] != "comment"]
-    if len(words) < 2 or words[0][3] != "define" or words[1][0] != "name":
-        return None
-    found = [(k, a + behind - 1, b + behind - 1, t) for k, a, b, t in words[1:]]
-    name, rest = found[0], found[1:]
-    parameters: list[str] | None = None
-    variadic = False
-    if rest and rest[0][3] == "(" and rest[0][1] == name[2]:
-        close = next((i for i, t in enumerate(rest) if t[3] == ")"), None)
-        if close is None:
-            return None
-        parameters = [t[3] for t in rest[1:close] if t[0] == "name"]
-        texts = [t[3] for t in rest[1:close]]
-        variadic = texts[-1:] == ["..."]
-        if variadic and texts[-2:-1] in ([], [","]):  # else its last name is the one of GNU's `args...`
-            parameters.append(REST)
-        rest = rest[close + 1 :]
-    return Definition(name[3], parameters, rest, unit, name[1], variadic)
-
-
-def macros_of(units: Sequence[ccode.SourceUnit], copies: Mapping[str, bytes]) -> dict[str, list[Definition]]:
-    """The macros of a program by name, in the order of its units and lines.
-
-    Args:
-        units: of the program.
-        copies: path of a unit -> its bytes.
-    """
-    found: dict[str, list[Definition]] = {}
-    for unit in units:
-        for macro in unit.macros:
-            made = definition(unit.path, copies[unit.path], macro.startOffset, macro.endOffset)
-            if made is not None:
-                found.setdefault(made.name, []).append(made)
-    return found
 
 
 class MacroTexts:
@@ -140,18 +44,12 @@ class MacroTexts:
         while pending:
             name = pending.pop()
             if name in self._macros and name not in self._known:
-                self._known[name] = [made] if (made := _definition_of(self._macros[name])) is not None else []
+                self._known[name] = [made] if (made := definition_of(self._macros[name])) is not None else []
                 words = [token[3] for each in self._known[name] for token in each.body]
                 pending += self._macros if "##" in words else words  # it may make the name of any
         starts = (start for kind, start, _, word in found if kind == "name" and word in self._macros)
         whole = Expanded("", data, found, starts, self._known, MOST_TOKENS_OF_A_NUMBER)
         return whole.data.decode("latin-1").strip() if whole.whole else None
-
-
-def _definition_of(macro: ccode.Macro) -> Definition | None:
-    parameters = f"({', '.join(macro.parameters)})" if macro.functionLike else ""
-    data = f"#define {macro.name}{parameters} {macro.body or ''}".encode("latin-1", "replace")
-    return definition("macros", data, 0, len(data))
 
 
 class Expanded:

@@ -17,8 +17,9 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.argument_places import TokenText, bare
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.expansion import Expanded, Path, TextPlace, expanded_unit, macros_of
+from robosmi.transformations.queries.expansion import Expanded, expanded_unit
 from robosmi.transformations.queries.flow_reader import FlowReader, view_text
+from robosmi.transformations.queries.macro_definitions import Path, TextPlace, macros_of
 from robosmi.transformations.queries.port_macros import body_names, follow_argument
 from robosmi.transformations.queries.value_flows import PinArgument
 

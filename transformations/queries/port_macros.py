@@ -14,8 +14,8 @@ from robosmi.transformations.knowledge.lexer import Token
 from robosmi.transformations.queries.argument_places import TokenText, bare
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.constant_text import c_integer
-from robosmi.transformations.queries.expansion import REST
 from robosmi.transformations.queries.flow_reader import FlowReader
+from robosmi.transformations.queries.macro_definitions import REST
 from robosmi.transformations.queries.pin_uses import pin_number
 from robosmi.transformations.queries.tokens import names_in
 from robosmi.transformations.queries.value_flows import PinArgument

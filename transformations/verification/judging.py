@@ -94,7 +94,11 @@ def _beside(
         others = [each for each in found if each.channel != CONSOLE_CHANNEL]
         found = (*others, ChannelComparison(CONSOLE_CHANNEL, DIFFERENT, speed))
     pin = foreign_pin(source, target, ports)
-    return found if pin is None else (*found, ChannelComparison(pin.channel, DIFFERENT, pin))
+    if pin is None:
+        return found
+    first_ms = min((each.difference.at_ms for each in found if each.difference is not None), default=0.0)
+    pin = replaced(pin, at_ms=max(pin.at_ms, first_ms))  # what the robot lacks tells more than a level where nothing is
+    return (*found, ChannelComparison(pin.channel, DIFFERENT, pin))
 
 
 def ended_badly(runs: SourceRuns) -> bool:

@@ -11,7 +11,8 @@ from collections.abc import Collection, Mapping, Sequence
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.queries.expansion import Definition, Expanded, TextPlace, expanded_unit
+from robosmi.transformations.queries.expansion import Expanded, expanded_unit
+from robosmi.transformations.queries.macro_definitions import Definition, TextPlace
 from robosmi.transformations.queries.numbers import Machine, Number
 from robosmi.transformations.queries.typed import NumberKind, TypedExpression, deep_calls
 from robosmi.transformations.t2m.c_source import clang, cursor_kinds, type_kinds
