@@ -1,6 +1,6 @@
-"""Constraints on numbers that a program keeps in types which are no numbers: pointers and enumerations have fewer bits there.
+"""Constraints on numbers in types that no change of text widens: pointers, enumerations, long double, what the library takes.
 
-Widths of numbers are kept by changes of text (`m2m.widths`); a pointer and an enumeration have the target's width in any case.
+Widths of numbers are kept by changes of text (`m2m.widths`); these types have the target's width in any case.
 """
 
 from __future__ import annotations
@@ -10,11 +10,20 @@ from collections.abc import Iterator
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.constraints.code_move import Move, move, moved, place, the_move, together
-from robosmi.transformations.queries.expression_type import expectations, of_use
-from robosmi.typed import distinct
+from robosmi.transformations.queries.expression_type import expectations, of_use, parse
+from robosmi.transformations.queries.signature_text import function_type
+from robosmi.transformations.queries.type_sizes import TypeSizes
+from robosmi.typed import distinct, paired
 from robosmi.validate import Fail
 
+_LONG_DOUBLE = "long double"
+_BYTES = frozenset(["memset", "memchr", "strchr", "strrchr"])
+"""Functions of the standard library that make a character of the int that they take (ISO/IEC 9899:1999, 7.21)."""
+
 units = moved.context(ccode.SourceUnit, guard=lambda _: (m := move()) is not None and m.there.pointer_bits < m.here.pointer_bits)
+
+narrower = moved.context(ccode.SourceUnit, guard=lambda _: (m := move()) is not None and m.narrower)
+shorter = moved.context(ccode.SourceUnit, guard=lambda _: (m := move()) is not None and _long_double(m)[1] < _long_double(m)[0])
 
 
 @units.constraint(
@@ -52,3 +61,69 @@ def _in_enumerations(m: Move, unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Lo
         value = m.ranges.of(expression)
         if value is not None and value.single and not value.within(0, max(most, (1 << m.there.int_bits - 1) - 1)):
             yield expression, value.low, f"the enumeration '{declared.name}'" if declared.name else "an enumeration"
+
+
+@shorter.constraint(
+    id="RS338",
+    severity=Severity.warning,
+    location=place,
+    advice="see that about 7 digits are enough, or compute in whole numbers",
+)
+def KeepsItsPrecision(unit: ccode.SourceUnit) -> bool | Fail:
+    """No long double is declared or measured whose digits the target does not keep."""
+    m = the_move()
+    uses = (use for use in m.view(unit).of_kind(ccode.TypeUse) if _is_long_double(use) and not use.pointerDepth)
+    found = distinct(one for use in uses if isinstance(one := use.eContainer(), ccode.Located))
+    here, there = _long_double(m)
+    return not found or together(f"long double has {there} bytes on the target, not {here}: numbers keep fewer digits", found)
+
+
+def _long_double(m: Move) -> tuple[int, int]:
+    """The bytes of a long double on source and target."""
+    return TypeSizes(m.source).plain[_LONG_DOUBLE], TypeSizes(m.target).plain[_LONG_DOUBLE]
+
+
+def _is_long_double(use: ccode.TypeUse) -> bool:
+    kind = of_use(use)
+    return kind is not None and kind.base == _LONG_DOUBLE and not kind.depth
+
+
+@narrower.constraint(
+    id="RS339",
+    severity=Severity.warning,
+    location=place,
+    advice="hand over a smaller number, or keep it in a variable of 32 bits",
+)
+def TakesTheNumber(unit: ccode.SourceUnit) -> bool | Fail:
+    """No number is handed to a function of the target's own library whose parameter has not the bits for it."""
+    found = list(_handed(the_move(), unit))
+    said = ", ".join(distinct(f"{value} to {name}" for _, value, name in found))
+    return not found or together(
+        f"numbers are handed to functions of the standard library that take {the_move().there.int_bits} bits on the target, "
+        f"and are cut: {said}",
+        [element for element, _, _ in found],
+    )
+
+
+def _handed(m: Move, unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Located, int, str]]:
+    """Arguments that the target's library cuts, with value and name of the function."""
+    view = m.view(unit)
+    widened = {str(each.sourceType) for each in m.target.widerNames} if m.fixed else set()
+    for name, function in view.called().items():
+        entry = function.entry
+        if (
+            entry is None
+            or view.api.kind_of(entry) != "standard"
+            or name in m.served | widened | _BYTES
+            or "(*" in entry.parameters
+        ):
+            continue
+        kinds = [parse(p) for p in function_type(view.api.signature(name, entry)).parameters]
+        for call in (*function.calls, *function.made):
+            for argument, kind in paired(call.arguments, kinds, strict=False):
+                number = m.there.number(kind.base) if kind is not None and not kind.depth else None
+                if number is None or number.real or number.fixed or number.bits > m.there.int_bits:
+                    continue
+                value = m.ranges.of(argument)
+                if value is not None and value.single and not value.within(-(1 << number.bits - 1), number.most):
+                    yield argument, value.low, name

@@ -21,6 +21,8 @@ _TEXT = re.compile(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)
 _OCTET = 8
 _READS_WORDS = 32
 """A processor whose int has so many bits reads words, and puts values at multiples of their size."""
+_LONG_DOUBLE = 8
+"""Bytes that GCC gives a long double at least where it computes in words, even if a double has 4; else it is a double."""
 _FIXED = {
     "char": 1, "signed char": 1, "unsigned char": 1, "bool": 1, "short": 2, "unsigned short": 2, "short int": 2, "float": 4,
     "long long": 8, "unsigned long long": 8, "long long int": 8,
@@ -49,7 +51,7 @@ class TypeSizes:
         whole, long, double = integer or self._integer, int(model.longBits) // _OCTET, int(model.doubleBits) // _OCTET
         self.plain = {
             **_FIXED, "int": whole, "unsigned int": whole, "long": long, "unsigned long": long, "long int": long,
-            "double": double, "long double": double,
+            "double": double, "long double": double if self._integer * _OCTET < _READS_WORDS else max(double, _LONG_DOUBLE),
         }  # fmt: skip
         self.declared: dict[str, int] = {}
 
