@@ -16,13 +16,14 @@ from collections.abc import Callable, Iterable
 from functools import cache
 from importlib.machinery import PathFinder
 from types import ModuleType
-from typing import Any, Protocol
+from typing import Any
 
 from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import InternalError, MissingToolError, RuleError, UsageError, did_you_mean
+from robosmi.offers import Offered, PluginOffer
 from robosmi.typed import class_name, distinct, dynamic_attribute
 
 ENTRY_POINTS = "robosmi.transformations"
@@ -174,6 +175,10 @@ class Registry:
         """`module:attribute` of everything of that kind and name, in the order in which it was offered."""
         first = self.entries.get(kind, {}).get(name)
         return [] if first is None else distinct([first, *self.more.get((kind, name), ())])
+
+    def owner(self, kind: str, name: str) -> str:
+        """The distribution of the plug-in that offers the content of that kind and name; empty for what is built in."""
+        return self.providers.get(self.entries.get(kind, {}).get(name, ""), "")
 
     def provider(self, module: str) -> str:
         """The distribution whose plug-in has that module (`package.module`); empty for what is built in."""
@@ -380,14 +385,8 @@ def plugin_findings() -> list[Finding]:
     ]
 
 
-class Offered(Protocol):
-    """A function that content offers under a name; what it takes and makes is agreed for its kind."""
-
-    def __call__(self, *arguments: object, **options: object) -> Any:
-        """What it makes."""
-
-
 def content(kind: str, name: str) -> Offered:
-    """Shorthand for `registry().get(kind, name)` where that is called."""
+    """As `registry().get(kind, name)`, where that is called: a mistake in the call of a plug-in's function is told as its own."""
     found: Offered = registry().get(kind, name)
-    return found
+    owner = registry().owner(kind, name)
+    return PluginOffer(found, kind, name, owner) if owner else found

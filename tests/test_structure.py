@@ -34,6 +34,7 @@ FOUNDATION = (
     "functions",
     "user_folders",
     "resources",
+    "offers",
     "plugins",
     "project",
     "inputs",

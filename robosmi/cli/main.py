@@ -35,6 +35,7 @@ from robosmi.errors import (
     UsageError,
     did_you_mean,
 )
+from robosmi.plugins import plugin_findings
 from robosmi.quoting import json_text, terminal
 from robosmi.typed import attribute_of
 
@@ -209,7 +210,6 @@ class _Parsed(argparse.Namespace):
 
 
 def _run(parsed: _Parsed) -> int:
-    from robosmi.plugins import plugin_findings
     from robosmi.report import takes_colour, terminal_text
 
     sarif_file.check_file(parsed.sarif)
@@ -232,11 +232,13 @@ def _run(parsed: _Parsed) -> int:
 def _failed(error: RobosmiError, command: str, as_json: bool, started: float, sarif: Path | None) -> int:
     rule = next(rule for kind, rule in ERROR_RULES if isinstance(error, kind))
     finding = Finding(rule, Severity.error, error.message, error.location, fix=error.fix)
+    plugins = plugin_findings()  # what is missing may be what one of them was to bring
     if sarif is not None:
-        sarif_file.write_failure(command or "robosmi", finding, sarif, error.exit_code)
+        sarif_file.write_failure(command or "robosmi", [finding, *plugins], sarif, error.exit_code)
     if as_json:
         document = {
-            "schema": "robosmi/1", "command": command, "ok": False, "result": None, "findings": [finding.to_json()], "tasks": [],
+            "schema": "robosmi/1", "command": command, "ok": False, "result": None,
+            "findings": [each.to_json() for each in (finding, *plugins)], "tasks": [],
             "artifacts": [], "timings": {"total_s": round(time.perf_counter() - started, 6)},
         }  # fmt: skip
         with suppress(SourceError):  # the message below has to do
@@ -245,6 +247,9 @@ def _failed(error: RobosmiError, command: str, as_json: bool, started: float, sa
     streams.complain(_lines(f"robosmi: error: {place}{error.message}"))
     if error.fix:
         streams.complain(_lines(f"  do: {error.fix}"))
+    for each in plugins:
+        streams.complain(_lines(f"robosmi: {each.severity.name}: {each.message} [{each.rule}]"))
+        streams.complain(_lines(f"  do: {each.fix}"))
     return error.exit_code
 
 

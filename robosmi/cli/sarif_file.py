@@ -81,9 +81,9 @@ def write_file(report: Report, path: Path, exit_code: int, about: Path | None = 
     report.artifacts.append({"path": str(path), "kind": "sarif"})
 
 
-def write_failure(command: str, finding: Finding, path: Path, exit_code: int) -> None:
-    """Write the error that stopped a command; where that cannot be written, the message on the terminal has to do."""
-    report = Report(command, findings=[finding], ok=False)
+def write_failure(command: str, findings: list[Finding], path: Path, exit_code: int) -> None:
+    """Write the error that stopped a command, and warnings; where that cannot be written, the terminal has to do."""
+    report = Report(command, findings=findings, ok=False)
     try:
         check_file(path)
         write_file(report, path, exit_code, Path.cwd())

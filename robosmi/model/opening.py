@@ -11,11 +11,14 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
+from msgspec import Struct
+
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
 from robosmi.model.driver import Model
-from robosmi.plugins import load, registry
+from robosmi.offers import Offered, PluginOffer, wrong_result
+from robosmi.plugins import content, load, registry
 
 V = TypeVar("V")
 _DRIVERS = {
@@ -64,25 +67,44 @@ def driver_of(file: Path, driver: str | None = None) -> Callable[..., Model]:
         SourceError: no driver takes the file, or it cannot be read.
     """
     offered = registry().entries.get("driver", {})
-    if driver is not None:
-        target = offered.get(driver) or _DRIVERS.get(driver)
-        if target is None or driver.startswith((".", "/")):
-            raise UsageError(
-                f"no driver is called '{driver}'{did_you_mean(driver, drivers())}", fix=f"use one of: {', '.join(drivers())}"
-            )
-        return load(target)  # type: ignore[no-any-return]
-    if file.is_dir():
-        marked = (place for key, place in offered.items() if key.startswith("/") and (file / key[1:]).is_file())
-        return load(next(marked, _DRIVERS["rows"]))  # type: ignore[no-any-return]
-    known = endings()
-    target = known.get(file.suffix.lower()) or _by_content(file)
-    if target is None:
+    if driver is not None and (driver not in {*offered, *_DRIVERS} or driver.startswith((".", "/"))):
+        raise UsageError(
+            f"no driver is called '{driver}'{did_you_mean(driver, drivers())}", fix=f"use one of: {', '.join(drivers())}"
+        )
+    ending, known = file.suffix.lower(), endings()
+    key = driver
+    if driver is None and file.is_dir():
+        key = next((key for key in offered if key.startswith("/") and (file / key[1:]).is_file()), "rows")
+    elif driver is None:
+        key = ending if ending in offered else _ENDINGS.get(ending) or _by_content(file)
+    if key is None:
         raise SourceError(
             f"no driver takes a '{file.suffix or file.name}' file",
             location=Location(str(file)),
             fix=f"name a driver ({', '.join(drivers())}), or give one of: {', '.join(sorted(known))}",
         )
-    return load(target)  # type: ignore[no-any-return]
+    return _driver(key)
+
+
+def _driver(key: str) -> Callable[..., Model]:
+    """The driver of that name, ending or marking file; one of a plug-in is held to give a `Model`."""
+    if key not in registry().entries.get("driver", {}):
+        return load(_DRIVERS[key])  # type: ignore[no-any-return]
+    offered = content("driver", key)
+    return _OfPlugin(offered) if isinstance(offered, PluginOffer) else offered
+
+
+class _OfPlugin(Struct, frozen=True):
+    """A driver that a plug-in offers."""
+
+    driver: Offered
+
+    def __call__(self, path: Path, name: str | None = None, **options: object) -> Model:
+        """The model that it opens."""
+        model = self.driver(path, name, **options)
+        if not isinstance(model, Model):
+            raise wrong_result(self.driver, model, "a Model", path)
+        return model
 
 
 def _by_content(file: Path) -> str | None:
@@ -90,5 +112,5 @@ def _by_content(file: Path) -> str | None:
 
     start = read_input(file, "model", inputs.MODEL)[:2000]
     if b"http://www.omg.org/XMI" in start:
-        return _DRIVERS["emf"]
-    return _DRIVERS["xml"] if start.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<") else None
+        return "emf"
+    return "xml" if start.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<") else None

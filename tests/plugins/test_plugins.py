@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from robosmi.offers import FORMS
 from robosmi.plugins import others_may_offer
 
 HERE = Path(__file__).parent
@@ -165,7 +166,7 @@ def test_a_reader_that_gives_no_circuit_is_a_fault_of_its_plug_in(given: str, tm
     (tmp_path / "robot.failing").write_text("x")
     path = installed(tmp_path, "checks")
     (finding,) = command("hardware", tmp_path / "robot.failing", path=path, code=3, CHECKS_PLUGIN=given)["findings"]
-    assert finding["message"].startswith("the drawing reader of the plug-in checks 2.1 gives ")
+    assert finding["message"].startswith("the drawing reader 'failing' of the plug-in checks 2.1 gives ")
     assert finding["fix"].startswith("report it to the authors of checks: ")
     assert finding["location"]["path"].endswith("robot.failing")
 
@@ -218,3 +219,81 @@ def test_whether_others_offer_something_is_seen_at_a_glance(name: str, text: str
 def test_an_archive_on_the_path_may_offer_something(tmp_path: Path) -> None:
     (tmp_path / "all.zip").write_bytes(b"")
     assert others_may_offer([str(tmp_path / "all.zip")])
+
+
+WRONG_OFFERS = [
+    (
+        "generator=arduino_sketch=takes_one",
+        "cannot be called as it has to be: takes_one() takes 1 positional argument but 2 were given",
+    ),
+    ("generator=arduino_sketch=gives_nothing", "gives None, not a Generation"),
+    (
+        "drawing reader=pin_table=takes_one",
+        "cannot be called as it has to be: takes_one() got an unexpected keyword argument 'roles'",
+    ),
+    ("drawing reader=pin_table=text", "cannot be called as it has to be: 'str' object is not callable"),
+    ("program reader=c_source=gives_nothing", "gives None, not a program and its findings"),
+]
+"""What the plug-in `wrong` offers, and what is said of it."""
+
+
+@pytest.mark.parametrize(("offered", "said"), WRONG_OFFERS)
+def test_what_a_plug_in_offers_in_the_wrong_form_is_named_with_the_form_expected(offered: str, said: str, tmp_path: Path) -> None:
+    path = installed(tmp_path, "wrong")
+    kind, name, _ = offered.split("=")
+    (tmp_path / "wired.csv").write_text("pin,part\nD3,Red LED\nD5,Pushbutton\n")
+    shutil.copy(PROGRAM, tmp_path / "beacon.c")
+    words: list[str | Path] = ["migrate", tmp_path / "beacon.c", "--hardware", tmp_path / "wired.csv", "-o", tmp_path / "out"]
+    finding = command(*words, path=path, code=3, WRONG_PLUGIN=offered)["findings"][0]
+    assert finding["message"] == f"the {kind} '{name}' of the plug-in wrong 0.2 {said}"
+    assert finding["fix"] == f"report it to the authors of wrong: {FORMS[kind]}"
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        ("HasNoTypes", "cannot be called as it has to be: Can't instantiate abstract class HasNoTypes "),
+        ("TakesNoName", "cannot be called as it has to be: "),
+        ("gives_a_text", "gives 'no function at all', not a Model"),
+    ],
+)
+def test_a_driver_in_the_wrong_form_is_named_with_the_form_expected(wrong: str, said: str, tmp_path: Path) -> None:
+    path = installed(tmp_path, "wrong")
+    (tmp_path / "robots.wrong").write_text("x")
+    words: list[str | Path] = ["check", tmp_path / "robots.wrong"]
+    (finding,) = command(*words, path=path, code=3, WRONG_PLUGIN=f"driver=.wrong={wrong}")["findings"]
+    assert finding["message"].startswith(f"the driver '.wrong' of the plug-in wrong 0.2 {said}")
+    assert finding["fix"] == f"report it to the authors of wrong: {FORMS['driver']}"
+
+
+def test_a_wrong_call_within_the_code_of_a_plug_in_is_told_at_its_line(tmp_path: Path) -> None:
+    path = installed(tmp_path, "wrong")
+    (tmp_path / "wired.csv").write_text("pin,part\n")
+    words: list[str | Path] = ["hardware", tmp_path / "wired.csv"]
+    finding = command(*words, path=path, code=3, WRONG_PLUGIN="drawing reader=pin_table=raises")["findings"][0]
+    assert finding["message"].startswith("the plug-in wrong 0.2 raised TypeError: ")
+    assert finding["location"]["path"].endswith("wrong_plugin.py")
+
+
+def test_why_a_plug_in_is_missing_is_said_where_a_command_fails_for_want_of_it(tmp_path: Path) -> None:
+    path = installed(tmp_path, "broken")
+    (tmp_path / "robot.dots").write_text("x")
+    commands: list[list[str | Path]] = [
+        ["hardware", tmp_path / "robot.dots"],
+        ["check", tmp_path / "robot.dots"],
+        ["migrate", PROGRAM, "--hardware", tmp_path / "robot.dots", "-o", tmp_path / "out"],
+    ]
+    for words in commands:
+        failed, broken = command(*words, path=path, code=3)["findings"]
+        assert failed["severity"] == "error"
+        assert broken["rule"] == "RS908"
+        assert "a_package_that_nobody_has" in broken["message"]
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(path), str(ROOT)])}
+    line = [sys.executable, "-m", "robosmi", "hardware", "robot.dots", "--sarif", "found.sarif"]
+    done = subprocess.run(line, capture_output=True, text=True, env=environment, cwd=tmp_path)
+    assert "no drawing reader takes a '.dots' file" in done.stderr
+    assert "robosmi: warning: the plug-in broken 0.3 ('broken_plugin:register') cannot be loaded: " in done.stderr
+    assert "do: mend, update or uninstall broken" in done.stderr
+    told = [result["ruleId"] for result in json.loads((tmp_path / "found.sarif").read_text())["runs"][0]["results"]]
+    assert "RS908" in told

@@ -24,7 +24,7 @@ from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.manifest import Guarded, Manifest, held_back, hidden, reformed_file
 from robosmi.generate.places import Places, free_name
 from robosmi.generate.record import Record
-from robosmi.generate.result import TextLink
+from robosmi.generate.result import FileChange, TextLink
 from robosmi.generate.text_form import read
 from robosmi.generate.undo import keep_before
 from robosmi.metamodels import migration, trace
@@ -34,6 +34,7 @@ from robosmi.model.recovery import at_work, look_only
 from robosmi.model.strict import Element
 from robosmi.model.xml_comments import comments_lost
 from robosmi.model.xml_comments import told as told_of_comments
+from robosmi.offers import wrong_result
 from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.recommend.history import History, HistoryEntry
@@ -179,23 +180,30 @@ def produce(
             fix="decide with --bind and --library or in robosmi.toml, or leave out --strict",
         )
     generator = content("generator", str(target_of(plan).generator))
+
+    def generate() -> Generation:
+        made: object = generator(plan, models.files)
+        if isinstance(made, Generation) and all(isinstance(file, FileChange) for file in made.files):
+            return made
+        raise wrong_result(generator, made, "a Generation")
+
     if dry_run:
         look_only(output)
     with nullcontext() if dry_run else at_work(output):
         manifest, places = Manifest.load(output), Places(output)
-        made: Generation = generator(plan, models.files)
+        made = generate()
         if tell_refused(plan, {file.name: file.after or "" for file in made.files}, models.files):
-            made = generator(plan, models.files)
+            made = generate()
         hand = by_hand(
             plan, places, {file.name: file.after or "" for file in made.files}, Record(places.folder, LAST, manifest.files)
         )
         if hand.names or hand.done or hand.values:
-            made = generator(plan, models.files)
+            made = generate()
         texts = {file.name: file.after or "" for file in made.files}
         kept = keep_texts(places, LAST, texts, manifest.files, hand.base)
         before, plan.build = plan.build, built(output, plan.name, kept.files)
         if show_conflicts(plan, kept.files, texts) or plan.build is not None or before is not None:
-            made = generator(plan, models.files)
+            made = generate()
             hand.findings.clear()
             texts = {file.name: file.after or "" for file in made.files}
             kept = keep_texts(places, LAST, texts, manifest.files, hand.base)

@@ -14,7 +14,8 @@ from robosmi import inputs
 from robosmi.data_text import Json, as_texts
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, did_you_mean
-from robosmi.plugins import Offered, content, registry
+from robosmi.offers import Offered
+from robosmi.plugins import content, registry
 from robosmi.project import defaults, defaults_place
 
 DRAWING = "drawing reader"

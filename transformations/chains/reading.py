@@ -5,14 +5,14 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from msgspec import Struct
 
 from robosmi import resources
 from robosmi.diagnostics import Finding, Location
-from robosmi.errors import RuleError, SourceError, UsageError, did_you_mean
-from robosmi.plugins import registry
+from robosmi.errors import SourceError, UsageError, did_you_mean
+from robosmi.offers import Offered, wrong_result
 from robosmi.transformations.chains.readers import DRAWING, reader_for
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.described_circuit import describe
@@ -20,6 +20,7 @@ from robosmi.transformations.m2m.connector_mapping import map_connectors
 from robosmi.transformations.queries.circuit import boards
 from robosmi.typed import paired
 
+M = TypeVar("M")
 HEADERS_ONLY, NO_BOARD = "RS219", "RS229"
 """Rules by which readers say that a schematic has no board: it seems to be drawn as headers, or there is none."""
 
@@ -43,14 +44,14 @@ def read_program(
         if os.path.realpath(path) in seen:
             raise UsageError(f"'{path}' is given twice", fix="give each source file once")
         seen.add(os.path.realpath(path))
-        if reader is not readers[0]:
+        if reader != readers[0]:
             raise SourceError(
                 "this file is in another language than the first", location=Location(str(path)), fix="give files of one language"
             )
-    program: ccode.Program
-    findings: list[Finding]
-    program, findings = readers[0](paths, platform=platform_name, include_dirs=include_dirs, defines=defines)
-    return program, findings
+    from robosmi.metamodels import ccode
+
+    made = readers[0](paths, platform=platform_name, include_dirs=include_dirs, defines=defines)
+    return _read(made, readers[0], ccode.Program, paths[0])
 
 
 def check_source_platform(name: str) -> None:
@@ -100,8 +101,10 @@ def read_drawing(path: Path, roles: Mapping[str, str], board_name: str | None = 
         UsageError: a role or component does not exist.
         RuleError: its reader gives something else than a circuit and findings.
     """
+    from robosmi.metamodels import hardware  # programs without a drawing need none
+
     reader = reader_for(path, DRAWING)
-    circuit, findings = _read(reader(path, roles=roles, board=board_name), reader, path)
+    circuit, findings = _read(reader(path, roles=roles, board=board_name), reader, hardware.Circuit, path)
     describe(circuit)
     models: dict[str, platform.Board] = {}
     for board in boards(circuit):
@@ -111,20 +114,11 @@ def read_drawing(path: Path, roles: Mapping[str, str], board_name: str | None = 
     return Drawing(circuit, models, connections, [*findings, *odd])
 
 
-def _read(made: object, reader: object, path: Path) -> tuple[hardware.Circuit, list[Finding]]:
-    """What a reader of drawings gave, if it is what a reader has to give."""
-    from robosmi.metamodels import hardware  # programs without a drawing need none
-
+def _read(made: object, reader: Offered, kind: type[M], path: Path) -> tuple[M, list[Finding]]:
+    """What a reader gave, if it is what a reader has to give: a model of that kind, and findings."""
     match made:
-        case (hardware.Circuit() as circuit, [*given]):
+        case (model, [*given]) if isinstance(model, kind):
             findings = [each for each in given if isinstance(each, Finding)]
             if len(findings) == len(given):
-                return circuit, findings
-    module = str(reader.__module__)
-    owner = registry().provider(module)
-    whose = f"the plug-in {owner}" if owner else module
-    raise RuleError(
-        f"the drawing reader of {whose} gives {made!r:.60}, not a circuit and its findings",
-        location=Location(str(path)),
-        fix=f"report it to the authors of {owner.partition(' ')[0] or module}: it has to return (Circuit, list of Finding)",
-    )
+                return model, findings
+    raise wrong_result(reader, made, f"a {kind.__name__.lower()} and its findings", path)
