@@ -81,7 +81,9 @@ def _long_pause(held: list[tuple[float, float]]) -> float:
 
 
 def let_go_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
-    """When a line is driven low and when it is let go, of a program that never drives it high: others may pull it up.
+    """When a line is driven low and when it is let go, up to where the program drives it high, if it does: others may pull it up.
+
+    What comes later changes nothing about what was before, since the two sides need not be seen for equally long.
 
     Args:
         trace: what was seen.
@@ -92,13 +94,16 @@ def let_go_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
         rests, or where a timer makes a wave at it.
     """
     changes = trace.levels(pin)
+    waves = [wave.at_us for wave in trace.waves if wave.pin == pin and wave.hz > 0]
+    high_us = min([*waves, *(at_us for at_us, level in changes if level == 1)], default=inf)
     driven = next((number for number, (_, level) in enumerate(changes) if level == 0), len(changes))
     found = [ActivityEvent(0.0, LEVEL, (LET_GO,))]
-    waves = any(wave.pin == pin for wave in trace.waves)
-    if waves or any(level == 1 for _, level in changes) or not any(level != 0 for _, level in changes[driven:]):
+    if not any(level != 0 and at_us < high_us for at_us, level in changes[driven:]):
         return found
     ends = [at_us for at_us, _ in changes[driven + 1 :]]
     for number, (at_us, level) in enumerate(changes[driven:]):
+        if at_us >= high_us:
+            break
         lasts_us = ends[number] - at_us if number < len(ends) else _OFTEN_US
         value = DRIVEN_LOW if level == 0 else LET_GO
         if lasts_us >= _SHORTEST_US and found[-1].value != (value,):

@@ -120,3 +120,32 @@ def test_pins_that_are_driven_and_read_back_are_compared(change: str, tmp_path: 
     if told:
         assert outcome.result["first_difference"]["channel"] == f"P{pin}, as it is driven"
         assert told in outcome.result["first_difference"]["message"]
+
+
+HIGH_LATER = """#include "simpletools.h"
+int main() {
+  set_output(6, 0);
+  for (int i = 0; i < 5; i++) {
+    set_direction(6, 1);
+    pause(50);
+    set_direction(6, 0);
+    pause(80);
+  }
+  int *first = (int *) 64;
+  print("%d\\n", *first);
+  high(6);
+  pause(5000);
+}
+"""
+
+
+@pytest.mark.parametrize("pause", [50, 54])
+def test_a_line_that_is_driven_high_behind_the_end_of_the_source_is_compared_before_that(pause: int, tmp_path: Path) -> None:
+    require_verification("simavr")
+    (tmp_path / "p.c").write_text(HIGH_LATER)
+    (tmp_path / "s.toml").write_text("horizon_ms = 2000\n")
+    assert run("migrate", tmp_path / "p.c", "-o", tmp_path / "out", "--bind", "P6=D6").code in (0, 1)
+    sketch = tmp_path / "out" / "p" / "p.ino"
+    sketch.write_text(sketch.read_text().replace("pause(50)", f"pause({pause})"))
+    outcome = run("verify", tmp_path / "out", "--scenario", tmp_path / "s.toml", "--json")
+    assert outcome.result["verdict"] == ("not-decidable" if pause == 50 else "different"), outcome.result["first_difference"]

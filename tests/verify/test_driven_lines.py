@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from robosmi.verify.activity import HELD, ActivityEvent
 from robosmi.verify.alignment import alike
-from robosmi.verify.driven_lines import NO_MORE, held_levels
+from robosmi.verify.driven_lines import DRIVEN_LOW, LET_GO, NO_MORE, held_levels, let_go_levels
 from robosmi.verify.simulation import PinChange, PinTrace
 
 
@@ -15,6 +15,25 @@ def held(lengths: Iterable[tuple[float, int, float]], until_us: float = 0.0) -> 
     changes = [c for at, level, us in lengths for c in (PinChange(at, "D4", level), PinChange(at + us, "D4", "z"))]
     trace = PinTrace("e", "running", until_us or changes[-1].at_us + 2_000.0, tuple(changes), (), (), ())
     return [(event.at_us, int(event.value[0]), float(event.value[1])) for event in held_levels(trace, "D4")]
+
+
+def let_go(*changes: tuple[float, int | str]) -> list[str]:
+    """What is seen of a line that the program lets go: microseconds and levels."""
+    trace = PinTrace("e", "running", 9_000_000.0, tuple(PinChange(at, "D4", level) for at, level in changes), (), (), ())
+    return [str(event) for event in let_go_levels(trace, "D4")]
+
+
+def test_a_line_that_is_driven_high_later_was_let_go_all_the_same() -> None:
+    asked: list[tuple[float, int | str]] = [(0.0, "z"), (1000.0, 0), (51_000.0, "z"), (131_000.0, 0), (181_000.0, "z")]
+    seen = [LET_GO, DRIVEN_LOW, LET_GO, DRIVEN_LOW, LET_GO]
+    assert let_go(*asked) == seen
+    assert let_go(*asked, (261_000.0, 1), (300_000.0, 0), (400_000.0, "z")) == seen
+    assert let_go(*asked, (261_000.0, 0), (261_050.0, 1)) == seen
+
+
+def test_an_output_is_not_let_go() -> None:
+    assert let_go((0.0, "z"), (1000.0, 0)) == [LET_GO]
+    assert let_go((0.0, "z"), (1000.0, 0), (51_000.0, 1), (131_000.0, 0), (181_000.0, "z")) == [LET_GO]
 
 
 def test_a_sensor_that_is_charged_again_and_again_tells_one_length() -> None:
