@@ -256,6 +256,18 @@ def test_a_sketch_of_another_name_leaves_the_edited_one_and_says_so(migrated: Pa
     assert sketch.read_bytes() == kept, "the edit is merged again when the file is made again"
 
 
+def test_a_program_whose_sketch_has_the_name_of_another_program_s_is_said(tmp_path: Path, line_follower: Path) -> None:
+    first, second = line_follower.with_name("two words.c"), line_follower.with_name("two_words.c")
+    for each in (first, second):
+        each.write_text(line_follower.read_text())
+    folder = tmp_path / "shared"
+    assert again(first, folder).code == 0
+    assert not [f for f in again(first, folder).document["findings"] if f["rule"] == "RS526"]
+    (said,) = (f for f in again(second, folder).document["findings"] if f["rule"] == "RS526")
+    assert said["message"].startswith("the sketch 'two_words' was that of 'two words.c': this program takes its place")
+    assert not [f for f in again(second, folder).document["findings"] if f["rule"] == "RS526"]
+
+
 def test_a_sketch_that_gives_way_to_another_program_s_is_said(migrated: Path, line_follower: Path) -> None:
     other = line_follower.with_name("other.c")
     other.write_text(line_follower.read_text())

@@ -220,8 +220,13 @@ def _store_units(program: ccode.Program, taken: Collection[str]) -> dict[str, st
 
 
 def _sketch_name(main: ccode.Function) -> str:
-    """The sketch's name: that of the unit with main, as the target's tools allow it (letters, digits, underscores)."""
+    """The sketch's name: that of the unit with main, in letters, digits and underscores."""
     unit = ancestor_of_kind(main, ccode.SourceUnit)
-    stem = Path(unit.path).stem if unit is not None else ""
+    return sketch_name_of(Path(unit.path) if unit is not None else Path())
+
+
+def sketch_name_of(path: Path) -> str:
+    """The name of the sketch that a file with main becomes: the file's, as the target's tools allow it."""
+    stem = path.stem
     name = "".join(c if c.isascii() and (c.isalnum() or c == "_") else "_" for c in stem)
     return name if name[:1].isalnum() else f"sketch_{name}"
