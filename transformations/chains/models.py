@@ -26,6 +26,8 @@ from robosmi.typed import class_name
 
 PLAN, CODE, HARDWARE, PLATFORM = "plan.xmi", "code.xmi", "hardware.xmi", "platform.xmi"
 FOLDER = "models"
+LAST = ".robosmi/generated"
+"""Where the texts that were made last are kept, beside the models."""
 SKETCH_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_]*")
 """What the name of a sketch, and so of its folder and files, may be made of."""
 

@@ -43,9 +43,9 @@ from robosmi.transformations.chains.built import built
 from robosmi.transformations.chains.by_hand import by_hand
 from robosmi.transformations.chains.conflicts import show_conflicts
 from robosmi.transformations.chains.edited_plan import STORED, beside_choices, only_choices_differ
-from robosmi.transformations.chains.models import FOLDER, MigrationModels
-from robosmi.transformations.chains.program import sketch_name_of
+from robosmi.transformations.chains.models import FOLDER, LAST, MigrationModels
 from robosmi.transformations.chains.refused import tell_refused
+from robosmi.transformations.chains.replaced_programs import replaced_programs
 from robosmi.transformations.m2t.first_screen import Counted
 from robosmi.transformations.m2t.program_files import BENCH, ProgramGeneration
 from robosmi.transformations.m2t.terminal_text import terminal_lines
@@ -53,8 +53,6 @@ from robosmi.transformations.queries.plan import open_choices, plan_json, said, 
 from robosmi.transformations.queries.work import work_json
 from robosmi.typed import replaced
 
-LAST = ".robosmi/generated"
-"""Where the texts that were made last are kept, beside the models."""
 KINDS = {
     **dict.fromkeys((".ino", ".cpp", ".c"), "sketch"),
     ".h": "adapters",
@@ -218,7 +216,7 @@ def produce(
         obsolete = guarded.obsolete | kept.obsolete
         going = {name for name in obsolete if manifest.may_remove(name) and _made_by_runs(name)}
         kept.findings += [held_back(output / name) for name in sorted(obsolete - going) if not name.startswith(f"{LAST}/")]
-        kept.findings += [*_told(output, guarded), *_replaced(output, plan.name, going, contents)]
+        kept.findings += [*_told(output, guarded), *replaced_programs(output, plan.name, going, contents)]
         kept.old |= _with_comments(output, exempt, contents, kept.findings)
         by_person = {_key(c): c for c in plan.libraryChoices if c.chosenBy is migration.ChosenBy.person and c.chosen is not None}
         if not dry_run:
@@ -262,37 +260,6 @@ def _made_by_runs(name: str) -> bool:
     """Whether a migration can have made a file of that path: in a sketch's folder or the models' or among the last texts."""
     inner = name.removeprefix(f"{LAST}/")
     return "/" in inner and not hidden(inner)
-
-
-def _replaced(output: Path, name: str, going: Iterable[str], contents: Iterable[str]) -> list[Finding]:
-    """What a person is told of sketches of other programs in this folder, whose files go or become this program's."""
-    staying = {Path(path).name for path in contents}
-    sources = sorted(Path(path).name for path in going if path.startswith(f"{FOLDER}/source/"))
-    same = [each for each in sources if each.endswith(".c") and each not in staying and sketch_name_of(Path(each)) == name]
-    others = {path.partition("/")[0] for path in going} - {name, FOLDER, LAST.partition("/")[0]}
-    tried = [
-        Finding(
-            "RS526", Severity.warning, "the sketch that tries one component at a time is removed: this run was not asked for it",
-            Location(str(output / BENCH)), fix="migrate with --bench to keep it",
-        )
-        for _ in others & {BENCH}
-    ]  # fmt: skip
-    tried += [
-        Finding(
-            "RS526", Severity.warning,
-            f"the sketch '{name}' was that of '{each}': this program takes its place, with what was edited in it",
-            Location(str(output / name)),
-            fix="give each program an output folder of its own; `robosmi undo` brings the other back",
-        )
-        for each in same
-    ]  # fmt: skip
-    return tried + [
-        Finding(
-            "RS526", Severity.warning, f"the sketch '{other}' of an earlier run is removed: this run makes '{name}' here",
-            Location(str(output / other)), fix="give each program an output folder of its own",
-        )
-        for other in sorted(others - {BENCH})
-    ]  # fmt: skip
 
 
 def _no_input(models: MigrationModels, output: Path, contents: Mapping[str, bytes]) -> None:

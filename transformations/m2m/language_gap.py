@@ -47,12 +47,13 @@ def changes(view: CodeView, data: bytes, functions: Mapping[str, FunctionType], 
         view: the unit.
         data: its bytes.
         functions: what adapters take and give.
-        cplusplus: whether the target's language is C++; in C all stays but what the program nowhere defines, and assembler.
+        cplusplus: whether the target's language is C++; in C all stays but what the program nowhere defines, registers
+            that are only read, and assembler.
     """
     functions = {**_library(view), **functions}
     found: dict[tuple[int, int, str], Change] = {}
     rules = () if view.unit.language != "C" else RULES if cplusplus else shared_names.IN_C
-    for rule in (*rules, assembler):
+    for rule in (*rules, read_only_registers, assembler):
         for change in rule(view, data, functions):
             found.setdefault((change.element.startOffset, change.element.endOffset, change.rule), change)
     return list(found.values())
@@ -229,7 +230,6 @@ RULES: tuple[Rule, ...] = (
     _void_arithmetic,
     _sizes_of_characters,
     _name_of_main,
-    read_only_registers,
     *old_c.RULES,
     *shared_names.RULES,
 )
