@@ -55,6 +55,12 @@ def works(mark: str, stage: str) -> bool:
     return False
 
 
+def heed_signals() -> None:
+    """Take signals as a shell's foreground commands do: what runs in the background is started with some of them ignored."""
+    for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_DFL)
+
+
 @pytest.mark.skipif(not Path("/proc").is_dir(), reason="this system does not list its processes in /proc")
 @pytest.mark.parametrize("stage", ["avr-g", "/original", "robosmi.verify.worker"], ids=["compiling", "original", "simulating"])
 @pytest.mark.parametrize("name", ["SIGTERM", "SIGQUIT", "SIGINT"])
@@ -68,7 +74,9 @@ def test_it_ends_with_all_that_it_started(name: str, stage: str, made: Path, tmp
     elif stage == "/original":
         command += ["--scenario", str(made / "long.toml")]
     environment = os.environ | {"TMPDIR": str(place), "ROBOSMI_HOME": str(tmp_path / "home")}
-    with subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+    with subprocess.Popen(
+        command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, preexec_fn=heed_signals
+    ) as process:
         until = time.monotonic() + 90
         while not works(str(place), stage) and time.monotonic() < until and process.poll() is None:
             time.sleep(0.02)

@@ -87,6 +87,7 @@ def stand_in(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> StandIn:
     tool.write_text(f"#!{sys.executable}\n" + (Path(__file__).parent / "stand_in_avrdude.py").read_text())
     tool.chmod(tool.stat().st_mode | stat.S_IXUSR)
     monkeypatch.setenv("PATH", f"{folder}:{os.environ['PATH']}")
+    monkeypatch.setattr("robosmi.verify.upload.cache_dir", lambda: tmp_path / "cache")  # other tests use the same port meanwhile
     return StandIn(folder)
 
 
