@@ -30,6 +30,7 @@ from robosmi.transformations.knowledge.adapter_index import ENDING_OF, AdapterIn
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2t.task_list import RELATIONS
+from robosmi.transformations.queries.source_text import ADAPTERS_FILE
 from robosmi.transformations.queries.written_bodies import Body, bodies
 from robosmi.typed import distinct, matches
 
@@ -304,7 +305,7 @@ def _refuse_links(path: Path, whose: str) -> None:
 def _sources(sketch: Path) -> Iterable[Path]:
     """The texts of a generated program, the file of its adapters first."""
     paths = sorted(path for path in sketch.glob("*") if path.suffix in (".h", ".ino", ".c", ".cpp"))
-    return sorted(paths, key=lambda path: path.name != "adapters.h")
+    return sorted(paths, key=lambda path: path.name != ADAPTERS_FILE)
 
 
 def _existing(path: Path, header: str) -> str:

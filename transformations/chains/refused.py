@@ -35,7 +35,8 @@ def tell_refused(plan: migration.MigrationPlan, texts: Mapping[str, str], source
         for name, text in texts.items()
         if name.startswith(folder) and name.endswith(_CODE) and "/" not in name.removeprefix(folder)
     }
-    refused = refused_texts({name: text.encode("utf-8", "surrogateescape") for name, text in made.items()})
+    files = {name: text.encode("utf-8", "surrogateescape") for name, text in made.items()}
+    refused = refused_texts(files, str(plan.target.mainHeader) if plan.target is not None else "")
     units = {file_name(unit, plan): unit for unit in plan.program.units}
     known = {(str(f.path), int(f.line)) for f in plan.findings if f.rule in _TOLD_BEFORE}
     found: list[Finding] = []

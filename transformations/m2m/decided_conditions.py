@@ -37,8 +37,9 @@ def decided_conditions(views: Sequence[CodeView], sources: Mapping[str, bytes], 
     """
     bodies = {str(m.name): str(m.body or "") for view in views for m in view.unit.macros}
     for view in views:
-        linked = [change.element for change in linkage(view, sources[view.unit.path], {})]
-        for directive in _asked(view.unit):
+        asked = list(_asked(view.unit))
+        linked = [change.element for change in linkage(view, sources[view.unit.path], {})] if asked else []
+        for directive in asked:
             words = _words(str(directive.condition or ""), bodies)
             foreign = [word for word in words if word not in bodies and _differs(word, view, names)]
             if foreign and directive not in linked:

@@ -18,8 +18,14 @@ def file_of(include: ccode.Include) -> ccode.SourceUnit:
 
 def own_header(include: ccode.Include) -> str:
     """File name in the sketch of the program's own header that an include means, empty where it was not carried over."""
+    header = _meant_header(include)
+    return in_sketch(header) if header is not None else ""
+
+
+def _meant_header(include: ccode.Include) -> ccode.SourceUnit | None:
+    """The program's own header that an include means, None where it was not carried over."""
     unit = meant_unit(include)
-    return in_sketch(unit) if unit is not None and is_header(unit) else ""
+    return unit if unit is not None and is_header(unit) else None
 
 
 def unit_of(element: ccode.Located) -> ccode.SourceUnit:
@@ -35,8 +41,8 @@ def included(unit: ccode.SourceUnit) -> list[ccode.SourceUnit]:
     pending = [unit]
     while pending:
         for include in pending.pop().includes:
-            header = meant_unit(include)
-            if header is not None and is_header(header) and id(header) not in found:
+            header = _meant_header(include)
+            if header is not None and id(header) not in found:
                 found[id(header)] = header
                 pending.append(header)
     return list(found.values())
@@ -56,8 +62,8 @@ def all_includes(unit: ccode.SourceUnit) -> tuple[str, ...]:
         while pending:
             include = pending.pop()
             found.setdefault(str(include.header))
-            header = meant_unit(include)
-            if header is not None and is_header(header) and id(header) not in seen:
+            header = _meant_header(include)
+            if header is not None and id(header) not in seen:
                 seen.add(id(header))
                 pending += reversed(header.includes)
     return tuple(found)

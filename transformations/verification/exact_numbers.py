@@ -9,10 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
-from msgspec.structs import replace
-
 from robosmi.data_text import Json, as_number
 from robosmi.transformations.verification.simulated_kinds import device_facts
+from robosmi.typed import replaced
 from robosmi.verify.activity import READING, ActivityEvent
 from robosmi.verify.alignment import numbers_of, shape_of
 from robosmi.verify.simulation import DeviceUse
@@ -61,7 +60,7 @@ def _marked(source: Sequence[ActivityEvent], runs: Sequence[Sequence[ActivityEve
             break
         if event.kind == READING:
             again = [numbers_of(run[at]) for run in runs]
-            marked[at] = replace(
+            marked[at] = replaced(
                 event, exact=tuple(all(n[place] == own for n in again) for place, own in enumerate(numbers_of(event)))
             )
     return marked
@@ -76,7 +75,7 @@ def _showing(use: DeviceUse, part: float) -> DeviceUse:
         least, most = (as_number(end) for end in ends)
         points: Sequence[tuple[float, float | None]] = use.settings[name]
         changed[name] = [[at_ms, _shifted(value, part, least, most)] for at_ms, value in points]
-    return replace(use, settings={**use.settings, **changed})
+    return replaced(use, settings={**use.settings, **changed})
 
 
 def _shifted(value: float | None, part: float, least: float, most: float) -> float:

@@ -37,7 +37,7 @@ _UNSETTLED = {
     "time limit": "it takes more time of this machine than it may: simulate less time",
     "output limit": "it changes its pins or prints more often than can be recorded: simulate less time",
 }
-_SAME_MS = 45.0
+SAME_MS = 45.0
 """What is no further apart, beside what resonators are off, is at the same time: as for other events."""
 
 
@@ -155,7 +155,7 @@ def _is_mixed(found: ChannelComparison, runs: SourceRuns, trace: PinTrace) -> bo
     """
     if found.channel != CONSOLE_CHANNEL or found.difference is None:
         return False
-    allowed_us = 1000 * (_SAME_MS + RESONATOR * found.difference.at_ms)
+    allowed_us = 1000 * (SAME_MS + RESONATOR * found.difference.at_ms)
     at_us = 1000 * found.difference.at_ms
     if not any(abs(mixed_us - at_us) <= allowed_us for mixed_us in runs.nominal.mixed_text_us):
         return False
@@ -179,7 +179,7 @@ def _until(events: Sequence[ActivityEvent], horizon_ms: float) -> list[ActivityE
 
 def _crashes_by(runs: SourceRuns, at_ms: float) -> bool:
     """Whether the original, as it is or with other costs, has come to no good end until about then: it may be its own fault."""
-    latest_ms = at_ms + _SAME_MS + RESONATOR * at_ms
+    latest_ms = at_ms + SAME_MS + RESONATOR * at_ms
     return any(run.status not in SETTLED and run.trace.simulated_us / 1000 <= latest_ms for run in (runs.nominal, *runs.varied))
 
 

@@ -9,15 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from robosmi.transformations.verification.judging import judged
+from robosmi.transformations.verification.judging import SAME_MS, judged
 from robosmi.transformations.verification.original_side import SourceRuns
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.alignment import alike
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.verdict import DIFFERENT_VERDICT, ScenarioVerdict
-
-_SAME_MS = 45.0
 
 
 def looked_at_again(
@@ -54,4 +52,4 @@ def looked_at_again(
         events = more.channels[first.channel][0][0]
         later_ms = [event.at_us / 1000 for event in events if event.at_us / 1000 > first.at_ms]
         until_ms = min(later_ms) if later_ms else scenario.horizon_ms
-    return again if itself.at_ms <= until_ms + _SAME_MS else told  # what comes later explains nothing
+    return again if itself.at_ms <= until_ms + SAME_MS else told  # what comes later explains nothing

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from robosmi.transformations.queries.source_text import ADAPTERS_FILE
 from robosmi.transformations.t2m.c_source import clang
 
 _TYPES = b"""
@@ -68,11 +69,12 @@ class Refused(NamedTuple):
     message: str
 
 
-def refused_texts(files: Mapping[str, bytes], adapters: str = "adapters.h") -> list[Refused]:
+def refused_texts(files: Mapping[str, bytes], main_header: str, adapters: str = ADAPTERS_FILE) -> list[Refused]:
     """What a compiler refuses in the files of a program, each line once, in the order of the files.
 
     Args:
         files: the name of each file in the program's folder -> its bytes.
+        main_header: the target's header that each file includes; what stands for it has the types of the language.
         adapters: the file whose text is none of the program's.
     """
     texts = {f"{_SKETCH}/{name}": data for name, data in files.items()}
@@ -83,7 +85,7 @@ def refused_texts(files: Mapping[str, bytes], adapters: str = "adapters.h") -> l
             name = found[1].decode("utf-8", "replace")
             if name not in files:
                 texts[f"{_STUB}/{name}"] = b""
-    texts[f"{_STUB}/Arduino.h"] = _TYPES
+    texts[f"{_STUB}/{main_header}"] = _TYPES
     virtual = clang.unsaved(texts)
     told: dict[tuple[str, int], Refused] = {}
     for name in files:
