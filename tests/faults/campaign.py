@@ -34,7 +34,8 @@ from robosmi.verify.simulation import simulate
 from robosmi.verify.toolchain import compile_sketch
 
 ROOT = Path(__file__).resolve().parents[2]
-STUDIES = ("line_follower", "environmental_monitoring")
+STUDIES = ("line_follower", "environmental_monitoring", "parking_aid")
+_FOLDERS = (ROOT / "docs" / "examples", Path(__file__).parent / "studies")
 _PART = 0.35
 """The part of a scenario's time after which a changed program is looked at for the first time."""
 _LEAST_MS = 2_500.0
@@ -92,7 +93,7 @@ class Study:
             seed: of the search for scenarios.
             scenarios: files with scenarios to take instead.
         """
-        shutil.copytree(ROOT / "docs" / "examples" / name, place / "input")
+        shutil.copytree(next(folder / name for folder in _FOLDERS if (folder / name).is_dir()), place / "input")
         out = place / "out"
         robosmi.migrate([place / "input" / f"{name}.c"], out, history=str(place / "history.sqlite"))
         return cls.of(name, out, place, seed, scenarios)

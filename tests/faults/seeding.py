@@ -8,22 +8,17 @@ never executed, or the compiler makes the same machine code of it, there is no f
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import combinations
+
+from tests.faults.edits import Edit, Edits
+from tests.faults.shown_faults import SHOWN
 
 _HIDDEN = re.compile(
     r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\])*\"|'(?:\\.|[^'\\])*'|^[ \t]*#(?!define)[^\n]*", re.DOTALL | re.MULTILINE
 )
-
-
-@dataclass(frozen=True)
-class Edit:
-    """Other text for a part of a file."""
-
-    begin: int
-    end: int
-    text: str
 
 
 @dataclass(frozen=True)
@@ -70,7 +65,8 @@ def faults(name: str, text: str) -> list[Fault]:
     """
     code = _HIDDEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text)
     found: dict[str, Fault] = {}  # by what becomes of the file: two kinds may mean the same
-    for kind, made in _KINDS.items():
+    kinds: dict[str, Callable[[str], Edits]] = {kind: partial(made, text) for kind, made in SHOWN.items()}
+    for kind, made in {**kinds, **_KINDS}.items():
         for edits in made(code):
             edits = tuple(sorted(edits, key=lambda each: each.begin))
             if fault := _fault(name, text, kind, edits):
@@ -98,9 +94,6 @@ def _fault(name: str, text: str, kind: str, edits: tuple[Edit, ...]) -> Fault | 
 
 def _line(text: str, at: int) -> str:
     return text[text.rfind("\n", 0, at) + 1 : text.find("\n", at)].strip()
-
-
-Edits = Iterator[tuple[Edit, ...]]
 
 
 def _replaced(pattern: str, other: Callable[[re.Match[str]], str | None] | str) -> Callable[[str], Edits]:
@@ -195,8 +188,8 @@ def _too_narrow(code: str) -> Edits:
 _OTHER = {"<": ">=", ">": "<=", "==": "!=", "!=": "==", "<=": ">", ">=": "<"}
 _KINDS: dict[str, Callable[[str], Edits]] = {
     "swapped pins": _all(
-        _swapped(r"^const int \w+ = (\d+);"),
-        _replaced(r"^(const int \w+ = )(\d+)(?=;)", lambda m: f"{m[1]}{(int(m[2]) - 1) % 6 + 14}"),
+        _swapped(r"^const int(?:32_t)? \w+ = (1?\d);"),
+        _replaced(r"^(const int(?:32_t)? \w+ = )(1?\d)(?=;)", lambda m: f"{m[1]}{(int(m[2]) - 1) % 6 + 14}"),
         _replaced(r"(\bservo_speed\()(left|right)(Servo)", lambda m: f"{m[1]}{'right' if m[2] == 'left' else 'left'}{m[3]}"),
         _replaced(r"(\bGetQTIState\()(left|right)(QTI)", lambda m: f"{m[1]}{'right' if m[2] == 'left' else 'left'}{m[3]}"),
         _swapped(r"\bobstacleSeen\((\w+), \w+\)"),
@@ -261,4 +254,4 @@ _KINDS: dict[str, Callable[[str], Edits]] = {
         _replaced(r"^([ \t]+)if \(([^{}\n]*)\) return;", r"\1;"),
     ),
 }
-KINDS = tuple(_KINDS)
+KINDS = (*SHOWN, *_KINDS)

@@ -22,6 +22,17 @@ FAULTS = {
     "wrong level": "low(LED); // switch on LED",
 }
 """Kind -> a part of the text that tells one of that kind."""
+SHOWN_FAULTS = {
+    "number in a text": "parking aid 3",
+    "offset of a number": "looks + 1",
+    "start value": "looks = 1;",
+    "console's speed": "Serial.begin(57600)",
+    "foreign pin": "digitalWrite(13, HIGH)",
+    "pulse width": "pulse_out(barrier, (1700) * 113L / 100)",
+    "lost direction": "set_direction(bell, 0);",
+    "moved border": "nearBy = 16",
+}
+"""The same for a program that prints and asks a ranger."""
 
 
 @pytest.fixture(scope="module")
@@ -42,6 +53,23 @@ def test_a_fault_is_noticed(study: Study, kind: str) -> None:
     fault = next(each for each in known if FAULTS[kind] in each.now or FAULTS[kind] in each.was)
     outcome = study.judge({fault.file: fault.put_into(study.files[fault.file])})
     assert outcome.verdict == "different"
+    assert outcome.told
+
+
+@pytest.fixture(scope="module")
+def parking_aid(tmp_path_factory: pytest.TempPathFactory) -> Study:
+    """The parking aid under one scenario."""
+    require_verification("simavr")
+    return Study.made("parking_aid", tmp_path_factory.mktemp("shown"), scenarios=[HERE / "near_and_far.toml"])
+
+
+@pytest.mark.parametrize("kind", SHOWN_FAULTS)
+def test_a_fault_of_what_is_shown_is_noticed(parking_aid: Study, kind: str) -> None:
+    assert parking_aid.right.verdict.verdict == "no-difference-found"
+    known = [fault for name, text in parking_aid.files.items() for fault in faults(name, text) if fault.kind == kind]
+    fault = next(each for each in known if SHOWN_FAULTS[kind] in each.now)
+    outcome = parking_aid.judge({fault.file: fault.put_into(parking_aid.files[fault.file])})
+    assert outcome.verdict == "different", fault.name
     assert outcome.told
 
 

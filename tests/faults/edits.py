@@ -1,0 +1,18 @@
+"""Other text for parts of a file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Edit:
+    """Other text for a part of a file."""
+
+    begin: int
+    end: int
+    text: str
+
+
+Edits = Iterator[tuple[Edit, ...]]
