@@ -22,6 +22,8 @@ from robosmi.user_folders import OWN
 
 RUNS = {"templates": "", "platform_repo": ".toml"}
 """The folders of a `.robosmi` with files that run, or name programs and their arguments; and the ending of those files."""
+HOST = "host"
+"""The folder of a platform whose files are compiled into programs of this machine, so that all of them run."""
 
 
 def files_that_run(folder: Path) -> dict[str, str]:
@@ -40,12 +42,13 @@ def _files(folder: Path, kind: str) -> dict[str, str]:
     found: dict[str, str] = {}
     try:
         for place, folders, names in os.walk(folder / kind, onerror=_raise):
+            ending = "" if HOST in Path(place).relative_to(folder).parts else RUNS[kind]
             for name in folders:
                 if os.path.islink(linked := os.path.join(place, name)):
                     raise SourceError(
                         "a link to a folder cannot be trusted", location=Location(linked), fix="put a copy in its place"
                     )
-            for path in (Path(place, name) for name in names if name.endswith(RUNS[kind])):
+            for path in (Path(place, name) for name in names if name.endswith(ending)):
                 found[path.relative_to(folder).as_posix()] = _digest(read_bytes(path, DATA))
     except OSError as error:
         place = str(error.filename or folder)
@@ -137,7 +140,7 @@ def _found(path: str | os.PathLike[str]) -> tuple[Path, str] | None:
     """The found `.robosmi` folder that a file that would run lies in, and its path there; None for any other file."""
     parts = PurePath(os.path.abspath(path)).parts
     for at, part in enumerate(parts[:-2], 1):
-        if part == OWN and (ending := RUNS.get(parts[at])) is not None and parts[-1].endswith(ending):
+        if part == OWN and (ending := RUNS.get(parts[at])) is not None and (HOST in parts[at:-1] or parts[-1].endswith(ending)):
             folder = Path(*parts[:at])
             return (
                 None

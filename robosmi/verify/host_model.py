@@ -2,6 +2,9 @@
 
 A host model simulates the platform's time, cores and pins, and does what its libraries document. `original_build` makes a program
 of it and the user's files, `original_run` runs that program. What the entries of `host.toml` mean stands beside them there.
+
+Models of further libraries may lie in `PLATFORM/host/include` and `PLATFORM/host/libraries` of every place where data is looked
+for (see `robosmi.resources`); a file of the nearest place counts before one of the same name elsewhere.
 """
 
 from __future__ import annotations
@@ -25,10 +28,11 @@ class HostModel(Struct, frozen=True):
     """A host model.
 
     Attributes:
-        folder: where it lies: `chip` and `libraries` hold its C files.
+        folder: where its `host.toml` lies; `chip` beside it holds the C files that simulate the chip.
         platform: the platform's name.
         title: what it is called in reports.
-        headers: folders in which a program's headers are looked for after its own.
+        headers: folders in which a program's headers are looked for after its own, the nearest first.
+        libraries: the C files that do what the platform's libraries do, the nearest first.
         prefix: what the program and the libraries call `x` is linked as this prefix and `x`.
         clock_hz: ticks of the virtual time in a second.
         block_ticks, call_ticks: the nominal time of a basic block of the program, and of a call of a library's function.
@@ -43,6 +47,7 @@ class HostModel(Struct, frozen=True):
     platform: str
     title: str
     headers: tuple[Path, ...]
+    libraries: tuple[Path, ...]
     prefix: str
     clock_hz: int
     block_ticks: int
@@ -57,11 +62,11 @@ class HostModel(Struct, frozen=True):
     def files(self) -> list[Path]:
         """The C files of the chip and of the libraries, and their headers."""
         inside = [path for path in self.folder.rglob("*") if path.suffix in (".c", ".h", ".toml")]
-        return sorted({*inside, *(path for folder in self.headers for path in folder.rglob("*.h"))})
+        return sorted({*inside, *self.libraries, *(path for folder in self.headers for path in folder.rglob("*.h"))})
 
     def sources(self, part: str) -> list[Path]:
         """The C files of a part: `chip` or `libraries`."""
-        return sorted((self.folder / part).glob("*.c"))
+        return list(self.libraries) if part == "libraries" else sorted((self.folder / part).glob("*.c"))
 
     def tools(self) -> Mapping[str, str]:
         """The programs that building takes: their role in `host.toml` -> their path.
@@ -99,12 +104,17 @@ def load_host_model(platform: str, project: Path | None = None) -> HostModel:
     """
     path = resources.find(KIND, f"{platform}/host/host.toml", project)
     table = DataTable.read(path)
+    places = [place for folder in resources.folders(KIND, project) if (place := folder / platform / "host").is_dir()]
+    libraries: dict[str, Path] = {}
+    for library in (file for place in places for file in sorted((place / "libraries").glob("*.c"))):
+        libraries.setdefault(library.name, library.resolve())
     pin, channel = table.text("pin_label"), table.text("channel_label")
     return HostModel(
         folder=path.parent,
         platform=platform,
         title=table.text("title"),
-        headers=tuple((path.parent / name).resolve() for name in table.texts("headers")),
+        headers=tuple((place / name).resolve() for place in places for name in table.texts("headers")),
+        libraries=tuple(libraries.values()),
         prefix=table.text("own_names"),
         clock_hz=table.number("clock_hz"),
         block_ticks=table.number("block_ticks"),

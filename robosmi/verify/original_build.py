@@ -19,7 +19,7 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, MissingToolError, VerificationError
-from robosmi.typed import kept, matches, paired
+from robosmi.typed import distinct, kept, matches, paired
 from robosmi.verify import archives
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.temporary import temporary_folder
@@ -40,6 +40,8 @@ _IN_MACRO = re.compile(
 """A message about what a macro of the command line makes of the text; the note has its place."""
 _TWICE = re.compile(r"multiple definition of [`']([^`']+)'")
 _GENERATED = "unmodelled.c"
+VARIANT = "$"
+"""What stands in a name of a header that stands in for one without a model, in front of what only tells names apart."""
 
 
 class OriginalProgram(Struct, frozen=True):
@@ -131,7 +133,8 @@ class _Build(Struct, dict=True):
         unmodelled = sorted(name for name in names.undefined if self._is_own(name) and self.model.prefix + name not in known)
         binary = self.folder / "original"
         self._link(binary, named, *([self._stubs(unmodelled)] if unmodelled else []), library)
-        return OriginalProgram(binary, self.model, tuple(sources), self.compiler, tuple(unmodelled), names.counters)
+        unknown = tuple(distinct(_as_written(name) for name in unmodelled))
+        return OriginalProgram(binary, self.model, tuple(sources), self.compiler, unknown, names.counters)
 
     # ---- the model, compiled once
 
@@ -213,7 +216,9 @@ class _Build(Struct, dict=True):
         source, target = self.folder / _GENERATED, self.folder / "unmodelled.o"
         source.write_text(
             "void host_unmodelled(const char *name);\n"
-            + "".join(f'void {self.model.prefix}{name}(void) {{ host_unmodelled("{name}"); }}\n' for name in unmodelled)
+            + "".join(
+                f'void {self.model.prefix}{name}(void) {{ host_unmodelled("{_as_written(name)}"); }}\n' for name in unmodelled
+            )
         )
         self._run("command", *self._flags("machine"), "-c", str(source), "-o", str(target))
         return target
@@ -242,6 +247,11 @@ class _Build(Struct, dict=True):
             return done.stdout
         if found := _MESSAGE.search(done.stderr) or _IN_MACRO.search(done.stderr):
             place = Location(found["path"], int(found["line"]), int(found["column"] or 1))
+            if Path(found["path"]) in self.model.libraries:
+                raise VerificationError(
+                    f"the model of a library does not compile on this machine: {found['message']}", location=place,
+                    fix=f"mend that file: it is compiled as programs of '{self.model.platform}' are, with their headers alone",
+                )  # fmt: skip
             taken = found["message"].startswith("conflicting types for")
             raise VerificationError(
                 f"the original does not compile on this machine: {found['message']}", location=place,
@@ -257,6 +267,11 @@ class _Build(Struct, dict=True):
             return run(command, self.folder, _environment(), self.until - monotonic())
         except MissingToolError as error:
             raise MissingToolError(error.message, fix=self.model.install) from error
+
+
+def _as_written(name: str) -> str:
+    """A name as the program writes it (see `VARIANT`)."""
+    return name.partition(VARIANT)[0]
 
 
 class _Names(Struct, frozen=True):

@@ -42,6 +42,7 @@ from robosmi.transformations.verification.scenario_search import search
 from robosmi.transformations.verification.second_look import looked_at_again
 from robosmi.transformations.verification.source_reached import cover
 from robosmi.transformations.verification.target_side import LIMIT_S, NOTHING_SEEN, TargetSide
+from robosmi.trust import acting
 from robosmi.typed import paired, sum_of
 from robosmi.verify.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.host_model import load_host_model
@@ -271,7 +272,8 @@ def _original(models: MigrationModels, folder: Path, place: Path) -> OriginalPro
     assert plan.source is not None
     stored = with_stored_names(list(plan.program.units), folder, place / "stored")
     sources = [stored / unit.path for unit in plan.program.units if not is_header(unit)]
-    return original_program(sources, load_host_model(str(plan.source.name)), place, limit_s=LIMIT_S)
+    with acting():
+        return original_program(sources, load_host_model(str(plan.source.name)), place, limit_s=LIMIT_S)
 
 
 class _Made(Struct):

@@ -15,7 +15,7 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.typed import matches
 from robosmi.verify.host_model import HostModel
-from robosmi.verify.original_build import OriginalProgram, build_original
+from robosmi.verify.original_build import VARIANT, OriginalProgram, build_original
 
 _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
 
@@ -102,7 +102,7 @@ def _stand_in(header: str, index: ApiIndex) -> str:
     for name, entry in index.declared(header).items():
         if entry.kind == "function":  # declared by being called; another header's function of that name is not meant
             if len({each.header for each in index.entries(name)}) > 1:
-                lines.append(f"#define {name} {name}_of_{_word(header)}")
+                lines.append(f"#define {name} {name}{VARIANT}{_word(header)}")
             continue
         if entry.kind == "type":
             lines.append(f"typedef struct {name} {{ int unknown[64]; }} {name};")

@@ -1,0 +1,7 @@
+#include "simpletools.h"
+#include "signal_mast.h"
+
+int main()
+{
+  print("%d %d", mast_show(1, 1), mast_show(2, 1));
+}
