@@ -6,6 +6,7 @@ of ours later. Both are faults of the plug-in; here they become errors that name
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from types import FunctionType
 from typing import Any, Protocol
@@ -13,7 +14,7 @@ from typing import Any, Protocol
 from msgspec import Struct
 
 from robosmi.diagnostics import Location
-from robosmi.errors import InternalError, RobosmiError, RuleError
+from robosmi.errors import InternalError, RobosmiError, RuleError, did_you_mean
 
 FORMS = {
     "drawing reader": "it is called as read(PATH, roles=ROLES, board=BOARD) and has to return (Circuit, list of Finding)",
@@ -24,6 +25,30 @@ FORMS = {
     "and has to return (Program, list of Finding)",
 }
 """Kind of content -> how what is offered is called, and what it has to return."""
+
+
+def unasked(
+    offered: Mapping[str, Mapping[str, str]], known: Mapping[str, Mapping[str, str]], metamodels: Iterable[str]
+) -> Iterator[tuple[str, str]]:
+    """What a plug-in offers and nothing ever asks for, since its kind or its name is misspelt: what, and why.
+
+    Args:
+        offered: kind -> names, as the plug-in registers them.
+        known: kind -> names of what is there already.
+        metamodels: the names that constraints may have without being told, those of known metamodels.
+    """
+    for kind, names in offered.items():
+        if kind not in known:
+            yield kind, f"nothing asks for content of the kind '{kind}'{did_you_mean(kind, known) or _one_of(known)}"
+        for name in names:
+            if kind == "constraints" and name not in metamodels and (meant := did_you_mean(name, metamodels)):
+                yield f"{kind} {name}", f"no metamodel is called '{name}'{meant}"
+            if kind == "view" and "#" not in name:
+                yield f"{kind} {name}", f"'{name}' names no class (NAMESPACE#CLASS)"
+
+
+def _one_of(known: Iterable[str]) -> str:
+    return f"; there are: {', '.join(sorted(known))}"
 
 
 class Offered(Protocol):

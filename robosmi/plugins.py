@@ -23,7 +23,7 @@ from msgspec import Struct
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import InternalError, MissingToolError, RuleError, UsageError, did_you_mean
-from robosmi.offers import Offered, PluginOffer
+from robosmi.offers import Offered, PluginOffer, unasked
 from robosmi.typed import class_name, distinct, dynamic_attribute
 
 ENTRY_POINTS = "robosmi.transformations"
@@ -193,6 +193,8 @@ class Registry:
             other: filled by the plug-in.
             distribution: its name, or empty for what is built in.
         """
+        faults = list(unasked(other.entries, self.entries, self.entries.get("constraints", {}))) if distribution else []
+        self.broken += [BrokenPlugin(distribution, what, why) for what, why in faults]
         for kind, names in other.entries.items():
             for name in names:
                 before = self.entries.get(kind, {}).get(name)

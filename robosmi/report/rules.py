@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -85,8 +85,17 @@ def finding_rules(project: Path | None = None) -> dict[str, FindingRule]:
     Raises:
         PlatformDataError: a file of rules is damaged.
     """
+    return _of_folders(resources.folders("platform_repo", project))
+
+
+def built_in_rules() -> dict[str, FindingRule]:
+    """The rules of the package itself, without those of projects and plug-ins, by their ids, sorted by them."""
+    return _of_folders([resources.built_in("platform_repo")])
+
+
+def _of_folders(folders: Iterable[Path]) -> dict[str, FindingRule]:
     found: dict[str, FindingRule] = {}
-    for folder in resources.folders("platform_repo", project):
+    for folder in folders:
         for path in sorted((folder / FOLDER).glob("*.toml")):
             for rule in _of_file(path):
                 found.setdefault(rule.id, rule)

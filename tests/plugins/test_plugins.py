@@ -69,8 +69,42 @@ def test_a_constraint_whose_id_is_taken_is_refused_with_its_plug_in(tmp_path: Pa
     path = installed(tmp_path, "checks")
     plan, _ = stored_plan(tmp_path, path)
     (finding,) = command("check", plan, path=path, code=3, CHECKS_PLUGIN="taken")["findings"]
-    assert finding["message"] == "the id 'RS702' of a constraint of checks 2.1 is taken by one of robosmi"
-    assert finding["fix"] == "give it an id of your own"
+    assert finding["message"] == "the id 'RS702' of the constraint has_our_id of checks 2.1 is taken by a rule of robosmi"
+    assert finding["fix"] == "give it an id that no other has"
+
+
+@pytest.mark.parametrize(("offer", "said"), [
+    ("rule", "the id 'RS203' of the constraint has_the_id_of_a_reader of checks 2.1 is taken by a rule of robosmi"),
+    ("twice", "the id 'CH001' of the constraint is_not_called_beacon of checks 2.1 is taken by one of checks 2.1"),
+])  # fmt: skip
+def test_an_id_of_a_rule_or_of_another_metamodel_is_taken(offer: str, said: str, tmp_path: Path) -> None:
+    (tmp_path / "wired.csv").write_text("pin,part\nD3,Red LED\nD5,Pushbutton\n")
+    path = installed(tmp_path, "checks")
+    for words in (["check"], ["hardware"]):
+        (finding,) = command(*words, tmp_path / "wired.csv", path=path, code=3, CHECKS_PLUGIN=offer)["findings"]
+        assert finding["message"] == said
+        assert finding["location"]["path"].endswith("checks_plugin.py")
+
+
+def test_constraints_of_a_plug_in_are_asked_about_a_drawing(tmp_path: Path) -> None:
+    (tmp_path / "wired.csv").write_text("pin,part\nD3,Red LED\nD5,Pushbutton\n")
+    path = installed(tmp_path, "checks")
+    for word in ("check", "hardware"):
+        findings = command(word, tmp_path / "wired.csv", path=path, CHECKS_PLUGIN="drawings")["findings"]
+        assert [finding["rule"] for finding in findings if finding["rule"].startswith("CH")] == ["CH002"], word
+
+
+def test_a_kind_or_name_that_nothing_asks_for_is_told(tmp_path: Path) -> None:
+    (tmp_path / "wired.csv").write_text("pin,part\nD3,Red LED\n")
+    findings = command("hardware", tmp_path / "wired.csv", path=installed(tmp_path, "checks"), CHECKS_PLUGIN="misspelt")[
+        "findings"
+    ]
+    told = [finding["message"].partition(": ")[2] for finding in findings if finding["rule"] == "RS908"]
+    assert sorted(told) == [
+        "'Circuit' names no class (NAMESPACE#CLASS)",
+        "no metamodel is called 'hardwr' (did you mean 'hardware'?)",
+        "nothing asks for content of the kind 'drawing reeder' (did you mean 'drawing reader'?)",
+    ]
 
 
 def test_a_plug_in_that_cannot_be_loaded_is_named_and_the_others_work(tmp_path: Path) -> None:

@@ -9,9 +9,11 @@ from collections.abc import Sequence
 
 from robosmi.diagnostics import Finding
 from robosmi.errors import RuleError
-from robosmi.metamodels import migration
+from robosmi.metamodels import hardware, migration
 from robosmi.model import EmfModel
 from robosmi.plugins import registry
+from robosmi.query.erl import place_of
+from robosmi.report.rules import built_in_rules
 from robosmi.typed import class_name
 from robosmi.validate import EVL
 
@@ -41,20 +43,32 @@ def added_findings(plan: migration.MigrationPlan) -> list[Finding]:
     Raises:
         RuleError: a constraint raises, or a plug-in's constraints cannot be used.
     """
+    code = [EmfModel(plan.program, name="code")] if plan.program is not None else []
+    found = _added("ccode", *code) if code else []
+    found += added_hardware_findings(plan.circuit) if plan.circuit is not None else []
+    return found + (_added("migration", EmfModel(plan, name="plan"), *code) if _has_added("migration") else [])
+
+
+def added_hardware_findings(circuit: hardware.Circuit) -> list[Finding]:
+    """What the constraints of plug-ins find in a drawing; nothing where no plug-in has any.
+
+    Args:
+        circuit: what is drawn.
+
+    Raises:
+        RuleError: a constraint raises, or a plug-in's constraints cannot be used.
+    """
+    return _added("hardware", EmfModel(circuit, name="hardware")) if _has_added("hardware") else []
+
+
+def _added(metamodel: str, *models: EmfModel) -> list[Finding]:
+    offered: list[tuple[EVL, str]] = registry().all(KIND, metamodel) if _has_added(metamodel) else []
+    _refuse_faults(offered)
+    built_in = {id(c) for made, owner in offered if not owner for c in made.declared()}
     found: list[Finding] = []
-    for name, root in (("ccode", plan.program), ("hardware", plan.circuit), ("migration", plan)):
-        offered: list[tuple[EVL, str]] = registry().all(KIND, name) if _has_added(name) else []
-        if root is None or not offered:
-            continue
-        built_in = {id(c) for made, owner in offered if not owner for c in made.declared()}
-        known = [EmfModel(root, name={"ccode": "code", "migration": "plan"}.get(name, name))]
-        if name == "migration" and plan.program is not None:
-            known.append(EmfModel(plan.program, name="code"))
-        _together(offered)  # refuses ids that are taken
-        for made, owner in offered:
-            ids = {c.id for c in made.declared() if owner and id(c) not in built_in}
-            if ids:
-                found += [finding for finding in made.run(*known).findings() if finding.rule in ids]
+    for made, owner in offered:
+        if ids := {c.id for c in made.declared() if owner and id(c) not in built_in}:
+            found += [finding for finding in made.run(*models).findings() if finding.rule in ids]
     return found
 
 
@@ -63,24 +77,29 @@ def _has_added(metamodel: str) -> bool:
 
 
 def _together(offered: Sequence[tuple[EVL, str]]) -> EVL:
+    _refuse_faults(offered)
     together = EVL()
-    owners: dict[str, str] = {}
-    known: set[int] = set()
-    if any(owner for _, owner in offered):
-        every: list[tuple[EVL, str]] = [each for name in registry().names(KIND) for each in registry().all(KIND, name)]
-        built_in = [made for made, owner in every if not owner]
-        owners = {c.id: "robosmi" for made in built_in for c in made.declared()}
-        known = {id(c) for made in built_in for c in made.declared()}
-    for made, owner in offered:
-        if owner and not isinstance(made, EVL):
-            raise RuleError(f"the constraints of {owner} are a {class_name(made)}", fix="offer an EVL (robosmi.validate)")
-        own = [c for c in made.declared() if owner and id(c) not in known]
-        if (taken := next((c for c in own if c.id in owners), None)) is not None:
-            raise RuleError(
-                f"the id '{taken.id}' of a constraint of {owner} is taken by one of {owners[taken.id]}",
-                fix="give it an id of your own",
-            )
-        owners |= {c.id: owner for c in own}
-        known |= {id(c) for c in own}
+    for made, _ in offered:
         together.include(made)
     return together
+
+
+def _refuse_faults(offered: Sequence[tuple[EVL, str]]) -> None:
+    """Refuse what is no EVL, and an id that a built-in rule or another constraint has, whatever its metamodel is."""
+    if not any(owner for _, owner in offered):
+        return
+    every: list[tuple[EVL, str]] = [each for name in registry().names(KIND) for each in registry().all(KIND, name)]
+    taken = dict.fromkeys(built_in_rules(), "robosmi")
+    known: set[int] = set()
+    for made, owner in sorted(every, key=lambda each: each[1] != ""):  # what is built in comes first
+        if not isinstance(made, EVL):
+            raise RuleError(f"the constraints of {owner} are a {class_name(made)}", fix="offer an EVL (robosmi.validate)")
+        own = [c for c in made.declared() if id(c) not in known]
+        if owner and (clash := next((c for c in own if c.id in taken), None)) is not None:
+            other = "a rule of robosmi" if taken[clash.id] == "robosmi" else f"one of {taken[clash.id]}"
+            raise RuleError(
+                f"the id '{clash.id}' of the constraint {clash.name} of {owner} is taken by {other}",
+                location=place_of(clash.check), fix="give it an id that no other has",
+            )  # fmt: skip
+        taken |= {c.id: owner or "robosmi" for c in own}
+        known |= {id(c) for c in own}

@@ -15,6 +15,7 @@ from robosmi.inputs import read_once
 from robosmi.metamodels import hardware as hw
 from robosmi.metamodels import migration, platform
 from robosmi.resources import project_of_input
+from robosmi.transformations.chains.constraint_sets import added_hardware_findings
 from robosmi.transformations.chains.reading import HEADERS_ONLY, NO_BOARD, Drawing, read_drawing
 from robosmi.transformations.constraints.electrical import electrical_findings
 from robosmi.transformations.queries.circuit import boards, hardware_report, of_board, pin_label, the_board
@@ -127,8 +128,8 @@ def drawing(path: Path, roles: Mapping[str, str]) -> Drawing:
 
 
 def faults(drawing: Drawing) -> list[Finding]:
-    """What the electrical constraints find."""
-    return electrical_findings(drawing.circuit)
+    """What the electrical constraints find, and those of plug-ins."""
+    return [*electrical_findings(drawing.circuit), *added_hardware_findings(drawing.circuit)]
 
 
 def analysed(drawing: Drawing, faults: list[Finding]) -> HardwareAnalysis:

@@ -14,6 +14,9 @@ from robosmi.validate import EVL
 plan = EVL()
 plans = plan.context(migration.MigrationPlan)
 taken = EVL()
+drawings = EVL()
+rule = EVL()
+twice = EVL()
 WRONG: dict[str, Any] = {"gives nothing": None, "gives texts": (hardware.Circuit(name="robot"), ["oops"])}
 """Value of CHECKS_PLUGIN -> what the reader gives then."""
 
@@ -29,6 +32,17 @@ def register(registry: Registry) -> None:
     registry.add_data(str(Path(__file__).parent / "data"))
     if os.environ.get("CHECKS_PLUGIN") == "taken":
         registry.add("constraints", "migration", "checks_plugin:taken")
+    if os.environ.get("CHECKS_PLUGIN") == "drawings":
+        registry.add("constraints", "hardware", "checks_plugin:drawings")
+    if os.environ.get("CHECKS_PLUGIN") == "rule":
+        registry.add("constraints", "hardware", "checks_plugin:rule")
+    if os.environ.get("CHECKS_PLUGIN") == "twice":
+        registry.add("constraints", "hardware", "checks_plugin:twice")
+    if os.environ.get("CHECKS_PLUGIN") == "misspelt":
+        registry.add("constraints", "hardwr", "checks_plugin:drawings")
+        registry.add("drawing reeder", "failing", "checks_plugin:read_circuit")
+        registry.add("view", "Circuit", "checks_plugin:read_circuit")
+        registry.add("constraints", "library", "checks_plugin:drawings")
     if os.environ.get("CHECKS_PLUGIN") == "replaces":
         registry.add("drawing reader", "pin_table", "robosmi.transformations.t2m.pin_table:read_circuit")
     if os.environ.get("CHECKS_PLUGIN") == "dangling":
@@ -46,6 +60,24 @@ def is_not_called_beacon(plan: migration.MigrationPlan) -> bool:
 @taken.context(migration.PortBinding).constraint(id="RS702")
 def has_our_id(binding: migration.PortBinding) -> bool:
     """A constraint whose id is another's."""
+    return True
+
+
+@drawings.context(hardware.Component).critique(id="CH002", advice="draw something else")
+def is_no_button(component: hardware.Component) -> bool:
+    """A push button."""
+    return "button" not in component.partTitle.lower()
+
+
+@rule.context(hardware.Component).critique(id="RS203")
+def has_the_id_of_a_reader(component: hardware.Component) -> bool:
+    """A constraint whose id a reader's finding has."""
+    return True
+
+
+@twice.context(hardware.Component).critique(id="CH001")
+def has_my_other_id(component: hardware.Component) -> bool:
+    """A constraint whose id another one of this plug-in has, for another metamodel."""
     return True
 
 
