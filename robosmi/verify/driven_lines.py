@@ -10,6 +10,7 @@ from collections.abc import Callable
 from math import inf
 from statistics import median
 
+from robosmi.typed import replaced
 from robosmi.verify.activity import HELD, LEVEL, PULSE, ActivityEvent
 from robosmi.verify.servo_widths import EQUAL_US
 from robosmi.verify.simulation import PinTrace
@@ -83,7 +84,8 @@ def _long_pause(held: list[tuple[float, float]]) -> float:
 def let_go_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
     """When a line is driven low and when it is let go, up to where the program drives it high, if it does: others may pull it up.
 
-    What comes later changes nothing about what was before, since the two sides need not be seen for equally long.
+    What comes later changes nothing about what was before, since the two sides need not be seen for equally long. Where the line
+    is first let go so near to the end that another run may do so after it, all of that only just happens.
 
     Args:
         trace: what was seen.
@@ -108,7 +110,9 @@ def let_go_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
         value = DRIVEN_LOW if level == 0 else LET_GO
         if lasts_us >= _SHORTEST_US and found[-1].value != (value,):
             found.append(ActivityEvent(at_us, LEVEL, (value,)))
-    return found
+    first_us = next((event.at_us for event in found[1:] if event.value == (LET_GO,)), inf)
+    near = trace.simulated_us - _LEAST_PAUSE_US < first_us < inf
+    return [found[0], *(replaced(event, barely=True) for event in found[1:])] if near else found
 
 
 def lengths_alike(one_us: float, other_us: float) -> bool:

@@ -23,7 +23,7 @@ from msgspec.structs import asdict
 from robosmi.data_text import Json, json_written
 from robosmi.errors import EngineCrashError, InternalError, MissingToolError, UsageError, VerificationError
 from robosmi.plugins import content, registry
-from robosmi.typed import kept
+from robosmi.typed import kept, replaced
 from robosmi.verify.tools import end_session
 
 LEVELS = (0, 1, "z", "p")
@@ -140,6 +140,19 @@ class PinTrace(Struct, frozen=True):
     def text(self) -> str:
         """The console's bytes as text; what is no UTF-8 is shown as U+FFFD."""
         return bytes(each.byte for each in self.console).decode("utf-8", "replace")
+
+    def until(self, at_us: float) -> PinTrace:
+        """What was seen until an instant, as if the run had ended there."""
+        if self.simulated_us <= at_us:
+            return self
+        return replaced(
+            self,
+            simulated_us=at_us,
+            changes=tuple(each for each in self.changes if each.at_us <= at_us),
+            waves=tuple(each for each in self.waves if each.at_us <= at_us),
+            console=tuple(each for each in self.console if each.at_us <= at_us),
+            device_events=tuple(each for each in self.device_events if each.at_us <= at_us),
+        )
 
     def levels(self, pin: str) -> list[tuple[float, int | str]]:
         """The changes of one pin: time in microseconds and level."""

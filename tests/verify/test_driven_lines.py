@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from robosmi.verify.activity import HELD, ActivityEvent
 from robosmi.verify.alignment import alike
+from robosmi.verify.comparison import DIFFERENT, compare
 from robosmi.verify.driven_lines import DRIVEN_LOW, LET_GO, NO_MORE, held_levels, let_go_levels
 from robosmi.verify.simulation import PinChange, PinTrace
 
@@ -34,6 +35,18 @@ def test_a_line_that_is_driven_high_later_was_let_go_all_the_same() -> None:
 def test_an_output_is_not_let_go() -> None:
     assert let_go((0.0, "z"), (1000.0, 0)) == [LET_GO]
     assert let_go((0.0, "z"), (1000.0, 0), (51_000.0, 1), (131_000.0, 0), (181_000.0, "z")) == [LET_GO]
+
+
+def test_a_line_that_is_first_let_go_at_the_end_may_be_an_output_in_another_run() -> None:
+    def seen(let_go_us: float) -> list[ActivityEvent]:
+        changes = (PinChange(0.0, "D4", "z"), PinChange(1000.0, "D4", 0), PinChange(let_go_us, "D4", "z"))
+        return let_go_levels(PinTrace("e", "running", 6_000_000.0, changes, (), (), ()), "D4")
+
+    early, late, beyond = seen(3_000_000.0), seen(5_900_000.0), seen(6_000_001.0)[:1]
+    assert [str(event) for event in late] == [str(event) for event in early] == [LET_GO, DRIVEN_LOW, LET_GO]
+    for one, other in ((late, beyond), (beyond, late)):
+        assert compare("line", one, other, [one], 6_000.0).difference is None
+    assert compare("line", beyond, early, [beyond], 6_000.0).status == DIFFERENT
 
 
 def test_a_sensor_that_is_charged_again_and_again_tells_one_length() -> None:

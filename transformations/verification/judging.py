@@ -22,7 +22,7 @@ from robosmi.transformations.verification.original_side import (
     compared,
 )
 from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.transformations.verification.seen_beside import console_speed, foreign_pin
+from robosmi.transformations.verification.seen_beside import console_speed, foreign_pin, pulled_up
 from robosmi.typed import replaced
 from robosmi.verify.activity import ActivityEvent
 from robosmi.verify.channel_order import first_disorder
@@ -63,15 +63,13 @@ def judged(
     horizon_ms = scenario.horizon_ms if crashed_ms is None else min(scenario.horizon_ms, crashed_ms)
     if nominal.status not in SETTLED:
         horizon_ms = min(horizon_ms, nominal.trace.simulated_us / 1000)
+    trace = trace.until(1000 * horizon_ms)  # what comes later tells nothing of what was before
     target = channel_events(trace, ports, target=True)
-    found = tuple(
-        compared(name, seen, [_until(events, horizon_ms) for events in target[name]], horizon_ms, runs.loop)
-        for name, seen in runs.channels.items()
-    )
+    found = tuple(compared(name, seen, target[name], horizon_ms, runs.loop) for name, seen in runs.channels.items())
     found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith((DRIVEN, PULSED, STANDING)))
     found = tuple(_racy_text(each) if _is_mixed(each, runs, trace) else each for each in found)
     found = tuple(_sure(each) for each in found)
-    found = _beside(found, nominal.trace, trace, ports)
+    found = _beside(_behind_their_own(found), nominal.trace, trace, ports)
     if one_thread and all(c.status != DIFFERENT for c in found):
         found = _in_order(found, scenario, runs, target)
     if any(c.status == DIFFERENT for c in found):
@@ -88,17 +86,31 @@ def judged(
 def _beside(
     found: tuple[ChannelComparison, ...], source: PinTrace, target: PinTrace, ports: Sequence[BoundPort]
 ) -> tuple[ChannelComparison, ...]:
-    """The channels with what is seen beside them: the speed of the console's line, and pins that are not the program's."""
+    """The channels with what is seen beside them: the console's speed, pins that are not the program's, and pull-ups."""
     speed = console_speed(source, target, CONSOLE_CHANNEL) if any(each.channel == CONSOLE_CHANNEL for each in found) else None
     if speed is not None:
         others = [each for each in found if each.channel != CONSOLE_CHANNEL]
         found = (*others, ChannelComparison(CONSOLE_CHANNEL, DIFFERENT, speed))
-    pin = foreign_pin(source, target, ports)
-    if pin is None:
-        return found
-    first_ms = min((each.difference.at_ms for each in found if each.difference is not None), default=0.0)
-    pin = replaced(pin, at_ms=max(pin.at_ms, first_ms))  # what the robot lacks tells more than a level where nothing is
-    return (*found, ChannelComparison(pin.channel, DIFFERENT, pin))
+    for pin in (foreign_pin(source, target, ports), pulled_up(source, target, ports)):
+        if pin is None:
+            continue
+        first_ms = min((each.difference.at_ms for each in found if each.difference is not None), default=0.0)
+        pin = replaced(pin, at_ms=max(pin.at_ms, first_ms))  # what the robot lacks tells more than a level where nothing is
+        others = [each for each in found if each.channel != pin.channel]
+        its_own = next((each for each in found if each.channel == pin.channel and each.difference is not None), None)
+        found = (*others, its_own or ChannelComparison(pin.channel, DIFFERENT, pin))
+    return found
+
+
+def _behind_their_own(found: tuple[ChannelComparison, ...]) -> tuple[ChannelComparison, ...]:
+    """The channels, where how a line is driven differs no earlier than what is done there: a missing wave tells more."""
+    first = {each.channel: each.difference.at_ms for each in found if each.difference is not None}
+    return tuple(
+        replaced(each, difference=replaced(each.difference, at_ms=max(each.difference.at_ms, own_ms)))
+        if each.difference is not None and (own_ms := first.get(each.channel.removesuffix(DRIVEN))) is not None
+        else each
+        for each in found
+    )
 
 
 def ended_badly(runs: SourceRuns) -> bool:
@@ -171,10 +183,6 @@ def _is_mixed(found: ChannelComparison, runs: SourceRuns, trace: PinTrace) -> bo
 
 def _racy_text(found: ChannelComparison) -> ChannelComparison:
     return ChannelComparison(found.channel, RACY, None, found.events, found.greatest_dt_ms)
-
-
-def _until(events: Sequence[ActivityEvent], horizon_ms: float) -> list[ActivityEvent]:
-    return [event for event in events if event.at_us / 1000 <= horizon_ms]
 
 
 def _crashes_by(runs: SourceRuns, at_ms: float) -> bool:

@@ -1,12 +1,14 @@
-"""What a migrated program does beside its channels and the original never does: another speed of the console, and foreign pins.
+"""What a migrated program does beside its channels and the original never does: another console's speed, foreign pins, pull-ups.
 
-Neither is an event of a channel. A console of another speed shows rubbish on the person's terminal; what is at a pin that the
-program should leave alone may be switched on by it, or be driven against.
+None is an event of a channel. A console of another speed shows rubbish on the person's terminal; what is at a pin that the
+program should leave alone may be switched on by it, or be driven against. A pull-up makes an open contact read high that floats
+on the source's board, and moves what a resistor sets there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.comparison import FirstDifference
@@ -24,6 +26,9 @@ _LATE_US = 500_000.0
 _READ = "levels"
 """The device at ports that a program only reads; others are asked, charged or driven by it."""
 DRIVEN = (0, 1)
+_PULLED = "p"
+_PASSING_US = 1_000.0
+"""A pull-up that is on for less is one on the way to another state of the pin."""
 
 
 def console_speed(source: PinTrace, target: PinTrace, channel: str) -> FirstDifference | None:
@@ -68,6 +73,32 @@ def foreign_pin(source: PinTrace, target: PinTrace, ports: Sequence[BoundPort]) 
             why = "the source only reads it" if pin in named else "no port of the program is on it"
             return FirstDifference(at_us / 1000, what, f"the migrated program drives {pin}, and {why}", None, None)
     return None
+
+
+def pulled_up(source: PinTrace, target: PinTrace, ports: Sequence[BoundPort]) -> FirstDifference | None:
+    """The first port at which the program leaves a pull-up on, and the original lets the pin float; None where there is none.
+
+    Lines of buses, of serial connections and of devices that answer need one: they are left out.
+
+    Args:
+        source: what the original has done.
+        target: what the migrated program has done.
+        ports: the ports.
+    """
+    found = []
+    for port in ports:
+        if port.line or not port.target or port.device not in ("", _READ) or _pulled(source, port.source) is not None:
+            continue
+        if (since_us := _pulled(target, port.target)) is not None:
+            message = f"the migrated program switches the pull-up of {port.target} on, and the source lets {port.source} float"
+            found.append(FirstDifference(since_us / 1000, port.title, message, None, None))
+    return min(found, key=lambda each: each.at_ms, default=None)
+
+
+def _pulled(trace: PinTrace, pin: str) -> float | None:
+    """Since when a pin has its pull-up on for longer than it takes to make it an output, or None."""
+    levels = pairwise([*trace.levels(pin), (trace.simulated_us, "")])
+    return next((at_us for (at_us, level), (end_us, _) in levels if level == _PULLED and end_us - at_us > _PASSING_US), None)
 
 
 def _only_read(port: BoundPort) -> bool:

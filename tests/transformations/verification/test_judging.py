@@ -10,7 +10,7 @@ from robosmi.transformations.verification.original_side import SourceRuns, chann
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.original_run import OriginalRun
 from robosmi.verify.scenario import Scenario
-from robosmi.verify.simulation import ConsoleByte, PinTrace
+from robosmi.verify.simulation import ConsoleByte, PinChange, PinTrace
 from robosmi.verify.verdict import Verdict
 
 SCENARIO = Scenario("s", 1000.0)
@@ -110,3 +110,46 @@ def test_only_an_open_port_is_advised_to_be_bound() -> None:
     assert "--bind P3=PIN" in said
     assert "--bind P21" not in said
     assert "P21: on no pin of the target, as the plan says" in said
+
+
+def at_pins(**levels: tuple[tuple[float, int | str], ...]) -> PinTrace:
+    """A run with changes at pins: milliseconds and levels."""
+    changes = [PinChange(1000 * at_ms, pin, level) for pin, listed in levels.items() for at_ms, level in listed]
+    return PinTrace("e", "running", 1e6, tuple(sorted(changes)), (), (), ())
+
+
+def of_ports(trace: PinTrace, ports: list[BoundPort]) -> SourceRuns:
+    """The original's runs with ports: the nominal one, and one that does the same."""
+    run = OriginalRun(trace, "running", "", b"")
+    return SourceRuns(run, (run,), {n: [[each] * 2 for each in seen] for n, seen in channel_events(trace, ports, False).items()})
+
+
+@pytest.mark.parametrize(
+    ("device", "line", "told"), [("levels", False, True), ("", False, True), ("", True, False), ("dht22", False, False)]
+)
+def test_a_pull_up_that_the_source_does_not_have_is_told(device: str, line: bool, told: bool) -> None:
+    ports = [BoundPort("button", "P3", "D3", device=device, line=line, pin="data" if device == "dht22" else "")]
+    source = at_pins(P3=((0, "z"),))
+    for levels, seen in ((((0, "z"), (10, "p")), told), (((0, "z"), (10, "p"), (10.5, "z")), False)):
+        result = judged(SCENARIO, of_ports(source, ports), at_pins(D3=levels), ports, one_thread=True)
+        said = [] if result.first is None else [result.first.message]
+        assert any("pull-up of D3" in each for each in said) == seen
+
+
+def test_a_wave_that_lacks_is_told_before_how_its_line_rests() -> None:
+    ports = [BoundPort("horn", "P3", "D3")]
+    blinks = tuple((at_ms, (at_ms // 100 + 1) % 2) for at_ms in range(200, 900, 100))
+    source = at_pins(P3=blinks)
+    target = at_pins(D3=((0.1, 0), (5, "z"), (700, "z")))
+    first = judged(SCENARIO, of_ports(source, ports), target, ports, one_thread=True).first
+    assert first is not None
+    assert (first.channel, first.at_ms) == ("horn", 200.0)
+
+
+def test_what_a_program_does_beyond_the_end_is_not_looked_at() -> None:
+    ports = [BoundPort("horn", "P3", "D3")]
+    source = at_pins(P3=((0, "z"), (100, 0)))
+    target = at_pins(D3=((0, "z"), (100, 0), (1500, "z"), (1600, 0), (1700, "z"), (1800, 1)))
+    later = replace(target, simulated_us=2e6)
+    assert later.until(1e6) == at_pins(D3=((0, "z"), (100, 0)))
+    assert judged(SCENARIO, of_ports(source, ports), later, ports, one_thread=True).first is None
