@@ -149,3 +149,28 @@ def test_a_line_that_is_driven_high_behind_the_end_of_the_source_is_compared_bef
     sketch.write_text(sketch.read_text().replace("pause(50)", f"pause({pause})"))
     outcome = run("verify", tmp_path / "out", "--scenario", tmp_path / "s.toml", "--json")
     assert outcome.result["verdict"] == ("not-decidable" if pause == 50 else "different"), outcome.result["first_difference"]
+
+
+HELD = """#include "simpletools.h"
+int main() {
+  print("begun\\n");
+  while (1) { high(4); pause(100); low(4); pause(100); }
+}
+"""
+WHEEL = "digitalWrite(wheelWriteP1, LOW);"
+
+
+@pytest.mark.parametrize(("level", "told"), [("LOW", ""), ("HIGH", "the migrated program drives D9")])
+def test_a_pin_that_is_held_at_rest_is_not_foreign(level: str, told: str, tmp_path: Path) -> None:
+    """The sketch itself holds what the program does not use so that it does nothing."""
+    require_verification("simavr")
+    (tmp_path / "p.c").write_text(HELD)
+    (tmp_path / "h.csv").write_text("pin,part,title,connector\nD9,Continuous Servo,wheel,pulse\nD4,LED,lamp,anode\n")
+    assert run("migrate", tmp_path / "p.c", "--hardware", tmp_path / "h.csv", "--bind", "P4=D4", "-o", tmp_path / "out").code in (0, 1)
+    sketch = tmp_path / "out" / "p" / "p.ino"
+    assert WHEEL in sketch.read_text()
+    sketch.write_text(sketch.read_text().replace(WHEEL, WHEEL.replace("LOW", level)))
+    (tmp_path / "s.toml").write_text("horizon_ms = 1000\n[signals]\n")
+    outcome = run("verify", tmp_path / "out", "--scenario", tmp_path / "s.toml", "--json")
+    assert outcome.code == (6 if told else 0), outcome.result["first_difference"]
+    assert not told or told in outcome.result["first_difference"]["message"]

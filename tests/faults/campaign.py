@@ -26,7 +26,7 @@ from robosmi.transformations.verification.jobs import job
 from robosmi.transformations.verification.judging import judged
 from robosmi.transformations.verification.original_side import SourceRuns, run_further, run_source, run_varied
 from robosmi.transformations.verification.played_devices import played
-from robosmi.transformations.verification.port_devices import BoundPort, bound_ports
+from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, resting_pins
 from robosmi.transformations.verification.second_look import looked_at_again
 from robosmi.transformations.verification.target_side import TargetSide
 from robosmi.verify.scenario import Scenario, read_scenario
@@ -188,9 +188,9 @@ class Study:
                 (trace,) = side.run([asked])
                 if isinstance(trace, RobosmiError):
                     raise trace
-                one_thread = self._models.plan.concurrency is None
-                result = judged(asked, runs, trace, self.ports, one_thread)
-                result = looked_at_again(result, asked, trace, self.ports, one_thread, runs, self._further)
+                one_thread, at_rest = self._models.plan.concurrency is None, resting_pins(self._models.plan)
+                result = judged(asked, runs, trace, self.ports, one_thread, at_rest)
+                result = looked_at_again(result, asked, trace, self.ports, one_thread, runs, self._further, at_rest)
                 if result.first is not None:
                     first = result.first
                     functions = next((port.functions for port in self.ports if port.title == first.channel), ())

@@ -37,7 +37,7 @@ from robosmi.transformations.verification.original_side import (
 )
 from robosmi.transformations.verification.originals import original_program, with_stored_names
 from robosmi.transformations.verification.played_devices import signals_of
-from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, reads_console, texts_understood
+from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, reads_console, resting_pins, texts_understood
 from robosmi.transformations.verification.scenario_search import search
 from robosmi.transformations.verification.second_look import looked_at_again
 from robosmi.transformations.verification.source_reached import cover
@@ -173,7 +173,7 @@ def verify(
         ran = side.run([scenario for scenario, _ in cases])
         verdict.engine = side.engine
         doing("compare what both do")
-        one_thread = plan.concurrency is None
+        one_thread, at_rest = plan.concurrency is None, resting_pins(plan)
 
         def further(scenario: Scenario, runs: SourceRuns) -> SourceRuns:
             doing(f"look whether the source differs from itself in '{scenario.name}'")
@@ -189,8 +189,8 @@ def verify(
                 told, seen = without_target(scenario, runs, trace), NOTHING_SEEN
                 undecided += [] if ended_badly(runs) else [trace]
             else:
-                first, seen = judged(scenario, runs, trace, ports, one_thread), trace
-                told = looked_at_again(first, scenario, trace, ports, one_thread, runs, further)
+                first, seen = judged(scenario, runs, trace, ports, one_thread, at_rest), trace
+                told = looked_at_again(first, scenario, trace, ports, one_thread, runs, further, at_rest)
                 if told is not first and told.verdict == NOT_DECIDABLE and scenario.origin == "generated":
                     verdict.racy += 1
                     made.racy_counts.append(runs.nominal.counts)

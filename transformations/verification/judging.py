@@ -22,7 +22,7 @@ from robosmi.transformations.verification.original_side import (
     compared,
 )
 from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.transformations.verification.seen_beside import console_speed, foreign_pin, pulled_up
+from robosmi.transformations.verification.seen_beside import NO_LEVELS, console_speed, foreign_pin, pulled_up
 from robosmi.typed import replaced
 from robosmi.verify.activity import ActivityEvent
 from robosmi.verify.channel_order import first_disorder
@@ -42,8 +42,9 @@ SAME_MS = 45.0
 
 
 def judged(
-    scenario: Scenario, runs: SourceRuns, trace: PinTrace, ports: Sequence[BoundPort], one_thread: bool
-) -> ScenarioVerdict:
+    scenario: Scenario, runs: SourceRuns, trace: PinTrace, ports: Sequence[BoundPort], one_thread: bool,
+    at_rest: Mapping[str, int] = NO_LEVELS,
+) -> ScenarioVerdict:  # fmt: skip
     """What the two sides have in common in a scenario.
 
     A difference comes first; then a crash of the migrated program that the original does not share, which is a difference, too;
@@ -55,6 +56,7 @@ def judged(
         trace: what the migrated program did.
         ports: the ports.
         one_thread: whether one thread of the source does all that is seen, so that the order of near events is its own.
+        at_rest: the pins that the migrated program holds so that what is there does nothing, with their levels.
     """
     nominal = runs.nominal
     if runs.given_up:
@@ -69,7 +71,7 @@ def judged(
     found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith((DRIVEN, PULSED, STANDING)))
     found = tuple(_racy_text(each) if _is_mixed(each, runs, trace) else each for each in found)
     found = tuple(_sure(each) for each in found)
-    found = _beside(_behind_their_own(found), nominal.trace, trace, ports)
+    found = _beside(_behind_their_own(found), nominal.trace, trace, ports, at_rest)
     if one_thread and all(c.status != DIFFERENT for c in found):
         found = _in_order(found, scenario, runs, target)
     if any(c.status == DIFFERENT for c in found):
@@ -84,14 +86,14 @@ def judged(
 
 
 def _beside(
-    found: tuple[ChannelComparison, ...], source: PinTrace, target: PinTrace, ports: Sequence[BoundPort]
+    found: tuple[ChannelComparison, ...], source: PinTrace, target: PinTrace, ports: Sequence[BoundPort], at_rest: Mapping[str, int]
 ) -> tuple[ChannelComparison, ...]:
     """The channels with what is seen beside them: the console's speed, pins that are not the program's, and pull-ups."""
     speed = console_speed(source, target, CONSOLE_CHANNEL) if any(each.channel == CONSOLE_CHANNEL for each in found) else None
     if speed is not None:
         others = [each for each in found if each.channel != CONSOLE_CHANNEL]
         found = (*others, ChannelComparison(CONSOLE_CHANNEL, DIFFERENT, speed))
-    for pin in (foreign_pin(source, target, ports), pulled_up(source, target, ports)):
+    for pin in (foreign_pin(source, target, ports, at_rest), pulled_up(source, target, ports)):
         if pin is None:
             continue
         first_ms = min((each.difference.at_ms for each in found if each.difference is not None), default=0.0)

@@ -23,6 +23,7 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.queries.component_kinds import kinds_of
 from robosmi.transformations.queries.pin_uses import PinUse, pin_uses
+from robosmi.transformations.queries.plan_adapters import rest_levels
 from robosmi.transformations.queries.port_flows import port_flows
 from robosmi.transformations.queries.ports import program_ports
 from robosmi.transformations.queries.split_wires import answering_pin, asking_pin
@@ -32,6 +33,7 @@ from robosmi.typed import distinct, first_of, kept, replaced
 from robosmi.verify.tables import DataTable
 
 _MOST_TEXTS = 24
+_LEVELS = {"low": 0, "high": 1}
 _NUMBERS = (50, 70000)
 _NUMBER_LINES = ("70000\r", "-40000\r", "4\r30\r-5\r12\r7\r")
 _CHANNEL = re.compile(r"AD(\d+)|.*\.channel_(\d+)")
@@ -201,6 +203,11 @@ def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice]) -> Non
                 ports[source], device=device.kind, pin=" ".join(called), line=False, group=group, settings=device.settings,
                 shown=not set(called).isdisjoint(shown), loop_ms=device.loop_ms if closed else 0.0,
             )  # fmt: skip
+
+
+def resting_pins(plan: migration.MigrationPlan) -> dict[str, int]:
+    """The pins that a migrated program holds from its start so that what is there does nothing: label -> level, 0 or 1."""
+    return {str(c.pin.label): _LEVELS[str(c.restLevel)] for c in rest_levels(plan) if c.pin is not None}
 
 
 def reads_console(plan: migration.MigrationPlan) -> bool:

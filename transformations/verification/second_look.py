@@ -7,11 +7,12 @@ difference is found further runs are made, and it counts if it is none that they
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from robosmi.transformations.verification.judging import SAME_MS, judged
 from robosmi.transformations.verification.original_side import SourceRuns
 from robosmi.transformations.verification.port_devices import BoundPort
+from robosmi.transformations.verification.seen_beside import NO_LEVELS
 from robosmi.verify.alignment import alike
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
@@ -26,6 +27,7 @@ def looked_at_again(
     one_thread: bool,
     runs: SourceRuns,
     further: Callable[[Scenario, SourceRuns], SourceRuns],
+    at_rest: Mapping[str, int] = NO_LEVELS,
 ) -> ScenarioVerdict:
     """The verdict on a scenario, with further runs of the source where it is that something is different.
 
@@ -37,12 +39,13 @@ def looked_at_again(
         one_thread: whether one thread of the source does all that is seen.
         runs: those of the source.
         further: makes further runs.
+        at_rest: the pins that the migrated program holds so that what is there does nothing, with their levels.
     """
     first = told.first
     if told.verdict != DIFFERENT_VERDICT or first is None or told.crash is not None:
         return told
     more = further(scenario, runs)
-    again = judged(scenario, more, trace, ports, one_thread)
+    again = judged(scenario, more, trace, ports, one_thread, at_rest)
     selves = [each.itself for each in again.channels if each.channel == first.channel]
     itself = selves[0] if selves else None
     if itself is None or again.verdict == DIFFERENT_VERDICT:

@@ -7,7 +7,8 @@ on the source's board, and moves what a resistor sets there.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from itertools import pairwise
 
 from robosmi.transformations.verification.port_devices import BoundPort
@@ -26,6 +27,7 @@ _LATE_US = 500_000.0
 _READ = "levels"
 """The device at ports that a program only reads; others are asked, charged or driven by it."""
 DRIVEN = (0, 1)
+NO_LEVELS: Mapping[str, int] = MappingProxyType({})
 _PULLED = "p"
 _PASSING_US = 1_000.0
 """A pull-up that is on for less is one on the way to another state of the pin."""
@@ -54,19 +56,23 @@ def console_speed(source: PinTrace, target: PinTrace, channel: str) -> FirstDiff
     return FirstDifference(0.0, channel, message, None, None)  # whatever it delays comes later
 
 
-def foreign_pin(source: PinTrace, target: PinTrace, ports: Sequence[BoundPort]) -> FirstDifference | None:
+def foreign_pin(
+    source: PinTrace, target: PinTrace, ports: Sequence[BoundPort], at_rest: Mapping[str, int]
+) -> FirstDifference | None:
     """The first pin of the target that the program drives though the original never drives what it stands for.
 
     Args:
         source: what the original has done.
         target: what the migrated program has done.
         ports: the ports.
+        at_rest: the pins that the migrated program holds so that what is there does nothing, with their levels. As long as
+            they have these, they are not foreign.
     """
     driven = _driven(source)
     its_own = {port.target for port in ports if not _only_read(port) or port.source in driven}
     its_own |= {pin for port in ports for pin in port.split}
     named = {port.target: port.title for port in ports}
-    begins = sorted((at_us, pin) for pin, at_us in _driven(target).items())
+    begins = sorted((at_us, pin) for pin, at_us in _driven(target, at_rest).items())
     for at_us, pin in begins:
         if pin not in its_own and at_us < target.simulated_us - _LATE_US:
             what = f"{pin} ({named[pin]})" if pin in named else pin
@@ -106,11 +112,11 @@ def _only_read(port: BoundPort) -> bool:
     return port.device == _READ and not port.line
 
 
-def _driven(trace: PinTrace) -> dict[str, float]:
-    """Each pin that is driven, by edges or by a timer -> since when."""
+def _driven(trace: PinTrace, at_rest: Mapping[str, int] = NO_LEVELS) -> dict[str, float]:
+    """Each pin that is driven otherwise than it is at rest, by edges or by a timer -> since when."""
     found: dict[str, float] = {}
     for change in trace.changes:
-        if change.level in DRIVEN:
+        if change.level in DRIVEN and change.level != at_rest.get(change.pin):
             found.setdefault(change.pin, change.at_us)
     for wave in trace.waves:
         if wave.hz > 0:

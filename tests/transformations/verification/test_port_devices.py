@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -10,7 +12,7 @@ import robosmi
 from robosmi.diagnostics import Location
 from robosmi.errors import UsageError
 from robosmi.transformations.verification.played_devices import played, signals_of
-from robosmi.transformations.verification.port_devices import BoundPort, bound_ports
+from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, reads_console, resting_pins
 from robosmi.transformations.verification.simulated_kinds import device_facts
 from robosmi.verify.scenario import Points, Scenario
 from robosmi.verify.simulation import DeviceUse
@@ -168,3 +170,32 @@ def test_a_device_that_is_asked_at_one_port_answers_at_the_next_one_that_is_hear
     tmp_path: Path, body: str, found: dict[str, tuple[str, str, bool]]
 ) -> None:
     assert bodied(tmp_path, body).items() >= found.items()
+
+
+READS = re.compile(r"(get|read)(Char|Byte|Str|Dec|Float|Bin|Hex)|[df]?scan[if]?|f?gets|f?getc|getchar|\w+_rx(Char|Check|Time|Peek|Ready|Count)")
+TEXTS = ("simpletext", "fdserial", "serial", "stdio")
+
+
+def test_every_function_that_reads_what_is_typed_is_known_to_do_so() -> None:
+    """All adapters of the headers for texts, by their names: what is read through a device may be the console, too."""
+    folder = Path(robosmi.__file__).parents[1] / "platform_repo" / "arduino" / "adapters" / "propeller"
+    names = {name for header in TEXTS for name in re.findall(r"(?m)^//# adapter (\w+)", (folder / f"{header}.cpp").read_text())}
+    reading = {name for name in names if READS.fullmatch(name)}
+    assert len(reading) > 25
+    devices = tomllib.loads((folder.parents[2] / "propeller" / "devices.toml").read_text())
+    assert reading <= set(devices["console"]["reads"])
+
+
+def test_a_console_that_the_program_opens_itself_is_typed_at(tmp_path: Path) -> None:
+    source = tmp_path / "keys.c"
+    opens = "fdserial *term; int main() { simpleterm_close(); term = fdserial_open(31, 30, 0, 115200); %s }"
+    for body, reads in (("int c = fdserial_rxTime(term, 50); if (c == 'w') high(4);", True), ("fdserial_txChar(term, 'w');", False)):
+        source.write_text('#include "simpletools.h"\n#include "fdserial.h"\n' + opens % body)
+        assert reads_console(robosmi.plan_migration([source]).plan) is reads
+
+
+def test_pins_that_are_held_at_rest_are_told_with_their_levels(tmp_path: Path) -> None:
+    (tmp_path / "p.c").write_text('#include "simpletools.h"\nint main() { print("on"); }')
+    (tmp_path / "h.csv").write_text("pin,part,title,connector\nD9,Continuous Servo,wheel,pulse\nD7,Button,key,1\n")
+    plan = robosmi.plan_migration([tmp_path / "p.c"], hardware=tmp_path / "h.csv").plan
+    assert resting_pins(plan) == {"D9": 0}
