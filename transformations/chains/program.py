@@ -21,6 +21,7 @@ from robosmi.transformations.m2m.refused_forms import remarks
 from robosmi.transformations.queries.analysis import library_cogs, unknown_functions
 from robosmi.transformations.queries.block_braces import is_torn
 from robosmi.transformations.queries.code import CodeView, views
+from robosmi.transformations.queries.double_definitions import double_definitions
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE
 from robosmi.transformations.t2m.c_source.side_file import ENDING, SideProject, project_beside, read_side
 from robosmi.transformations.t2m.c_source.sources import source_files
@@ -127,6 +128,7 @@ def stored_program(files: ProgramFiles, api: ApiIndex, target: TargetFacts) -> S
     places = _store_units(program, target.own_headers | {ADAPTERS_FILE})
     copies = {places[str(path)]: inputs.read_bytes(path, inputs.SOURCE) for path in files.paths}
     names = {place: path for path, place in places.items()}
+    findings = [*findings, *double_definitions(program, copies, names)]
     for view in seen if target.language == CPLUSPLUS else ():
         findings = [*findings, *remarks(view, copies[view.unit.path], names[view.unit.path])]
     return StoredProgram(program, _sketch_name(main), seen, places, copies, findings)

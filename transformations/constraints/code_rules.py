@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from robosmi.transformations.constraints import (
+    code_calls,
     code_characters,
     code_cores,
     code_formats,
@@ -16,5 +17,5 @@ from robosmi.transformations.constraints.code_move import move_findings, moved
 
 __all__ = ["MODULES", "move_findings", "moved"]
 
-MODULES = (code_widths, code_formats, code_characters, code_cores, code_ports, code_ranges, code_memory, code_kept)
+MODULES = (code_widths, code_formats, code_characters, code_cores, code_ports, code_ranges, code_memory, code_kept, code_calls)
 """Where they are."""

@@ -150,8 +150,8 @@ def _convert_compound(element: ccode.Located, choice: str, text: SourceText) -> 
     return [(element.startOffset, element.startOffset, f"({choice})("), (element.endOffset, element.endOffset, ")")]
 
 
-def _parentheses(element: ccode.Function | ccode.Typedef, choice: str, text: SourceText) -> list[Replacement]:
-    found = re.compile(rb"\b%s\s*\)?\s*\(\s*\)" % re.escape(element.name.encode())).search(
+def _parentheses(element: ccode.Declaration, choice: str, text: SourceText) -> list[Replacement]:
+    found = re.compile(rb"\b%s(?:\s*\[[^\]]*\])*\s*\)?\s*\(\s*\)" % re.escape(element.name.encode())).search(
         text.data, element.startOffset, element.endOffset
     )
     return [(found.end() - 1, found.end() - 1, choice)] if found else []
@@ -249,6 +249,15 @@ def _more_arguments(element: ccode.Call, choice: str, text: SourceText) -> list[
     return [(element.endOffset - 1, element.endOffset - 1, choice)]
 
 
+def _fewer_arguments(element: ccode.Call, choice: str, text: SourceText) -> list[Replacement]:
+    """The arguments behind so many go."""
+    kept, given = int(choice), list(element.arguments)
+    mark, before = (b",", given[kept - 1]) if kept else (b"(", element.calleeExpression)
+    assert before is not None  # it is called through a pointer
+    place = text.data.index(mark, before.endOffset) + (not kept)
+    return [(place, element.endOffset - 1, "")]
+
+
 def _own_header(element: ccode.Include, choice: str, text: SourceText) -> list[Replacement]:
     """The include of a header that was carried over names the file in the sketch folder."""
     written = re.compile(rb'[<"][^>"\n]*[>"]').search(text.data, element.startOffset, text.line_end(element.startOffset))
@@ -287,6 +296,7 @@ RULES: dict[str, EditRule] = {
     "convert-compound": _convert_compound,
     "empty-parentheses": _parentheses,
     "missing-arguments": _more_arguments,
+    "surplus-arguments": _fewer_arguments,
     "parameters-behind": _parameters_behind,
     "return-at-end": _return_at_end,
     "implicit-int": _implicit_int,

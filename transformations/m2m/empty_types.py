@@ -18,6 +18,7 @@ from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType, type_of
 from robosmi.transformations.queries.initialisers import members_given, record_of
 from robosmi.transformations.queries.tokens import name_tokens
+from robosmi.transformations.queries.unsaid_parameters import parameters_of
 from robosmi.typed import first_of
 
 _EMPTY = re.compile(rb"\(\s*\)\s*\Z")
@@ -52,7 +53,7 @@ def empty_types(view: CodeView, data: bytes) -> Iterator[EmptyType]:
         if (kind := type_of(call.calleeExpression, {})) is not None for word in _words(kind.spelling)
     }  # fmt: skip
     for typedef in empty:
-        taken = {_taken(function) for function in kept.get(str(typedef.name), ())}
+        taken = {parameters_of(function)[1] for function in kept.get(str(typedef.name), ())}
         if taken - {""} or (typedef.name in called and not taken):
             yield EmptyType(typedef, first_of(taken) if len(taken) == 1 else None)
 
@@ -62,13 +63,6 @@ def said_parameters(view: CodeView, data: bytes, functions: Mapping[str, Functio
     for found in empty_types(view, data):
         if found.parameters:
             yield Change(found.typedef, "empty-parentheses", found.parameters, "in C++ an empty list means no parameters")
-
-
-def _taken(function: ccode.Function) -> str:
-    """The types of a function's parameters."""
-    uses = [p.valueType for p in function.parameters if p.valueType is not None]
-    shown = [" ".join(f"{use.spelling} {use.arrayDims or ''}".split()) for use in uses]
-    return ", ".join([*shown, *(["..."] if function.variadic else [])])
 
 
 def _words(spelling: str) -> set[str]:

@@ -25,6 +25,7 @@ from robosmi.transformations.m2m.nested_types import nested_enumerations, nested
 from robosmi.transformations.m2m.read_only_registers import read_only_registers
 from robosmi.transformations.m2m.source_assembler import assembler
 from robosmi.transformations.m2m.text_change import Change, Rule
+from robosmi.transformations.m2m.unsaid_pointers import said_of_pointers
 from robosmi.transformations.m2m.written_conversions import NULLS, conversions, is_primary, plain_type
 from robosmi.transformations.m2m.written_types import unnamed
 from robosmi.transformations.queries.code import CodeView
@@ -223,6 +224,7 @@ RULES: tuple[Rule, ...] = (
     exact_texts,
     excess_values,
     said_parameters,
+    said_of_pointers,
     run_in_setup,
     _enumerations,
     conversions,
@@ -253,6 +255,7 @@ TEXT_RULES = frozenset(
         "shared-behind",
         "left-undefined",
         "missing-arguments",
+        "surplus-arguments",
         "share",
         "share-one",
         "words-of-c",

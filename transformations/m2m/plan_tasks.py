@@ -297,7 +297,7 @@ def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
                 line=finding.line,
                 column=finding.column,
             )
-        elif finding.rule in ("RS312", "RS337"):
+        elif finding.rule in ("RS312", "RS337", "RS342"):
             yield Task(
                 rule="RS504",
                 severity=Level.warning,

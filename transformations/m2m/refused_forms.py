@@ -20,6 +20,7 @@ from robosmi.transformations.m2m.early_functions import left_early
 from robosmi.transformations.m2m.empty_types import empty_types
 from robosmi.transformations.m2m.exact_texts import without_zero
 from robosmi.transformations.m2m.nested_types import RECORDS
+from robosmi.transformations.m2m.unsaid_pointers import untold_pointers
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import of_use, type_of
 from robosmi.transformations.queries.tokens import name_tokens
@@ -58,12 +59,14 @@ def refused_forms(view: CodeView, data: bytes) -> list[Form]:
         data: its bytes.
     """
     words = [word for word in tokens(data) if word[0] not in ("comment", "directive")]
-    found = [*_choices_by_type(data), *_types_in_place(words), *_late_enumerations(words), *_old_pointers(words)]
+    found = [*_choices_by_type(data), *_types_in_place(words), *_late_enumerations(words)]
     found += [*_hidden_types(view), *_pointer_sizes(words)]
     for each in empty_types(view, data):
         if each.parameters is None:
             message = f"nothing says what the functions of the type '{each.typedef.name}' take, and they take something"
             found.append((int(each.typedef.startOffset), message, "write the types of the parameters in its definition"))
+    for start, message in untold_pointers(view):
+        found.append((start, message, "write the types of the parameters in its declaration"))
     for function in left_early(view, data):
         message = f"'{function.name}' runs before main, when the target has not started its clock: a wait in it never ends"
         found.append((int(function.startOffset), message, "call it at the beginning of main"))
@@ -119,33 +122,6 @@ def _late_enumerations(words: Sequence[Token]) -> Iterator[Form]:
         else:
             named[tag] = -1
     return
-
-
-def _old_pointers(words: Sequence[Token]) -> Iterator[Form]:
-    """Pointers to functions that say nothing of their parameters and are called with some."""
-    texts = [word[3] for word in words]
-    declared: dict[str, int] = {}
-    for number in range(len(words) - 5):
-        if texts[number : number + 2] != ["(", "*"] or words[number + 2][0] != "name":
-            continue
-        close = number + 3
-        while close < len(words) and texts[close] == "[":
-            close = closing(words, close) + 1
-        typed = number > 0 and (words[number - 1][0] == "name" or texts[number - 1] == "*")
-        if typed and texts[close : close + 3] == [")", "(", ")"]:
-            declared[texts[number + 2]] = words[number][1]
-    told: set[str] = set()
-    for number, text in enumerate(texts[:-2]):
-        if text not in declared or text in told or words[number][1] - declared[text] == 2:
-            continue
-        behind = number + 1
-        while behind < len(words) and texts[behind] == "[":
-            behind = closing(words, behind) + 1
-        behind += texts[behind : behind + 1] == [")"]
-        if texts[behind : behind + 1] == ["("] and texts[behind + 1 : behind + 2] not in ([")"], ["void"], []):
-            told.add(text)
-            message = f"'{text}' points to functions of which nothing says the parameters, and is called with some"
-            yield declared[text], message, "write the types of the parameters in its declaration"
 
 
 def _hidden_types(view: CodeView) -> Iterator[Form]:

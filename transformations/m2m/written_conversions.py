@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.text_change import Change
+from robosmi.transformations.m2m.unsaid_pointers import said_values
 from robosmi.transformations.m2m.written_types import gives_text, written_type
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import (
@@ -16,13 +17,19 @@ from robosmi.transformations.queries.expression_type import (
     expectations,
     type_of,
 )
+from robosmi.typed import replaced
 
+_EMPTY = re.compile(r"\(\s*\)\s*$")
 NULLS = re.compile(rb"NULL|\(?\s*0[xX]?0*[uUlL]*\s*\)?")
 
 
 def conversions(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """The values of a unit that need a conversion, each with the type that is to be written."""
-    for value, wanted in expectations(view, functions):
+    said = said_values(view)
+    for value, place in expectations(view, functions):
+        wanted = place
+        if id(value) in said:
+            wanted = replaced(place, spelling=_EMPTY.sub(f"({said[id(value)]})", place.spelling))
         text = data[value.startOffset : value.endOffset]
         null = NULLS.fullmatch(text) and (wanted.depth or wanted.function)
         if text and not null and not _in_macro(value) and (reason := _conversion(value, wanted, functions)):

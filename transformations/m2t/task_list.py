@@ -98,7 +98,9 @@ def by_severity(findings: Iterable[migration.PlanFinding]) -> list[migration.Pla
     return sorted(findings, key=lambda f: order[f.severity])
 
 
-_TASKS = {"RS101": "RS504", "RS312": "RS504", "RS337": "RS504", "RS103": "RS503", "RS107": "RS503", "RS109": "RS501"}
+_TASKS = {
+    "RS101": "RS504", "RS312": "RS504", "RS337": "RS504", "RS342": "RS504", "RS103": "RS503", "RS107": "RS503", "RS109": "RS501",
+}  # fmt: skip
 """A rule of findings -> that of the tasks that say the same with what to do."""
 
 

@@ -1,0 +1,43 @@
+"""A constraint on calls: they give what functions take."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from robosmi.diagnostics import Severity
+from robosmi.metamodels import ccode
+from robosmi.transformations.constraints.code_move import moved, place, the_move, together
+from robosmi.transformations.queries.own_headers import unit_of
+from robosmi.transformations.queries.unsaid_parameters import unsaid_pointers
+from robosmi.typed import distinct
+from robosmi.validate import Fail
+
+units = moved.context(ccode.SourceUnit)
+
+
+@units.constraint(id="RS341", severity=Severity.warning, location=place, advice="give the argument in the call")
+def GivesItsArguments(unit: ccode.SourceUnit) -> bool | Fail:
+    """No function is called with fewer arguments than it takes: what it finds instead is not said in C."""
+    found = [*_short_calls(unit), *_short_calls_of_pointers(unit)]
+    said = ", ".join(distinct(f"'{name}'" for _, name in found))
+    return not found or together(
+        f"calls give fewer arguments than {said} takes: the source leaves open what is found there, and it is 0 on the target",
+        [call for call, _ in found],
+    )
+
+
+def _short_calls(unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Call, str]]:
+    for call in the_move().view(unit).of_kind(ccode.Call):
+        function = call.callee
+        if function is None or not function.definition or call.viaMacro or function.name != call.calleeName:
+            continue
+        if len(call.arguments) < len(function.parameters):
+            yield call, str(function.name)
+
+
+def _short_calls_of_pointers(unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Call, str]]:
+    for kept in unsaid_pointers(the_move().program) if any(c.callee is None for c in the_move().view(unit).calls) else ():
+        for call in kept.calls:
+            lacking = [function for function in kept.functions if len(function.parameters) > len(call.arguments)]
+            if unit_of(call) is unit and lacking:
+                yield call, str(lacking[0].name)

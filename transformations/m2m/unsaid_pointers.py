@@ -1,0 +1,81 @@
+"""What C++ wants of pointers to functions whose type says nothing of parameters, and of the calls through them.
+
+Where all that is kept in them takes the same, their types say so then. A call that gives more leaves that out, and one that gives
+less gives zeros. What neither mends is told by `refused_forms`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from robosmi.metamodels import ccode
+from robosmi.query import all_contents
+from robosmi.transformations.m2m.text_change import Change
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.expression_type import FunctionType
+from robosmi.transformations.queries.own_headers import unit_of
+from robosmi.transformations.queries.signature_text import nothing, split
+from robosmi.transformations.queries.unsaid_parameters import UnsaidPointers, concerns, unsaid_pointers
+
+
+def said_of_pointers(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """The types that say what their functions take, and the calls that give as much."""
+    for kept in unsaid_pointers(view.program) if concerns(view.unit) else ():
+        if kept.said and not _left(kept):
+            for pointer in kept.pointers:
+                if unit_of(pointer) is view.unit:
+                    yield Change(pointer, "empty-parentheses", kept.said, "in C++ an empty list means no parameters")
+        for call in kept.calls:
+            if unit_of(call) is view.unit and not _left(kept):
+                yield from _arguments(call, kept)
+
+
+def said_values(view: CodeView) -> dict[int, str]:
+    """What the types of pointers say then that takes a value, by the value's identity."""
+    groups = unsaid_pointers(view.program) if concerns(view.unit) else ()
+    return {id(value): kept.said for kept in groups if kept.said and not _left(kept) for value in kept.values}
+
+
+def untold_pointers(view: CodeView) -> Iterator[tuple[int, str]]:
+    """Pointers of a unit whose calls C++ refuses, since nothing or not one thing says what they take; offset and message."""
+    for kept in unsaid_pointers(view.program) if concerns(view.unit) else ():
+        message = _left(kept)
+        first = next((pointer for pointer in kept.pointers if unit_of(pointer) is view.unit), None)
+        if message and first is not None:
+            yield int(first.startOffset), f"'{first.name}' points to functions {message}, and is called with some"
+
+
+def _left(kept: UnsaidPointers) -> str:
+    """Why calls through pointers that give arguments cannot be mended; empty where they can, or where there are none."""
+    if not any(call.arguments for call in kept.calls):
+        return ""
+    count = kept.count
+    if kept.taken is None:
+        return "that take different parameters" if len(kept.lists) > 1 else "of which nothing says the parameters"
+    if kept.taken and not kept.said:
+        return f"whose parameters ({kept.taken}) have types that are named behind it"
+    for call in kept.calls if count is not None else ():
+        surplus = [each for number, each in enumerate(call.arguments) if count is not None and number >= count]
+        if surplus and (call.viaMacro or not all(_is_plain(each) for each in surplus)):
+            return "that take fewer parameters"
+    return ""
+
+
+def _is_plain(value: ccode.Expression) -> bool:
+    """Whether nothing is done where a value is computed."""
+    return not any(
+        isinstance(each, (ccode.Call, ccode.Assignment)) or (isinstance(each, ccode.Unary) and each.operator in ("++", "--"))
+        for each in (value, *all_contents(value))
+    )
+
+
+def _arguments(call: ccode.Call, kept: UnsaidPointers) -> Iterator[Change]:
+    count = kept.count
+    if count is None or call.viaMacro or kept.taken is None:
+        return
+    if len(call.arguments) > count:
+        yield Change(call, "surplus-arguments", str(count), "the functions take fewer arguments")
+    elif len(call.arguments) < count:
+        lacking = (each for number, each in enumerate(split(kept.taken)) if number >= len(call.arguments))
+        values = ", " * bool(call.arguments) + ", ".join(nothing(each) or "0" for each in lacking)
+        yield Change(call, "missing-arguments", values, "it is called without arguments that it takes")
