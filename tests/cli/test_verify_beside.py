@@ -166,7 +166,8 @@ def test_a_pin_that_is_held_at_rest_is_not_foreign(level: str, told: str, tmp_pa
     require_verification("simavr")
     (tmp_path / "p.c").write_text(HELD)
     (tmp_path / "h.csv").write_text("pin,part,title,connector\nD9,Continuous Servo,wheel,pulse\nD4,LED,lamp,anode\n")
-    assert run("migrate", tmp_path / "p.c", "--hardware", tmp_path / "h.csv", "--bind", "P4=D4", "-o", tmp_path / "out").code in (0, 1)
+    made = run("migrate", tmp_path / "p.c", "--hardware", tmp_path / "h.csv", "--bind", "P4=D4", "-o", tmp_path / "out")
+    assert made.code in (0, 1)
     sketch = tmp_path / "out" / "p" / "p.ino"
     assert WHEEL in sketch.read_text()
     sketch.write_text(sketch.read_text().replace(WHEEL, WHEEL.replace("LOW", level)))

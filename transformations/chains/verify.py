@@ -37,7 +37,13 @@ from robosmi.transformations.verification.original_side import (
 )
 from robosmi.transformations.verification.originals import original_program, with_stored_names
 from robosmi.transformations.verification.played_devices import signals_of
-from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, reads_console, resting_pins, texts_understood
+from robosmi.transformations.verification.port_devices import (
+    BoundPort,
+    bound_ports,
+    reads_console,
+    resting_pins,
+    texts_understood,
+)
 from robosmi.transformations.verification.scenario_search import search
 from robosmi.transformations.verification.second_look import looked_at_again
 from robosmi.transformations.verification.source_reached import cover

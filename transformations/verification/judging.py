@@ -86,7 +86,11 @@ def judged(
 
 
 def _beside(
-    found: tuple[ChannelComparison, ...], source: PinTrace, target: PinTrace, ports: Sequence[BoundPort], at_rest: Mapping[str, int]
+    found: tuple[ChannelComparison, ...],
+    source: PinTrace,
+    target: PinTrace,
+    ports: Sequence[BoundPort],
+    at_rest: Mapping[str, int],
 ) -> tuple[ChannelComparison, ...]:
     """The channels with what is seen beside them: the console's speed, pins that are not the program's, and pull-ups."""
     speed = console_speed(source, target, CONSOLE_CHANNEL) if any(each.channel == CONSOLE_CHANNEL for each in found) else None

@@ -8,8 +8,8 @@ on the source's board, and moves what a resistor sets there.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 from itertools import pairwise
+from types import MappingProxyType
 
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.comparison import FirstDifference
