@@ -277,8 +277,10 @@ class Chain:
         graph = self.dependencies()
         ordered = in_order(self.steps, graph, self.place)
         for step, path in missing(ordered, graph, self.folder):
+            said = f"reads '{relative(path, self.folder or path)}', which does not exist and no step makes"
+            meant = did_you_mean(path.name, [ECORE]) if path in step.metamodel else ""
             raise SourceError(
-                f"the step '{step.name}' reads '{relative(path, self.folder or path)}', which does not exist and no step makes",
+                f"the step '{step.name}' {said}{meant}",
                 location=self.place or Location(str(path)),
                 fix="correct the path, relative to the chain's folder; nothing was done",
             )

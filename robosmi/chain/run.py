@@ -18,7 +18,7 @@ import robosmi
 from robosmi import inputs
 from robosmi.chain.graph import Dependencies
 from robosmi.chain.results import described, named, unlike
-from robosmi.chain.state import State, StepState, digest_of, digest_of_all, finding_from
+from robosmi.chain.state import State, StepState, digest_of, digest_of_all, finding_from, same_value
 from robosmi.chain.steps import CALL, GIVEN, Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, RuleError, SourceError, StoppedError, did_you_mean
@@ -156,7 +156,7 @@ class ChainRun:
 
     def _set(self, name: str, value: Any) -> None:
         """Keep a value. What it says to later steps is a new number if it differs, or its text where that outlives the run."""
-        if name in self.models and (self.models[name] is value or _same(self.models[name], value)):
+        if name in self.models and (self.models[name] is value or same_value(self.models[name], value)):
             return
         self._told += 1
         self.models[name] = value
@@ -290,10 +290,14 @@ class ChainRun:
         """Do a step; that its code ends the program is an error of the step, whatever exit code it names."""
         try:
             return self.do(step)
-        except SystemExit as error:
-            from robosmi.query.erl import failed
+        except (SystemExit, RobosmiError) as error:
+            from robosmi.query.erl import failed, with_place
 
             what = f"the step '{step.name}'"
+            if isinstance(error, RobosmiError):
+                if step.function is not None and step.kind != CALL:
+                    with_place(error, what, step.function)
+                raise
             raise unloadable(error) or raised_by(error) or failed(error, what, step.function or self._done) from error
 
     def do(self, step: Step) -> StepResult:
@@ -388,11 +392,3 @@ class ChainRun:
         result.outputs = {name: digest_of(self.folder / name) for name in result.outputs}
         findings = [finding.to_json() for finding in result.findings]
         self.state.steps[step.name] = StepState(inputs, result.outputs, findings, result.state == "failed")
-
-
-def _same(one: Any, other: Any) -> bool:
-    """Whether two values are equal; those that cannot be compared are not."""
-    try:
-        return one.__class__ is other.__class__ and bool(one == other)
-    except (TypeError, ValueError):
-        return False

@@ -9,7 +9,7 @@ import hashlib
 import os
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 from msgspec.structs import asdict
@@ -109,3 +109,11 @@ def finding_from(data: dict[str, Json]) -> Finding:
 def _location_from(data: dict[str, Json]) -> Location:
     numbers = {key: None if value is None else as_whole(value) for key, value in data.items() if key != "path"}
     return Location(as_text(data["path"]), **numbers)
+
+
+def same_value(one: Any, other: Any) -> bool:
+    """Whether two values are equal; those that cannot be compared are not."""
+    try:
+        return one.__class__ is other.__class__ and bool(one == other)
+    except (TypeError, ValueError):
+        return False

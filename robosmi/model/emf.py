@@ -36,7 +36,7 @@ class EmfModel(TypedModel):
 
     Args:
         roots: its root element, or several.
-        metamodel: a `Metamodel`, EPackages or generated packages; the packages of the roots' classes if None.
+        metamodel: a `Metamodel`, EPackages, generated packages, or an .ecore file; the packages of the roots' classes if None.
         name: what `M!Book` calls it.
         path: the file it was read from.
 
@@ -46,11 +46,13 @@ class EmfModel(TypedModel):
     def __init__(
         self,
         roots: EObject | Iterable[EObject] = (),
-        metamodel: Packages | None = None,
+        metamodel: Packages | str | Path | None = None,
         name: str = "M",
         path: Path | None = None,
     ) -> None:
         given = [roots] if isinstance(roots, EObject) else list(roots)
+        if isinstance(metamodel, (str, Path)):
+            metamodel = Metamodel.load(metamodel)
         if metamodel is None:
             metamodel = dict.fromkeys(_outermost(root.eClass.ePackage) for root in given)
         super().__init__(Metamodel.of(metamodel), name, path)

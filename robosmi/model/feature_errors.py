@@ -10,7 +10,7 @@ from typing import Any
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model import ecore
 from robosmi.model.ecore import EEnum, EObject
-from robosmi.typed import class_name, dynamic_attribute
+from robosmi.typed import attribute_of, class_name, dynamic_attribute
 
 
 class UnknownFeatureError(ModelError, AttributeError):
@@ -19,6 +19,40 @@ class UnknownFeatureError(ModelError, AttributeError):
 
 class FeatureValueError(ModelError, TypeError):
     """A value that the feature does not take."""
+
+
+def value_refused(owner: str, name: str, value: object, error: TypeError) -> FeatureValueError:
+    """The error for a value that a feature does not take.
+
+    Args:
+        owner: name of the element's class.
+        name: of the feature.
+        value: what was given.
+        error: what pyecore said of it.
+    """
+    said, expected = f"{owner}.{name} does not take {value!r}", attribute_of(error, "expected", ecore.EClassifier)
+    if expected is None:
+        return FeatureValueError(f"{said}: {error}")
+    kinds: list[ecore.EClassifier] = []
+    if isinstance(value, ecore.EEnumLiteral) and isinstance(enumeration := value.eContainer(), EEnum):
+        kinds = [enumeration]
+    elif isinstance(value, EObject):
+        kinds = [value.eClass, *value.eClass.eAllSuperTypes()]
+    if any(is_another_load(kind, expected) for kind in kinds):
+        where = f"metamodel '{expected.ePackage.nsURI}'" if expected.ePackage is not None else "metamodel"
+        return FeatureValueError(f"{said}: its {expected.name} is that of another load of the {where}", fix=ONE_LOAD)
+    return FeatureValueError(f"{said}: it takes {expected.name}, not {kinds[0].name if kinds else class_name(value)}")
+
+
+def is_another_load(kind: ecore.EClassifier | None, expected: ecore.EClassifier | None) -> bool:
+    """Whether two types that are not the same have the same name in packages of one namespace."""
+    if kind is None or expected is None or kind is expected or kind.name != expected.name:
+        return False
+    return (kind.ePackage.nsURI if kind.ePackage else None) == (expected.ePackage.nsURI if expected.ePackage else None)
+
+
+ONE_LOAD = "load the metamodel once and use that for both models, or open both in one Session (robosmi.model.Session)"
+"""What to do where two loads of one metamodel meet, whose types are strangers to each other."""
 
 
 _CACHE: dict[type, dict[str, Any]] = {}

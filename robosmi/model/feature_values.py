@@ -11,7 +11,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from robosmi.model.ecore import EBag, ECollection, EList, EObject, EOrderedSet, ESet, EStructuralFeature
-from robosmi.typed import class_name, dynamic_attribute
+from robosmi.model.feature_errors import value_refused
+from robosmi.typed import attribute_of, class_name, dynamic_attribute
 
 _query: Callable[[Any], Any] | None = None
 
@@ -29,6 +30,19 @@ class Queried:
         if name[0] == "_" or _query is None:
             raise AttributeError(f"'{class_name(self)}' has no attribute '{name}'")
         return dynamic_attribute(_query(self), name)
+
+    def check(self, value: object) -> None:
+        """Refuse a value that the feature does not take, as assigning does.
+
+        Raises:
+            FeatureValueError: it is of another kind.
+        """
+        try:
+            super().check(value)  # type: ignore[misc]
+        except TypeError as error:
+            feature = attribute_of(self, "feature", EStructuralFeature)
+            name = str(feature.name) if feature is not None else ""
+            raise value_refused(class_name(attribute_of(self, "owner", EObject)), name, value, error) from error
 
     def _repr_html_(self) -> str:
         from robosmi.model.show import items_html  # for notebooks only

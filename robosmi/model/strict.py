@@ -19,6 +19,7 @@ from robosmi.model.feature_errors import (
     declared_features,
     literal_wanted,
     unknown_feature,
+    value_refused,
 )
 from robosmi.model.lean import is_prepared, prepare
 from robosmi.model.structure import resource_of
@@ -119,7 +120,7 @@ class Element(_Base):
             try:
                 object.__setattr__(self, name, value)
             except TypeError as error:
-                raise FeatureValueError(f"{class_name(self)}.{name} does not take {value!r}: {error}") from error
+                raise value_refused(class_name(self), name, value, error) from error
 
         def __getattr__(self, name: str) -> Any:
             if name[:2] == "__":

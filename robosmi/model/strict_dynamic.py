@@ -11,7 +11,7 @@ from typing import Any
 from robosmi.errors import did_you_mean
 from robosmi.model import ecore
 from robosmi.model.ecore import EPackage
-from robosmi.model.feature_errors import FeatureValueError, UnknownFeatureError, literal_wanted
+from robosmi.model.feature_errors import UnknownFeatureError, literal_wanted, value_refused
 from robosmi.model.pyecore_internals import is_static
 from robosmi.model.strict import INTERNAL, Element
 from robosmi.typed import dynamic_attribute
@@ -48,4 +48,4 @@ def _set(self: Any, name: str, value: Any) -> None:
     try:
         object.__setattr__(self, name, value)
     except TypeError as error:
-        raise FeatureValueError(f"{self.eClass.name}.{name} does not take {value!r}: {error}") from error
+        raise value_refused(self.eClass.name, name, value, error) from error

@@ -20,7 +20,7 @@ from robosmi.errors import InternalError, RobosmiError, RuleError, UsageError
 from robosmi.model.driver import Model, TypeHandle, class_of, is_element, name_of, type_of
 from robosmi.plugins import is_own
 from robosmi.query.models import ModelView
-from robosmi.query.problems import unknown_type
+from robosmi.query.problems import UnknownTypeError, unknown_type
 from robosmi.query.run import Run, current_run
 from robosmi.query.types import EolType, resolve, type_named
 from robosmi.query.values import as_string
@@ -130,6 +130,39 @@ class RuleType:
             return lambda: new(self.kind)
         kind = self.kind
         return lambda: model.create(kind)
+
+
+def rule_type(given: RuleKind, models: Sequence[Model], what: str, function: Function | None) -> RuleType:
+    """The type that a rule is about; where there is none, the error says which rule is about it, and where that stands.
+
+    Args:
+        given: the type, as for `RuleType`.
+        models: the models of the run.
+        what: the rule, "the rule Book2Node".
+        function: the function that is the rule, or one of those that belong to it; None if there is none.
+
+    Raises:
+        UnknownTypeError: no model has a type of that name.
+        UsageError: it is no type.
+    """
+    try:
+        return RuleType(given, models)
+    except (UnknownTypeError, UsageError) as error:
+        raise with_place(error, what, function) from None
+
+
+def with_place(error: RobosmiError, what: str, function: Function | None) -> RobosmiError:
+    """An error that has no place, with that of the function that raised it and the name of what it belongs to.
+
+    Args:
+        error: the error; one that has a place already stays as it is.
+        what: the rule or step, "the rule Book2Node".
+        function: whose code raised it, or is about it; None if that is not known.
+    """
+    if error.location is None:
+        error.message = f"{what}: {error.message}"
+        error.location = _place(error, function) if function is not None else None
+    return error
 
 
 def _named(name: str, models: Sequence[Model]) -> tuple[Type, list[Model]] | None:

@@ -15,10 +15,12 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
-from robosmi.errors import InternalError, RuleError, did_you_mean
+from robosmi.errors import InternalError, RuleError, UsageError, did_you_mean
 from robosmi.model.driver import Model, TypeHandle, class_of
+from robosmi.model.ecore import EClassifier
+from robosmi.model.feature_errors import ONE_LOAD, is_another_load
 from robosmi.model.ordering import post_order
-from robosmi.query.erl import RuleType, arity, called, failed, place_of, type_name
+from robosmi.query.erl import RuleType, arity, called, failed, place_of, rule_type, type_name
 from robosmi.query.verdicts import guarded
 from robosmi.typed import attribute_of, kept, paired
 
@@ -69,9 +71,16 @@ def declare(body: NamedFunction, transform: Any, to: Any, name: str | None, **op
 
     Raises:
         RuleError: its types are not given, do not fit its parameters, or an initial value is for no target.
+        UsageError: there is no such option.
     """
     parameters = _parameters(body)
     names = parameters[1:]
+    if unknown := next((word for word in options if word not in _OPTIONS), None):
+        known = ("to", "name", *_OPTIONS)
+        raise UsageError(
+            f"a rule has no option '{unknown}'{did_you_mean(unknown, known)}", location=place_of(body),
+            fix=f"use one of: {', '.join(known)}",
+        )  # fmt: skip
     extends = options.pop("extends", ())
     extends = [extends] if isinstance(extends, str) or callable(extends) else list(extends)
     targets: list[Any] | None = None
@@ -111,6 +120,7 @@ def _parameters(body: NamedFunction) -> list[str]:
     return [p.name for p in inspect.signature(body).parameters.values() if p.default is inspect.Parameter.empty]
 
 
+_OPTIONS = ("guard", "extends", "lazy", "greedy", "abstract", "primary", "init")
 _MORE = inspect.CO_VARARGS | inspect.CO_VARKEYWORDS
 
 
@@ -162,9 +172,10 @@ class BoundRule:
         self.name = rule.name
         self.body = rule.body
         self.guard = rule.guard
-        self.kind = RuleType(self._resolved(rule.source), models)
+        self.kind = rule_type(self._resolved(rule.source), models, f"the rule {rule.name}", rule.body)
         if self.kind.primitive is None and len(self.kind.models) > 1:
             self.kind.models = self._having(models)[:1]
+        self._refuse_another_load(self.kind, models)
         self.lazy = rule.lazy or (self.kind.primitive is not None and not rule.abstract)
         self.width = len(rule.targets)
         for name, given in paired(rule.names, rule.targets):
@@ -189,13 +200,34 @@ class BoundRule:
         return [m for m in models if (found := m.find_type(name)) is not None and class_of(found) is cls]
 
     def _maker(self, name: str, given: RuleKind) -> Callable[[], DynamicNode]:
-        kind = RuleType(self._resolved(given), list(reversed(self.models)))
+        kind = rule_type(
+            self._resolved(given), list(reversed(self.models)), f"the target '{name}' of the rule {self.name}", self.body
+        )
         if kind.primitive is not None:
             raise self.rule.wrong(f"cannot make '{name}': {kind.name} is no type of a model", "give a type of a model")
         if isinstance(given, (TypeHandle, str)):
             return kind.maker(None)
         kind.models = [m for m in kind.models if (t := m.find_type(kind.name)) is not None and class_of(t) is kind.cls][:1]
+        self._refuse_another_load(kind, self.models)
         return kind.maker(None)
+
+    def _refuse_another_load(self, kind: RuleType, models: Iterable[Model]) -> None:
+        """Refuse a class that no model has, where one has a class of the same name and namespace: no element would ever be met.
+
+        Raises:
+            RuleError: it is a class of another load of a model's metamodel.
+        """
+        if kind.primitive is not None:
+            return
+        found = [(m, t) for m in models if (t := m.find_type(kind.name)) is not None]
+        if any(class_of(t) is kind.cls for _, t in found):
+            return
+        wanted = attribute_of(kind.cls, "eClass", EClassifier)
+        for model, other in found:
+            if is_another_load(wanted, attribute_of(class_of(other), "eClass", EClassifier)):
+                raise self.rule.wrong(
+                    f"is about {kind.name} of another load of the metamodel that the model {model.name} has", ONE_LOAD
+                )
 
     def applies(self, source: Item, exact: bool, check_type: bool = True) -> bool:
         """Whether the rule is for a source: its type, its guard and those of the rules it extends; a refusal is remembered.

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from robosmi.errors import InternalError, RuleError, UsageError, did_you_mean
 from robosmi.model.driver import Model
 from robosmi.query.deep import LEVELS, in_thread
-from robosmi.query.erl import RuleType, called, failed, told
+from robosmi.query.erl import RuleType, called, failed, rule_type, told
 from robosmi.query.verdicts import guarded, verdict_of
 from robosmi.typed import distinct
 from robosmi.validate.constraint import Constrained, Constraint, Fail
@@ -97,7 +97,9 @@ class Evaluation:
         self._asked: dict[tuple[_State, Any], None] = {}
         self._found: set[tuple[Constraint, Any, str]] = set()
         for context in contexts:
-            kind = RuleType(context.kind, models) if context.kind is not None else None
+            first = context.constraints[0].check if context.constraints else None
+            about = f"the context {context.name}"
+            kind = rule_type(context.kind, models, about, first) if context.kind is not None else None
             done: set[Any] = set()
             states = [_State(c, kind, done) for c in context.constraints]
             self._contexts.append((context, kind, states, done))
