@@ -103,6 +103,7 @@ if TYPE_CHECKING:
         feature: EStructuralFeature
         is_ref: bool
         is_cont: bool
+        generic_type: EClassifier | None
 
     class EValue(PyEcoreValue):
         """The holder of one value."""
@@ -300,6 +301,13 @@ if TYPE_CHECKING:
         eAttributes: list[EAttribute]
         eReferences: list[EReference]
 
+        def __new__(
+            cls,
+            name: str | None = None,
+            superclass: EClass | tuple[EClass, ...] | None = None,
+            metainstance: type | None = None,
+            **features: Argument,
+        ) -> EClass: ...
         def __call__(self, /, **features: Argument) -> DynamicEObject: ...
         def findEStructuralFeature(self, name: str) -> Any: ...
         def eAllStructuralFeatures(self) -> Iterable[EStructuralFeature]: ...

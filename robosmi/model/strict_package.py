@@ -21,7 +21,7 @@ from pyecore import ecore
 from robosmi.model.construct import initialise
 from robosmi.model.datatypes import XML_TYPE_URI
 from robosmi.model.feature_values import FeatureCollection
-from robosmi.model.pyecore_internals import first_listeners_of, quick_constructor, set_first_listeners, set_key
+from robosmi.model.pyecore_internals import first_listeners_of, promote, quick_constructor, set_first_listeners, set_key
 from robosmi.model.python_names import MEMBER
 from robosmi.model.strict import Element
 from robosmi.typed import attribute_of, dynamic_attribute
@@ -117,9 +117,8 @@ else:
             return made
 
         def __init__(cls, name: str, bases: tuple[type, ...], namespace: dict[str, Any]) -> None:
-            super().__init__(name, bases, namespace)
-            if Element in bases:
-                cls.eClass.eSuperTypes.remove(ecore.EObject.eClass)  # no class of Ecore has it unless the metamodel says so
+            type.__init__(cls, name, bases, namespace)
+            promote(cls, Element)
             for key, feature in namespace.items():
                 if not isinstance(feature, ecore.EStructuralFeature):
                     continue

@@ -20,7 +20,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from pyecore.ecore import EAttribute, EClass, EInt, EObject, EPackage, EProxy, EReference, EString
+from pyecore.ecore import EAttribute, EClass, EInt, EObject, EPackage, EProxy, EReference, EString, MetaEClass
 from pyecore.resources import ResourceSet
 from pyecore.valuecontainer import ECollection, EList, EOrderedSet, EValue
 
@@ -402,6 +402,50 @@ def a_class_may_be_given() -> None:
     python.eClass = made
     assert made.python_class is python
     assert isinstance(python(), python)
+
+
+def _told(element: Any) -> dict[str, Any]:
+    """The fields of an element with classes and elements by their names, without collections that a mere look made."""
+    said: dict[str, Any] = {}
+    for name, held in element.__dict__.items():
+        if isinstance(held, ECollection):
+            if len(held):
+                said[name] = (held.feature.name, held.is_ref, held.is_cont, [part.name for part in held])
+        elif isinstance(held, EValue):
+            fields = {field: value for field, value in held.__dict__.items() if field not in ("owner", "feature", "_value")}
+            said[name] = (held.owner is element, held.feature.name, fields, getattr(held._value, "name", held._value))
+        elif name in (inside.SET_FEATURES, inside.INVERSE_REFERENCES, inside.FIRST_LISTENERS):
+            said[name] = sorted(str(getattr(one[-1] if isinstance(one, tuple) else one, "name", one)) for one in held)
+        else:
+            said[name] = getattr(held, "__name__", getattr(held, "name", held))
+    return said
+
+
+@fact
+def classes_may_be_promoted_silently() -> None:
+    """A generated class whose EClass is put together silently is described as by pyecore's metaclass, in every field."""
+    made: list[Any] = []
+    for quiet in (False, True):
+        kind = type(EObject) if quiet else MetaEClass
+        root = type(EObject)("Root", (EObject,), {})
+
+        def of(name: str, bases: tuple[Any, ...], kind: Any = kind, root: Any = root, quiet: bool = quiet, **given: Any) -> Any:
+            cls = kind(name, bases, {"__module__": __name__, **given})
+            if quiet:
+                inside.promote(cls, root)
+            elif root in bases:
+                cls.eClass.eSuperTypes.remove(EObject.eClass)
+            return cls
+
+        above = of("Above", (root,), label=EAttribute(eType=EString), ids=EAttribute(name="id", eType=EInt, upper=-1))
+        below = of("Below", (above,), parts=EReference(eType=above, upper=-1, containment=True))
+        method = of("Method", (root,), size=EAttribute(eType=EInt), grow=lambda self, by: None)
+        assert list(below.eClass.eSuperTypes) == [above.eClass]
+        assert list(method.eClass.eOperations), "methods are operations"
+        described = [cls.eClass for cls in (above, below, method)]
+        made.append([_told(each) for one in described for each in (one, *one.eStructuralFeatures)])
+        assert sys.modules[__name__].__dict__["eClassifiers"]["Below"] is below
+    assert made[0] == made[1]
 
 
 def judge() -> dict[str, str]:
