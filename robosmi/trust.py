@@ -77,7 +77,12 @@ def trust(folder: Path) -> tuple[Path, list[str]]:
     own = folder if folder.name == OWN else folder / OWN
     files = files_that_run(own)
     if not files:
-        raise SourceError("nothing in this folder would run", location=Location(str(folder)), fix="name a folder with a .robosmi")
+        fix = (
+            "nothing is to be done: what it holds is read without being trusted"
+            if own.is_dir()
+            else "name a folder with a .robosmi"
+        )
+        raise SourceError("nothing in this folder would run", location=Location(str(folder)), fix=fix)
     place = _place(own)
     try:
         place.parent.mkdir(parents=True, exist_ok=True)

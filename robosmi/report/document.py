@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from msgspec import Struct, field
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.project import Accepted
-from robosmi.typed import replaced
+from robosmi.typed import distinct, replaced
 
 if TYPE_CHECKING:
     from robosmi.data_text import Json
@@ -65,7 +65,12 @@ class Report(Struct):
                 severity_now = Severity.info if reason is not None else Severity[level or "info"]
                 finding = replaced(finding, severity=severity_now, evidence=evidence)
             judged.append(finding)
-        self.findings = judged
+        self.findings = judged + [_accepts_nothing(one, found) for one in accept if (found := self._of_others(one))]
+
+    def _of_others(self, accepted: Accepted) -> list[Finding]:
+        """The findings of a rule that is accepted, where none of them is about the element."""
+        found = [finding for finding in self.findings if finding.rule == accepted.rule]
+        return [] if any(accepted.element in _names(finding) for finding in found) else found
 
     def exit_code(self, fail_on: str) -> int:
         """0, or 1 when a finding is at or above the level ("never" for no such level)."""
@@ -91,3 +96,13 @@ def _names(finding: Finding) -> tuple[object, ...]:
     """By what a finding's element may be named under `[[accept]]`."""
     about = finding.evidence
     return (finding.element, "*", about.get("component") or None, f"#{about['model_index']}" if "model_index" in about else None)
+
+
+def _accepts_nothing(accepted: Accepted, found: Sequence[Finding]) -> Finding:
+    names = [str(name) for finding in found for name in reversed(_names(finding)) if name not in (None, "*")]
+    return Finding(
+        "RS911",
+        Severity.warning,
+        f"[[accept]] of {accepted.rule} names '{accepted.element}', which none of its findings is about",
+        fix=f"name one of: {', '.join([*distinct(names), '*'])}",
+    )

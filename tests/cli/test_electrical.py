@@ -39,7 +39,14 @@ def test_it_can_be_accepted_by_the_component_s_title_or_index(command: str, elem
 def test_what_is_accepted_for_another_component_is_not_accepted(motor: Path) -> None:
     toml = '[[accept]]\nrule = "RS251"\nelement = "Uno"\nreason = "none"\n'
     (motor.parent / "robosmi.toml").write_text(toml, encoding="utf-8")
-    assert run("hardware", motor).code == 1
+    outcome = run("hardware", motor, "--json")
+    assert outcome.code == 1
+    told = [finding for finding in outcome.document["findings"] if finding["rule"] == "RS911"]
+    assert [finding["message"] for finding in told] == ["[[accept]] of RS251 names 'Uno', which none of its findings is about"]
+    named = told[0]["fix"].removeprefix("name one of: ").split(", ")
+    assert named[-1] == "*"
+    (motor.parent / "robosmi.toml").write_text(toml.replace("Uno", named[0]), encoding="utf-8")
+    assert run("hardware", motor).code == 0
 
 
 @pytest.mark.parametrize(("level", "code"), [("off", 0), ("warning", 0), ("error", 1)])

@@ -24,6 +24,8 @@ def test_a_misspelt_word_is_told_with_place_cause_and_advice(
     file = Path(case["file"])
     file.parent.mkdir(parents=True)
     file.write_text(case["text"])
+    for name, text in case.get("also", {}).items():
+        Path(name).write_text(text)
     outcome = run(*case["command"])
     assert outcome.code == 3
     for words in case["says"]:

@@ -139,3 +139,10 @@ def test_an_accepted_finding_stays_listed_with_its_reason(cases: Path, tmp_path:
     accepted = [f for f in outcome.document["findings"] if f["rule"] == "RS101"]
     assert accepted
     assert all(f["severity"] == "info" and f["evidence"]["accepted"] == "a known fault" for f in accepted)
+
+
+def test_a_pin_table_without_a_board_is_of_the_target_that_the_project_file_names(tmp_path: Path) -> None:
+    (tmp_path / "wiring.csv").write_text("pin,part\nD9,Red LED\n")
+    assert run("hardware", tmp_path / "wiring.csv", "--json").result["boards"][0]["title"] == "Arduino Uno"
+    (tmp_path / "robosmi.toml").write_text('[migrate]\ntarget = "leonardo"\n')
+    assert run("hardware", tmp_path / "wiring.csv", "--json").result["boards"][0]["title"] == "Arduino Leonardo"

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import MissingToolError, PlatformDataError, SourceError
+from robosmi.errors import MissingToolError, PlatformDataError, SourceError, did_you_mean
 from robosmi.metamodels import migration, platform
 from robosmi.project import FILE_NAME, Project
 from robosmi.transformations.knowledge.adapter_data import adapter_paths
@@ -92,6 +92,7 @@ def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platfo
     own = [piece for piece in choice.chosen_pieces if choice.index.kept_by(piece) != BUILT_IN]
     _check_libraries(own, choice, target)
     _check_results(own, choice.api)
+    _check_timers(own, board)
     if not own or target.language not in _PROGRAMS:
         return
     fault = first_fault(own, choice.pieces, choice.mcu, target, board)
@@ -102,6 +103,23 @@ def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platfo
             location=finding.location,
             fix=_fix(finding.message, piece, choice.pieces),
         )
+
+
+def _check_timers(own: Iterable[AdapterPiece], board: platform.Board) -> None:
+    """Refuse a timer that the board's microcontroller does not have.
+
+    Raises:
+        PlatformDataError: at the piece; nothing would be known to share that timer.
+    """
+    timers = [str(timer.name) for timer in board.microcontroller.timers] if board.microcontroller is not None else []
+    for piece in own:
+        for timer in piece.timers:
+            if timers and timer not in timers:
+                raise PlatformDataError(
+                    f"'{piece.name}' takes the timer '{timer}', and '{board.title}' has: {', '.join(timers)}"
+                    f"{did_you_mean(timer, timers)}",
+                    location=piece.location, fix="name one of these, or say with `mcu:` for which microcontrollers the piece is",
+                )  # fmt: skip
 
 
 def _check_libraries(own: Iterable[AdapterPiece], choice: AdapterChoice, target: TargetFacts) -> None:

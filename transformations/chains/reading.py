@@ -94,7 +94,7 @@ def read_drawing(path: Path, roles: Mapping[str, str], board_name: str | None = 
     Args:
         path: the drawing.
         roles: COMPONENT -> role, as the project file says.
-        board_name: the board where the file does not say which; that of the default target if None.
+        board_name: the board where the file does not say which; if None that of the project's target, or the default one.
 
     Raises:
         SourceError: it cannot be read.

@@ -18,7 +18,7 @@ from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.metamodels import platform
 from robosmi.project import read_data
 from robosmi.resources import folders
-from robosmi.transformations.knowledge.board_ports import check_ports
+from robosmi.transformations.knowledge.board_ports import check_names, check_ports
 from robosmi.typed import kept
 from robosmi.verify.tables import DataTable
 
@@ -27,6 +27,7 @@ _HAS_PINS = re.compile(r"^\s*(?:pins\b|\[\[pins\]\])", re.MULTILINE)
 _IS_DRAWN = re.compile(r"^\s*\[\[drawn_as\]\]", re.MULTILINE)
 ABILITIES = ("digital", "pwm", "analog_in", "interrupt", "uart", "i2c", "spi")
 """What a pin may be able to do, as boards' files say it."""
+CHANNELS = ("A", "B", "C", "D")  # compare outputs of a timer
 _PIN_KEYS = ("label", "port", "aliases", "abilities", "timer", "channel", "reserved")
 _USERS = (
     (platform.UserKind.function, "functions"), (platform.UserKind.library, "libraries"), (platform.UserKind.part, "parts"),
@@ -77,11 +78,8 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
     pins = [_pin(entry, timers) for entry in table.tables("pins")]
     if (chip_file := _chip_file(str(chip.name), project)) is not None:
         check_ports(pins, text_of(path), table, table_of(chip_file))
+    check_names(pins, table)
     labels = [pin.label for pin in pins]
-    ports = [pin.port for pin in pins if pin.port]
-    for values in (labels, ports):
-        if twice := {value for value in values if values.count(value) > 1}:
-            raise table.error("pins", f"has {', '.join(sorted(twice))} twice")
     if (led := table.text("led", "")) and led not in labels:
         raise table.error("led", f"is '{led}', which is no pin of this board{did_you_mean(led, labels)}")
     return platform.Board(
@@ -136,13 +134,16 @@ def _pin(entry: DataTable, timers: Sequence[str]) -> platform.Pin:
             raise entry.error("abilities", f"has '{ability}', which is none of: {', '.join(ABILITIES)}")
     if (timer := entry.text("timer", "")) and timer not in timers:
         raise entry.error("timer", f"is '{timer}', which is no timer of the microcontroller: {', '.join(timers)}")
+    if (channel := entry.text("channel", "")) not in (CHANNELS if timer else ("",)):
+        known = f"which is none of: {', '.join(CHANNELS)}" if timer else "and the pin has no timer"
+        raise entry.error("channel", f"is '{channel}', {known}")
     return platform.Pin(
         label=entry.text("label"),
         port=entry.text("port", ""),
         aliases=list(entry.texts("aliases", ())),
         abilities=list(entry.texts("abilities", ())),
-        timer=entry.text("timer", ""),
-        channel=entry.text("channel", ""),
+        timer=timer,
+        channel=channel,
         reserved=entry.text("reserved", ""),
     )
 

@@ -261,7 +261,8 @@ def _texts(device: Mapping[str, Json], key: str) -> tuple[str, ...]:
 
 def _is_right(key: str, value: Json) -> bool:
     if key == "volts":
-        return isinstance(value, list) and len(value) == 2 and all(isinstance(v, (int, float)) for v in value)
+        numbers = [v for v in value if isinstance(v, (int, float))] if isinstance(value, list) else []
+        return isinstance(value, list) and len(numbers) == len(value) == 2 and numbers[0] <= numbers[1]
     if key in _WORDS:
         listed = value if key == "wants" else [value]
         return isinstance(listed, list) and all(one in _WORDS[key] for one in listed)
@@ -276,7 +277,7 @@ def _is_right(key: str, value: Json) -> bool:
 def _known_words(key: str, value: Json) -> str:
     """What a key may have, and which of it was meant."""
     if key not in _WORDS:
-        return ""
+        return "; it is two numbers, the lower one first" if key == "volts" else ""
     odd = next((str(one) for one in (value if isinstance(value, list) else [value]) if one not in _WORDS[key]), "")
     return f"{did_you_mean(odd.lower(), _WORDS[key])}; it may be: {', '.join(_WORDS[key])}"
 

@@ -153,9 +153,10 @@ def _entries(path: str, key: str, keys: Sequence[str]) -> list[RoleRule]:
 def _check_role(entry: Mapping[str, Json], path: str) -> None:
     if entry.get("role") not in ROLES or not entry.get("why"):
         role = str(entry.get("role", ""))
-        near = did_you_mean(role, ROLES) or next((t for key in entry if (t := did_you_mean(key, ("role", "why")))), "")
+        near = next((t for key in entry if key not in ("role", "why") and (t := did_you_mean(key, ("role", "why")))), "")
+        said = f"an entry has the role '{role}' and the reason '{entry.get('why', '')}'{did_you_mean(role, ROLES) or near}"
         raise PlatformDataError(
-            f"an entry has the role '{role}' and the reason '{entry.get('why', '')}'{near}",
+            f"an entry for '{role}' says no reason{near}" if role in ROLES else said,
             location=Location(path, line_of_value(inputs.read_text(path, inputs.DATA), role)),
             fix=f"give it a why, and as role one of: {', '.join(ROLES)}",
         )

@@ -192,12 +192,18 @@ def target_facts(target: str, project: Path | None = None) -> TargetFacts:
         toolchain=_toolchain(toolchain, table, project) if toolchain else None,
         structure=STRUCTURES[_known(table, "structure", STRUCTURES)],
         language=_known(table, "language", LANGUAGES),
-        fileSuffix=table.text("suffix"),
-        moduleSuffix=table.text("module_suffix"),
+        fileSuffix=_ending(table, "suffix"),
+        moduleSuffix=_ending(table, "module_suffix"),
         projectFile=table.text("project_file", ""),
         libraryIndex=table.text("libraries", ""),
     )
     return TargetFacts(model, table.flag("any_board", False))
+
+
+def _ending(table: DataTable, key: str) -> str:
+    if not (ending := table.text(key)).startswith("."):
+        raise table.error(key, f"is '{ending}', which is no ending: it begins with a point, as '.{ending}'")
+    return ending
 
 
 def takes_libraries_of(target: str, index: str, project: Path | None = None) -> bool:

@@ -23,7 +23,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, did_you_mean
 from robosmi.metamodels import hardware, platform
 from robosmi.model.strict import enum_literal
-from robosmi.project import default_text
+from robosmi.project import default_text, project_of
 from robosmi.quoting import csv_text
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.drawn_boards import PIN_TABLE, normalised_label
@@ -89,7 +89,7 @@ def read_circuit(
     file = Path(path)
     data = _bytes_of(file)
     name, rows = _rows(file, data)
-    model = load_board(name or board or _default_board(), project)
+    model = load_board(name or board or _default_board(file), project)
     table = _Table(str(path), model, names(project), project)
     for row in rows:
         table.add(row)
@@ -258,8 +258,8 @@ class _Table:
         return SourceError(cause, location=Location(self.path, row.line), fix=fix)
 
 
-def _default_board() -> str:
-    return target_facts(default_text("migrate", "target")).board
+def _default_board(table: Path) -> str:
+    return target_facts(project_of(table).target or default_text("migrate", "target")).board
 
 
 def _bytes_of(path: Path) -> bytes:
