@@ -67,6 +67,8 @@ class ActivityEvent(Struct, frozen=True):
         off: by what part of itself a wave's frequency, or each number of a reading, may be off beyond what counts as the same
             anyway, since it is off in other runs of the program.
         exact: whether each number of a reading is the same whatever is measured, so that it may not be off at all.
+        between: the least and the most that each number of a reading may be where boards measure the same, None where that is
+            not known.
     """
 
     at_us: float
@@ -79,6 +81,7 @@ class ActivityEvent(Struct, frozen=True):
     vague_us: float = 0.0
     off: tuple[float, ...] = ()
     exact: tuple[bool, ...] = ()
+    between: tuple[tuple[float, float] | None, ...] = ()
 
     def __str__(self) -> str:
         value = self.value[0]

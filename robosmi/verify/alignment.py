@@ -46,17 +46,20 @@ def alike(one: ActivityEvent, other: ActivityEvent) -> bool:
     if one.kind == PULSE:
         return one.value[0] == other.value[0] and pulses_alike(float(one.value[1]), float(other.value[1]))
     if one.kind == READING:
-        return _reads_alike(str(one.value[0]), str(other.value[0]), one.off or other.off, one.exact or other.exact)
+        told = one if one.exact or one.off else other
+        return _reads_alike(str(one.value[0]), str(other.value[0]), told)
     return one.value == other.value
 
 
-def _reads_alike(one: str, other: str, off: Sequence[float] = (), exact: Sequence[bool] = ()) -> bool:
+def _reads_alike(one: str, other: str, told: ActivityEvent) -> bool:
     """Whether two lines are the same, but for numbers that are off by one in their last digit, or by 1 %: measured values.
+
+    Where it is known between which numbers a measured one lies, that counts instead.
 
     Args:
         one, other: the lines.
-        off: by what part more each number of them may be off.
-        exact: whether each number is none that is measured, so that it may not be off.
+        told: the event that tells of each number by what part more it may be off, whether it is none that is measured, and
+            between which numbers it lies.
     """
     if one == other:
         return True
@@ -65,11 +68,17 @@ def _reads_alike(one: str, other: str, off: Sequence[float] = (), exact: Sequenc
     for place, (mine, theirs) in enumerate(paired(matches(_NUMBER, one), matches(_NUMBER, other))):
         if mine == theirs:
             continue
-        if (place < len(exact) and exact[place]) or not _written_alike(mine, theirs):
+        if (place < len(told.exact) and told.exact[place]) or not _written_alike(mine, theirs):
             return False
-        step = 10.0 ** -len(mine.partition(".")[2])
-        part = _NUMBERS + (off[place] if place < len(off) else 0.0)
-        if abs(float(mine) - float(theirs)) > max(1.001 * step, part * abs(float(mine))):
+        off = told.off[place] if place < len(told.off) else 0.0
+        between = told.between[place] if place < len(told.between) else None
+        if between is None:
+            step = 10.0 ** -len(mine.partition(".")[2])
+            by = max(1.001 * step, (_NUMBERS + off) * abs(float(mine)))
+            between = float(mine) - by, float(mine) + by
+        else:
+            between = between[0] - off * abs(float(mine)), between[1] + off * abs(float(mine))
+        if not between[0] <= float(theirs) <= between[1]:
             return False
     return True
 

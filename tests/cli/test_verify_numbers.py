@@ -44,6 +44,8 @@ CHANGES = {
     "where a counter begins": ("n = 0", "n = 1", "n=1 "),
     "a counter of another step": ("n++", "n += 2", "n=2 "),
     "zeros before a measured number": ("d=%d", "d=%02d", "d=04"),
+    "always one more than is measured": ("n, d)", "n, d + 1)", "d=5"),
+    "always one less than is measured": ("n, d)", "n, d - 1)", "d=11"),
     "a measured number within what may be off": ("ping_cm(7)", "ping_cm(7) * 200 / 199", ""),
 }
 

@@ -1,8 +1,9 @@
 """Scenarios made by a search: random signals at the inputs of a program, kept where they reach what no other has reached.
 
 The measure is lines and branches of the source, and what it does one after the other (`scenario_goals`). The dice have a seed;
-the search ends when nothing new is reached for a while. Scenarios on which the source differs from itself are dropped and
-counted, since nothing could be decided with them. Of the others the fewest are kept that reach all that was reached.
+the search ends when nothing new is reached for a while, or when its runs have taken too much (`search_effort`). Scenarios on
+which the source differs from itself are dropped and counted, since nothing could be decided with them. Of the others the fewest
+are kept that reach all that was reached.
 """
 
 from __future__ import annotations
@@ -10,7 +11,6 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from time import monotonic
 from typing import Any
 
 from msgspec import Struct
@@ -20,11 +20,14 @@ from robosmi.transformations.verification.original_side import LIMITS, Place, So
 from robosmi.transformations.verification.played_devices import CONSOLE, TYPING
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.transformations.verification.scenario_goals import BESIDE, ENDS, GOALS, behaviour, beside, shown
+from robosmi.transformations.verification.search_effort import SearchEffort
 from robosmi.transformations.verification.simulated_kinds import device_facts
 from robosmi.typed import distinct, replaced
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_run import OriginalRun
 from robosmi.verify.scenario import POINTS, Points, Scenario
+
+Signals = Mapping[str, Mapping[str, Points]]
 
 _HORIZONS_MS = (3_000.0, 6_000.0, 12_000.0, 24_000.0)
 _HORIZON_ALONE_MS = 48_000.0
@@ -35,6 +38,7 @@ _MOST = 120
 """So many scenarios are tried at most."""
 _PATIENCE = 30
 _RETRIES = 30
+_MOST_BACKGROUNDS = 4
 _PROBE_MS = 600.0
 """A short run that tells which way a program goes, beside what a device holds its value for."""
 _TEXT_MS = 900.0
@@ -77,12 +81,15 @@ def search(
         types: whether it reads what is typed.
         seed: of all that is random.
         known: what other scenarios reach of the source.
-        budget_s: seconds of this machine's time, after which the search ends wherever it is.
+        budget_s: seconds of a usual machine's time, after which the search ends wherever it is; three times as long by the clock.
     """
-    made = _Search(program, ports, set(known), monotonic() + budget_s)
+    effort = SearchEffort(budget_s)
+    made = _Search(program, ports, set(known), effort)
     inputs = _inputs(ports, texts, types)
-    made.horizon = _horizon(program, ports, monotonic() + budget_s / 4, _HORIZONS_MS + (() if inputs else (_HORIZON_ALONE_MS,)))
+    made.horizon = _horizon(program, ports, effort, _HORIZONS_MS + (() if inputs else (_HORIZON_ALONE_MS,)))
     made.try_signals({})
+    if inputs:
+        made.find_probe()
     for each in inputs:
         for value in each.values:
             made.try_signals(_constant(each, value))
@@ -92,7 +99,7 @@ def search(
     made.try_ends(inputs)
     inputs = [made.with_borders(each.with_ends()) for each in inputs]
     chance = random.Random(seed)
-    while inputs and made.found.tried < _MOST and made.fruitless < _PATIENCE and monotonic() < made.until:
+    while inputs and made.found.tried < _MOST and made.fruitless < _PATIENCE and not effort.is_over():
         made.try_signals(_random_signals(inputs, made.horizon, chance))
     return _fewest(made.found, made.reached_by, known)
 
@@ -100,12 +107,13 @@ def search(
 class _Search:
     """The state of a search: what was found, what is reached, and for how long nothing new was."""
 
-    def __init__(self, program: OriginalProgram, ports: Sequence[BoundPort], seen: set[Place], until: float) -> None:
+    def __init__(self, program: OriginalProgram, ports: Sequence[BoundPort], seen: set[Place], effort: SearchEffort) -> None:
         self.program = program
         self.ports = ports
         self.seen = seen
-        self.until = until
+        self.effort = effort
         self.horizon = 0.0
+        self.probe_ms = _PROBE_MS
         self.fruitless = 0
         self.found = FoundScenarios()
         self.reached_by: list[frozenset[Place]] = []
@@ -117,11 +125,12 @@ class _Search:
         """Run a scenario, keep it if it reaches what no other does and is not racy; what it reaches, and `also`."""
         found = self.found
         doing(f"look for scenarios: {found.tried} tried, {len(found.scenarios)} kept")
-        if found.tried and monotonic() >= self.until:
+        if found.tried and self.effort.is_over():
             return frozenset()
         found.tried += 1
         scenario = Scenario(f"generated {found.tried}", self.horizon, signals, "generated")
         run = run_source(self.program, self.ports, scenario)
+        self.effort.add(run)
         if found.tried == 1:
             self.at_rest = shown(run, self.ports)
         if any(place[0] == ENDS for place in also) and shown(run, self.ports) == self.at_rest:
@@ -134,10 +143,11 @@ class _Search:
         if not first and places <= self.seen | self.only_racy and not self._worth_another(places):
             return places
         runs = run_varied(self.program, self.ports, scenario, run, until_racy=True)
+        self.effort.add(run, len(runs.varied))
         if runs.given_up and not first:
             return places
         if runs.given_up:  # others would be, too
-            self.until = monotonic()
+            self.effort.given_up = True
         elif runs.racy_channels or runs.unsteady:
             found.least_racy = found.least_racy or (scenario, run)
             found.racy += 1
@@ -155,6 +165,18 @@ class _Search:
         self.retried += any(place[0] not in GOALS for place in places - self.seen)
         return self.retried <= _RETRIES and any(place[0] not in GOALS for place in places - self.seen)
 
+    def find_probe(self) -> None:
+        """Make short runs as long as it takes until the program has come wherever it comes while its inputs rest."""
+        wanted = self._at_rest(self.horizon)
+        while self.probe_ms < self.horizon and not wanted <= self._at_rest(self.probe_ms) and not self.effort.is_over(0.25):
+            self.probe_ms *= 2
+
+    def _at_rest(self, horizon_ms: float) -> frozenset[Place]:
+        """What a run reaches whose inputs rest."""
+        run = run_source(self.program, self.ports, Scenario("rest", horizon_ms))
+        self.effort.add(run)
+        return places_reached(self.program, run, self.ports)
+
     def try_ends(self, inputs: Sequence[_Input]) -> None:
         """Let each device show the least that it can, and the most, of all that it measures."""
         for name in distinct(each.name for each in inputs if each.ends):
@@ -169,33 +191,56 @@ class _Search:
         What a program does at the border itself, as when a count equals a limit, is reached by no other value. Beside it faults
         show that move it: the input gets these values, too, and a scenario in which it goes from one side to the other.
         """
-        numbers = sorted({v for v in each.values if isinstance(v, (int, float)) and not isinstance(v, bool)})
-        ways = {value: self._probe(each, value) for value in numbers} if len(numbers) > 2 else {}
-        facts = device_facts().get(each.device, {})
         values = list(each.values)
+        for background in self._backgrounds(each):
+            values += self._borders(each, background)
+        return replaced(each, values=tuple(distinct(values)))
+
+    def _backgrounds(self, each: _Input) -> list[Signals]:
+        """What the other inputs show while borders are sought: nothing, then what has led the source elsewhere."""
+        found: list[Signals] = [{}]
+        for scenario, _ in self.found.scenarios:
+            others = {name: settings for name, settings in scenario.signals.items() if name != each.name}
+            steady = all(len(points) == 1 and points[0][0] == 0 for settings in others.values() for points in settings.values())
+            if steady and others not in found:
+                found.append(others)
+        return found[:_MOST_BACKGROUNDS]
+
+    def _borders(self, each: _Input, background: Signals) -> list[float]:
+        """The values at both sides of each border that is found while other inputs show something."""
+        numbers = sorted({v for v in each.values if isinstance(v, (int, float)) and not isinstance(v, bool)})
+        ways = {value: self._probe(each, value, background) for value in numbers} if len(numbers) > 2 else {}
+        facts = device_facts().get(each.device, {})
+        smallest = float(facts.get("finest", 1.0))
+        values: list[float] = []
         for low, high in pairwise(numbers if ways else []):
             begin, end = float(low), float(high)
             if ways[low] == ways[high]:
                 continue
-            while end - begin > max(1.0, 0.001 * end) and monotonic() < self.until:
-                middle = round((begin + end) / 2)
-                places = self._probe(each, middle)
+            while end - begin > max(smallest, 0.001 * end) and not self.effort.is_over():
+                middle = round((begin + end) / 2 / smallest) * smallest
+                if not begin < middle < end:
+                    break
+                places = self._probe(each, middle, background)
                 if not places <= self.seen | self.only_racy:
-                    self.only_racy |= self.try_signals(_constant(each, middle)) - self.seen
+                    self.only_racy |= self.try_signals({**background, **_constant(each, middle)}) - self.seen
                 begin, end = (middle, end) if places == ways[low] else (begin, middle)
             sides = [round(value, 1) for value in beside(end, facts)]
             values += sides
             there: Place = (BESIDE, each.name, each.setting, round(end))
-            self.try_signals({each.name: {each.setting: _in_turn(each, [*sides, sides[0]], self.horizon)}}, frozenset([there]))
-        return replaced(each, values=tuple(values))
+            turns = {each.name: {each.setting: _in_turn(each, [*sides, sides[0]], self.horizon)}}
+            self.try_signals({**background, **turns}, frozenset([there]))
+        return values
 
-    def _probe(self, each: _Input, value: float) -> frozenset[Place]:
+    def _probe(self, each: _Input, value: float, background: Signals) -> frozenset[Place]:
         """What a short run reaches in which an input shows one value; nothing when the search is over."""
-        if monotonic() >= self.until:
+        if self.effort.is_over():
             return frozenset()
-        lasts = _PROBE_MS + (each.hold_ms if each.hold_ms > 1000 else 0)
-        scenario = Scenario("probe", min(self.horizon, lasts), _constant(each, value))
-        return places_reached(self.program, run_source(self.program, self.ports, scenario), self.ports)
+        lasts = self.probe_ms + (each.hold_ms if each.hold_ms > 1000 else 0)
+        scenario = Scenario("probe", min(self.horizon, lasts), {**background, **_constant(each, value)})
+        run = run_source(self.program, self.ports, scenario)
+        self.effort.add(run)
+        return places_reached(self.program, run, self.ports)
 
 
 def _constant(each: _Input, value: Any) -> dict[str, dict[str, Points]]:
@@ -218,19 +263,20 @@ def _together(inputs: Sequence[_Input], number: int) -> dict[str, dict[str, Poin
 
 
 def _horizon(
-    program: OriginalProgram, ports: Sequence[BoundPort], until: float, horizons: Sequence[float] = _HORIZONS_MS
+    program: OriginalProgram, ports: Sequence[BoundPort], effort: SearchEffort, horizons: Sequence[float] = _HORIZONS_MS
 ) -> float:
     """How long scenarios last: until a program whose inputs rest has come wherever it comes by itself, and as long again.
 
     One that has not come on at all, or has gone round and shown nothing on any channel, may be in a long wait or on a long way,
-    and goes on behind it. A horizon at which its run is given up is too long.
+    and goes on behind it. A horizon at which its run is given up is too long, and so is one behind a quarter of the effort.
     """
     before: tuple[frozenset[Place], bytes] | None = None
     reached, settled = 0.0, 0.0
     for horizon in horizons:
-        if before is not None and monotonic() >= until:
+        if before is not None and effort.is_over(0.25):
             return settled or horizon
         run = run_source(program, ports, Scenario("rest", horizon))
+        effort.add(run)
         if run.status in LIMITS:
             return settled or reached or horizon
         reached = horizon

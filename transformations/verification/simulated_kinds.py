@@ -37,7 +37,10 @@ class SimulatedKind(TypedDict, total=False):
     jitter: dict[str, float]
     jitter_percent: float
     jitter_least: float
+    finest: float
     near_percent: float
+    off_least: float
+    off_percent: float
     anywhere: dict[str, tuple[float, float]]
     fixed: dict[str, Json]
     driven: bool

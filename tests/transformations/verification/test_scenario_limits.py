@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-from time import monotonic
 
 import pytest
 
@@ -12,6 +11,7 @@ from robosmi.transformations.verification import original_side
 from robosmi.transformations.verification.original_side import moved_devices, run_source, run_varied
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.transformations.verification.scenario_search import _HORIZON_ALONE_MS, _HORIZONS_MS, _horizon, search
+from robosmi.transformations.verification.search_effort import SearchEffort
 from robosmi.verify import bench, original_run
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_run import OriginalRun, run_original
@@ -34,9 +34,9 @@ def _tools() -> None:
 
 def test_scenarios_are_no_longer_than_can_be_recorded(monkeypatch: pytest.MonkeyPatch) -> None:
     with built(BLINK) as program:
-        assert _horizon(program, PORTS, monotonic() + 60) > 3000.0
+        assert _horizon(program, PORTS, SearchEffort(240.0)) > 3000.0
         monkeypatch.setattr(original_run, "_MOST_RECORDS", 4_000)
-        assert _horizon(program, PORTS, monotonic() + 60) == 3000.0
+        assert _horizon(program, PORTS, SearchEffort(240.0)) == 3000.0
 
 
 @pytest.mark.parametrize(
@@ -51,7 +51,7 @@ def test_scenarios_are_no_longer_than_can_be_recorded(monkeypatch: pytest.Monkey
 )
 def test_scenarios_are_long_enough_for_what_waits(begin: str, loop: str, horizon: float) -> None:
     with built(f"#include <simpletools.h>\nint main() {{\n{begin}\nwhile (1) {{\n{loop}\n}} }}".replace("; ", ";\n")) as program:
-        assert _horizon(program, PORTS, monotonic() + 60, (*_HORIZONS_MS, _HORIZON_ALONE_MS)) == horizon
+        assert _horizon(program, PORTS, SearchEffort(240.0), (*_HORIZONS_MS, _HORIZON_ALONE_MS)) == horizon
 
 
 def test_wheels_of_varied_runs_stand_anywhere_between_two_ticks() -> None:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import random
-from time import monotonic
 
 import pytest
 
 from robosmi.transformations.verification.scenario_goals import NEGATIVE, behaviour
 from robosmi.transformations.verification.scenario_search import _constant, _horizon, _in_turn, _Input, _random_signals
+from robosmi.transformations.verification.search_effort import SearchEffort
 from robosmi.transformations.verification.simulated_kinds import device_facts
 from robosmi.verify.original_run import OriginalRun
 from robosmi.verify.simulation import ConsoleByte, PinTrace
@@ -81,4 +81,4 @@ def test_a_text_with_a_number_below_zero_is_a_goal_of_its_own() -> None:
 )
 def test_a_program_that_goes_round_and_shows_nothing_is_looked_at_for_longer(body: str, horizon: float) -> None:
     with built(f"#include <simpletools.h>\nint main() {{ {body} }}") as program:
-        assert _horizon(program, [], monotonic() + 60, (3_000.0, 6_000.0, 12_000.0)) == horizon
+        assert _horizon(program, [], SearchEffort(240.0), (3_000.0, 6_000.0, 12_000.0)) == horizon
