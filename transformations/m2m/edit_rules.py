@@ -313,6 +313,7 @@ RULES: dict[str, EditRule] = {
     "replace": _replace,
     "value-of-register": lambda element, choice, text: value_of_register(element, choice, text.data),
     "compound-of-enumeration": _compound,
+    "compound-of-bytes": _compound,
     "source-assembler": _comment,
     "return-with-value": _behind_return,
     "return-without-value": _void_value,

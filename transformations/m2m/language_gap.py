@@ -14,7 +14,7 @@ from itertools import chain
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind
-from robosmi.transformations.m2m import old_c, shared_names
+from robosmi.transformations.m2m import old_c, shared_names, void_arithmetic
 from robosmi.transformations.m2m.compound_literals import compound_literals
 from robosmi.transformations.m2m.designated_lists import list_holders, positional
 from robosmi.transformations.m2m.early_functions import run_in_setup
@@ -131,18 +131,6 @@ def _signature(function: ccode.Function) -> tuple[str, ...]:
     return (gives, *taken, "..." * function.variadic, unsaid)
 
 
-def _void_arithmetic(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Steps and distances of `void *`, which GNU C counts in bytes."""
-    for binary in view.of_kind(ccode.Binary):
-        for value in (binary.left, binary.right) if binary.operator in ("+", "-") else ():
-            given = type_of(value, functions)
-            if value is not None and given is not None and given.base == "void" and given.depth == 1 and not given.function:
-                bytes_ = "const char *" if given.constant else "char *"
-                yield Change(
-                    value, "convert" if is_primary(value) else "convert-compound", bytes_, "C++ does not calculate with void *"
-                )
-
-
 def _enumerations(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """Counting and adding in an enumeration: the sum is a number in C++, which has to be made a value again."""
     for step in view.of_kind(ccode.Unary):
@@ -229,7 +217,7 @@ RULES: tuple[Rule, ...] = (
     _enumerations,
     conversions,
     _comparisons,
-    _void_arithmetic,
+    *void_arithmetic.RULES,
     _sizes_of_characters,
     _name_of_main,
     *old_c.RULES,

@@ -21,6 +21,7 @@ from robosmi.transformations.m2m.empty_types import empty_types
 from robosmi.transformations.m2m.exact_texts import without_zero
 from robosmi.transformations.m2m.nested_types import RECORDS
 from robosmi.transformations.m2m.unsaid_pointers import untold_pointers
+from robosmi.transformations.m2m.void_arithmetic import in_macros
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import of_use, type_of
 from robosmi.transformations.queries.tokens import name_tokens
@@ -67,6 +68,8 @@ def refused_forms(view: CodeView, data: bytes) -> list[Form]:
             found.append((int(each.typedef.startOffset), message, "write the types of the parameters in its definition"))
     for start, message in untold_pointers(view):
         found.append((start, message, "write the types of the parameters in its declaration"))
+    for start, message in in_macros(view):
+        found.append((start, message, "write `(char *)` before the values in the macro"))
     for function in left_early(view, data):
         message = f"'{function.name}' runs before main, when the target has not started its clock: a wait in it never ends"
         found.append((int(function.startOffset), message, "call it at the beginning of main"))

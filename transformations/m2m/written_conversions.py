@@ -42,6 +42,8 @@ def _conversion(value: ccode.Expression, wanted: ValueType, functions: Mapping[s
     """Why C++ wants the conversion written, or an empty text."""
     if wanted.base == "void" and wanted.depth and not wanted.function and _names_function(value):
         return "a function is no such pointer in C++"
+    if wanted.rows:
+        return _rows(type_of(value, functions), wanted)
     if wanted.function:
         to_array = wanted.spelling.rstrip().endswith("(*)")  # its dimensions stand behind, where no parameters are
         return "" if to_array else _function_pointer(value, wanted)
@@ -138,6 +140,18 @@ def _pointers(given: ValueType, wanted: ValueType) -> str:
     if given.depth > 1 and given.constant != wanted.constant:
         return lost or "C++ makes nothing constant behind more than one pointer"
     return "the pointers are of different types" if (given.base, given.depth) != (wanted.base, wanted.depth) else lost
+
+
+def _rows(given: ValueType | None, wanted: ValueType) -> str:
+    """Why C++ wants a conversion written to a pointer to arrays."""
+    if given is None or not (given.rows or given.depth):
+        return ""
+    words = wanted.spelling.partition("(*")[0].replace("*", " ").split()
+    if given.base == "void":
+        return "C++ does not convert void * on its own"
+    if given.constant and "const" not in words:
+        return "a pointer to a constant is no such pointer in C++"
+    return "a pointer to what may change is no such pointer in C++" if given.changing and "volatile" not in words else ""
 
 
 def _function_pointer(value: ccode.Expression, wanted: ValueType) -> str:

@@ -24,6 +24,8 @@ def written_type(value: ccode.Expression, wanted: ValueType, data: bytes) -> str
         wanted: the type of its place.
         data: the bytes of its unit.
     """
+    if wanted.rows and not unnamed(wanted):
+        return f"{wanted.spelling.partition('(*')[0].removesuffix('*' * wanted.dimensions).strip()} (*){wanted.rows}"
     if not unnamed(wanted):
         return wanted.spelling
     place = value.eContainer()

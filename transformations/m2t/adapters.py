@@ -6,13 +6,13 @@ A placeholder has a TODO; what is left is in the task list.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from typing import Any
 
 from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration, platform
-from robosmi.query import ancestor_of_kind
+from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.m2t.adapter_text import apart, comment, declarations, includes, shared
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.circuit import pin_literal
@@ -94,6 +94,7 @@ def adapter_pieces(plan: migration.MigrationPlan) -> dict[str, Any]:
     pins, numbers = port_literals(plan)
     written = shared if several_units(plan) else str
     storage = "static " if target_of(plan).language == "C" else ""
+    changed = _changed_names(plan)
     return {
         "headers": includes(pieces),
         "declarations": [
@@ -103,10 +104,29 @@ def adapter_pieces(plan: migration.MigrationPlan) -> dict[str, Any]:
             *declarations(pieces, pins, UNBOUND, numbers, storage),
         ],
         "pieces": [
-            PieceText(piece, users.get(piece, []), apart(piece, above), comment(piece), written(str(piece.text)))
+            PieceText(piece, users.get(piece, []), apart(piece, above), comment(piece), written(_text(piece, changed)))
             for piece, above in paired(pieces, (None, *pieces), strict=False)
         ],
     }
+
+
+def _changed_names(plan: migration.MigrationPlan) -> set[str]:
+    """Names of the platform that the program assigns to."""
+    units = plan.program.units if plan.program is not None else ()
+    places = [change.left for unit in units for change in all_of_kind(unit, ccode.Assignment)]
+    places += [step.operand for unit in units for step in all_of_kind(unit, ccode.Unary) if step.operator in _COUNTING]
+    names = (place for place in places if isinstance(place, ccode.NameReference))
+    return {str(name.name) for name in names if name.target is None or isinstance(name.target, ccode.ExternalSymbol)}
+
+
+_COUNTING = frozenset(["++", "--"])
+
+
+def _text(piece: platform.Adapter, changed: Collection[str]) -> str:
+    """The text of a piece: a variable of the platform that only its programs change is none but where they do."""
+    text = str(piece.text)
+    own = piece.name in changed and piece.pieceKind is platform.PieceKind.variable and piece.fidelity.startswith("exact")
+    return f"static {text.removeprefix('const ')}" if own and text.startswith("const ") else text
 
 
 def several_units(plan: migration.MigrationPlan) -> bool:

@@ -19,6 +19,7 @@ from robosmi.typed import paired, replaced
 _QUALIFIERS = re.compile(
     r"\b(const|volatile|register|restrict|extern|static|struct|union|enum|__(?:const|volatile|restrict)(?:__)?)\b"
 )
+_ROWS = re.compile(r"\[[^\]]*\]\s*(\[.*)", re.DOTALL)
 ARITHMETIC = frozenset(
     [
         "bool",
@@ -56,6 +57,7 @@ class ValueType(Struct, frozen=True):
         changing: what is pointed to may change on its own (`volatile`).
         dimensions: how many of the levels are arrays.
         declaration: of the base, where the program has it.
+        rows: the sizes of the arrays that it points to, as written: `[8]` of `int (*)[8]` and of `int a[2][8]`.
     """
 
     spelling: str
@@ -65,6 +67,7 @@ class ValueType(Struct, frozen=True):
     dimensions: int = 0
     changing: bool = False
     declaration: ccode.Declaration | None = None
+    rows: str = ""
 
     @property
     def array(self) -> bool:
@@ -108,6 +111,8 @@ def of_use(use: ccode.TypeUse | None) -> ValueType | None:
     if use is None or not use.spelling:
         return None
     made = parse(use.spelling, "" if "[" in use.spelling else use.arrayDims or "")  # a cast spells its sizes itself
+    if use.arrayDims and (found := _ROWS.fullmatch(f"{made.spelling.endswith('(*)') * '[]'}{use.arrayDims}")):
+        made = replaced(made, rows=found[1])
     declaration = use.declaration
     if isinstance(declaration, ccode.Typedef):
         inner = of_use(declaration.aliased)
@@ -159,7 +164,7 @@ def element_type(kind: ValueType | None) -> ValueType | None:
     if kind is None or kind.depth == 0 or kind.function:
         return None
     spelling, sizes = kind.spelling.removesuffix("*").strip(), max(kind.dimensions - 1, 0)
-    return replaced(kind, spelling=spelling, depth=kind.depth - 1, dimensions=sizes)
+    return replaced(kind, spelling=spelling, depth=kind.depth - 1, dimensions=sizes, rows="")
 
 
 def type_of(expression: ccode.Expression | None, functions: Mapping[str, FunctionType]) -> ValueType | None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
+import robosmi
 from robosmi.transformations.knowledge.adapter_files import read_adapter_file
 from robosmi.transformations.knowledge.adapter_model import adapter_element
 from robosmi.transformations.m2t.adapter_text import adapter_text, shared
@@ -94,3 +96,20 @@ def test_interrupts_of_one_line_are_handled_in_one_of_several_files_too() -> Non
     ends = ["#ifdef ADAPTERS_INTERRUPTS", "ISR(PCINT0_vect) { edge(); }", "#endif"]
     assert shared(text).split("\n")[:6] == [*ends, *(line.replace("0", "1") for line in ends)]
     assert shared(text).endswith("inline void go() {\n}")
+
+
+def test_a_number_of_the_platform_that_only_programs_change_can_be_changed(tmp_path: Path) -> None:
+    programs = {"read": "pause(us + ms);", "written": "us = 90; ms += us;", "own": "int us = 3; us = 4; pause(us + ms);"}
+    shown: dict[str, list[str]] = {}
+    for name, change in programs.items():
+        source = tmp_path / f"{name}.c"
+        source.write_text(f'#include "simpletools.h"\nint main(void) {{ {change} }}\n')
+        made = robosmi.migrate([source], tmp_path / name)
+        text = (tmp_path / name / name / "adapters.h").read_text(encoding="utf-8")
+        shown[name] = [line for line in text.splitlines() if re.search(r"\b(us|ms) = ", line)]
+        assert [f.message for f in made.models.plan.findings if f.rule == "RS337"] == []
+    assert shown == {
+        "read": ["const int32_t ms = 80000L;", "const int32_t us = 80L;"],
+        "written": ["static int32_t ms = 80000L;", "static int32_t us = 80L;"],
+        "own": ["const int32_t ms = 80000L;"],
+    }
