@@ -130,7 +130,8 @@ def lost_findings(widened: Widened, units: Sequence[ccode.SourceUnit], texts: Ma
     known = {unit.path for unit in units}
     found: dict[tuple[str, int, int], Finding] = {}
     for want in widened.lost:
-        place = next(iter((*want.node.places, *want.node.inner)), None)
+        places = (*want.node.places, *want.node.inner)
+        place = places[0] if places else None
         if place is None or place.unit not in known:
             continue
         before = texts[place.unit][: place.start]
