@@ -9,7 +9,7 @@ import hashlib
 import os
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import asdict
@@ -111,7 +111,7 @@ def _location_from(data: dict[str, Json]) -> Location:
     return Location(as_text(data["path"]), **numbers)
 
 
-def same_value(one: Any, other: Any) -> bool:
+def same_value(one: object, other: object) -> bool:
     """Whether two values are equal; those that cannot be compared are not."""
     try:
         return one.__class__ is other.__class__ and bool(one == other)
