@@ -1,7 +1,8 @@
 """Folders for passing files, of which none stays: those of a process that was killed are removed by the next one.
 
 A process that ends in order, or by a signal that it hears, removes its own. One that is killed outright cannot; so the name of a
-folder tells whose it is, and the first folder that a process makes sweeps out those of processes that are no more.
+folder tells whose it is, and the first folder that a process makes sweeps out those of processes that are no more. A process
+holds a lock on each of its folders, which goes with it however it ends: that tells of one that runs where this one cannot see it.
 """
 
 from __future__ import annotations
@@ -19,9 +20,16 @@ from time import time
 
 from robosmi.typed import kept
 
-_NAME = re.compile(r"robosmi-[a-z]+-(\d+)-\w+")
+try:
+    import fcntl
+except ImportError:  # not on this system
+    fcntl = None  # type: ignore[assignment]
+
+_NAME = re.compile(r"robosmi-[a-z]+-(\d+)-(held_)?\w+")
 _LEAST_AGE_S = 3600.0
-"""A younger folder stays: its process may run where this one cannot see it, such as in another container."""
+"""A younger folder without a lock stays: its process may run where this one cannot see it, such as in another container."""
+_MADE_S = 10.0
+"""So long at most a folder may be there before it is locked."""
 
 
 _OPEN: set[Path] = set()
@@ -36,13 +44,34 @@ def temporary_folder(what: str) -> Iterator[str]:
         what: a word in lower case that tells what it is for.
     """
     _sweep_once(os.getpid())
-    path = Path(tempfile.gettempdir()) / f"robosmi-{what}-{os.getpid()}-{token_hex(6)}"
+    locks = fcntl is not None
+    path = Path(tempfile.gettempdir()) / f"robosmi-{what}-{os.getpid()}-{'held_' if locks else ''}{token_hex(6)}"
     _OPEN.add(path)  # before it is there: nobody else knows its name
+    lock: int | None = None
     try:
         path.mkdir(mode=0o700)
+        lock = _locked(path)
         yield str(path)
     finally:
         _remove(path)
+        if lock is not None:
+            os.close(lock)
+
+
+def _locked(path: Path) -> int | None:
+    """An open folder on which this process holds a lock; None where another has it, or there are no locks."""
+    if fcntl is None:
+        return None
+    try:
+        opened = os.open(path, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
+    except OSError:
+        return None
+    try:
+        fcntl.flock(opened, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        os.close(opened)
+        return None
+    return opened
 
 
 def _remove(path: Path) -> None:
@@ -64,7 +93,7 @@ def _sweep_once(process: int) -> None:
 
 
 def sweep(place: Path) -> None:
-    """Remove the folders in a place whose processes are no more, of this user, an hour old at least.
+    """Remove the folders in a place whose processes are no more, of this user: whose lock is free, else an hour old at least.
 
     Args:
         place: the folder for temporary files.
@@ -73,14 +102,23 @@ def sweep(place: Path) -> None:
         for path in place.glob("robosmi-*"):
             named = _NAME.fullmatch(path.name)
             with suppress(OSError):
-                if named is not None and not _runs(int(named[1])) and _is_own_and_old(path):
+                if named is not None and not _runs(int(named[1])) and _is_own(path) and _is_left(path, bool(named[2])):
                     shutil.rmtree(path, ignore_errors=True)
 
 
-def _is_own_and_old(path: Path) -> bool:
-    found = path.lstat()
-    own = not path.is_symlink() and path.is_dir() and found.st_uid == os.getuid()
-    return own and time() - found.st_mtime > _LEAST_AGE_S
+def _is_own(path: Path) -> bool:
+    return not path.is_symlink() and path.is_dir() and path.lstat().st_uid == os.getuid()
+
+
+def _is_left(path: Path, held: bool) -> bool:
+    """Whether nobody uses a folder any more whose process is not seen here."""
+    age_s = time() - path.lstat().st_mtime
+    if age_s > _LEAST_AGE_S or not held:
+        return age_s > _LEAST_AGE_S
+    lock = _locked(path) if age_s > _MADE_S else None
+    if lock is not None:
+        os.close(lock)
+    return lock is not None
 
 
 def _runs(process: int) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
 import subprocess
 import sys
@@ -45,6 +46,41 @@ def test_what_killed_processes_left_is_removed_and_nothing_else(tmp_path: Path) 
     assert all((each / "a.o").is_file() for each in stays)
     assert link.is_symlink()
     sweep(tmp_path / "not there")
+
+
+def test_what_was_killed_just_now_is_removed_where_nobody_holds_it(tmp_path: Path) -> None:
+    dead = gone()
+    theirs, fresh, held, unknown = (
+        left(tmp_path, f"robosmi-tool-{dead}-{name}", hours)
+        for name, hours in (("held_1", 0.01), ("held_2", 0.0), ("held_3", 0.01), ("4", 0.01))
+    )
+    lock = os.open(held, os.O_RDONLY)  # as that of a process in another container
+    fcntl.flock(lock, fcntl.LOCK_EX)
+    sweep(tmp_path)
+    assert [each.exists() for each in (theirs, fresh, held, unknown)] == [False, True, True, True]
+    os.close(lock)
+    sweep(tmp_path)
+    assert not held.exists()
+
+
+KILLED = """
+import os, signal
+from robosmi.verify.temporary import temporary_folder
+with temporary_folder("tool") as place:
+    print(place, flush=True)
+    os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+def test_a_killed_process_leaves_no_lock(tmp_path: Path) -> None:
+    command = [sys.executable, "-c", KILLED]
+    told = subprocess.run(command, capture_output=True, text=True, env=os.environ | {"TMPDIR": str(tmp_path)}, check=False)
+    place = Path(told.stdout.strip())
+    assert place.is_dir()
+    assert place.parent == tmp_path
+    os.utime(place, (time() - 60,) * 2)
+    sweep(tmp_path)
+    assert not place.exists()
 
 
 def test_a_folder_tells_whose_it_is_and_goes() -> None:

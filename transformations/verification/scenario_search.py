@@ -11,10 +11,10 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from typing import Any
 
 from msgspec import Struct
 
+from robosmi.data_text import Json
 from robosmi.doing import doing
 from robosmi.transformations.verification.original_side import LIMITS, Place, SourceRuns, places_reached, run_source, run_varied
 from robosmi.transformations.verification.played_devices import CONSOLE, TYPING
@@ -243,12 +243,12 @@ class _Search:
         return places_reached(self.program, run, self.ports)
 
 
-def _constant(each: _Input, value: Any) -> dict[str, dict[str, Points]]:
+def _constant(each: _Input, value: Json) -> dict[str, dict[str, Points]]:
     """Signals in which one input shows one value all the time; what happens once comes when the program has begun."""
     return {each.name: {each.setting: ((_TEXT_MS if each.happens else 0.0, value),)}}
 
 
-def _in_turn(each: _Input, values: Sequence[Any], horizon: float) -> Points:
+def _in_turn(each: _Input, values: Sequence[Json], horizon: float) -> Points:
     """A signal that shows values one after the other, each for as long as the input keeps one, as far as the horizon goes."""
     step = max(each.hold_ms, horizon / 4)
     return tuple((at * step, value) for at, value in enumerate(values) if at * step < horizon)
@@ -302,10 +302,10 @@ class _Input(Struct, frozen=True):
 
     name: str
     setting: str
-    values: tuple[Any, ...]
+    values: tuple[Json, ...]
     hold_ms: float
     device: str
-    ends: tuple[Any, ...] = ()
+    ends: tuple[Json, ...] = ()
 
     def with_ends(self) -> _Input:
         """The signal with its ends among its values."""
@@ -341,7 +341,7 @@ def _random_signals(inputs: Sequence[_Input], horizon: float, chance: random.Ran
         begin = [(0.0, chance.choice(each.values))] if not each.happens and chance.random() < 0.5 else []
         wanted = chance.randint(1, 5)
         at = 0.0
-        points: list[tuple[float, Any]] = list(begin)
+        points: list[tuple[float, Json]] = list(begin)
         for slot in sorted(slots[:wanted]):
             if slot - at >= each.hold_ms:
                 points.append((slot, chance.choice(each.values)))
