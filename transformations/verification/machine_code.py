@@ -38,6 +38,8 @@ _NEAR = 24
 _JUMPS = ("jmp", "call", "rjmp", "rcall")
 _THROUGH = ("icall", "eicall", "ijmp", "eijmp")
 _CALLS = (*_JUMPS, *_THROUGH)
+_LASTING = frozenset([*(f"r{low}" for low in range(2, 18)), "r28", "r29"])
+"""The registers that functions leave as they were."""
 _COMPARES = ("cp", "cpc", "cpi", "tst")
 _BRANCH = re.compile(r"^br\w\w$")
 
@@ -219,7 +221,7 @@ class MachineCode:
         """The name of the variable that a pair of registers points into before an instruction; empty where that is not known."""
         for instruction in self._backwards(at):
             operands = instruction.operands
-            if instruction.name in _CALLS and not instruction.name.endswith("jmp"):
+            if instruction.name in _CALLS and not instruction.name.endswith("jmp") and register not in _LASTING:
                 return ""
             if not operands or operands[0] not in (register, _pair(register)):
                 continue
@@ -227,7 +229,7 @@ class MachineCode:
                 return self._object(self._addresses[instruction.address])
             if instruction.name == "movw":
                 register = operands[1]
-            elif instruction.name not in ("adiw", "sbiw", *_COMPARES):
+            elif instruction.name not in ("adiw", "sbiw", "subi", *_COMPARES):  # further on within the same variable
                 return ""
         return ""
 

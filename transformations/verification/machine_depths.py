@@ -128,8 +128,8 @@ class Depths:
         self._tables = {machine.symbols[name] for name in _TABLES if name in machine.symbols}
         self._known: dict[_Key, FunctionStack] = {}
         self._ways: dict[_Key, tuple[_Key | None, _Key | None]] = {}
-        self._on_way: set[_Key] = set()
-        self._missing: list[_Key] = []
+        self._on_way: dict[_Key, bool] = {}
+        self._missing: dict[_Key, bool] = {}
         self.recursive: set[int] = set()
         self.unknown: set[int] = set()
 
@@ -149,20 +149,20 @@ class Depths:
             entry: its address.
             interrupts: whether they may come when it is called.
         """
-        waiting = [(entry, interrupts)]
+        waiting = [((entry, interrupts), False)]
         while waiting:  # no recursion: functions may call the next for as long as they like
-            at = waiting[-1]
+            at, pointed = waiting[-1]
             if at in self._known:
                 waiting.pop()
                 continue
-            self._on_way.add(at)
-            self._missing = []
+            self._on_way[at] = pointed
+            self._missing = {}
             taken = self._measured(at)
             if self._missing:
-                waiting += self._missing
+                waiting += self._missing.items()
                 continue
             self._known[at] = taken
-            self._on_way.discard(at)
+            del self._on_way[at]
         return self._known[entry, interrupts]
 
     def _measured(self, key: _Key) -> FunctionStack:
@@ -247,10 +247,10 @@ class Depths:
                 return state.called(FunctionStack(0, 0, state.interrupts)), [], depth + 2
             if target == self._next.get(instruction.address):
                 return state._replace(depth=depth + 2), [], depth + 2  # a frame of two bytes
-            return self._behind(state, [target], recursive=True), [(target, state.interrupts)], depth + 2
+            return self._behind(state, [target], pointed=False), [(target, state.interrupts)], depth + 2
         if name in _THROUGH_POINTERS:
             targets = self._machine.reached_from(instruction.address)
-            behind = self._behind(state, targets, recursive=False)
+            behind = self._behind(state, targets, pointed=True)
             return behind, [(target, state.interrupts) for target in targets], depth + _THROUGH_POINTERS[name]
         if name in ("jmp", "rjmp") and (target := instruction.target) is not None:
             if target in self._saves:
@@ -260,23 +260,31 @@ class Depths:
             return state, [], depth
         return self._computed(instruction, state, entry), [], depth
 
-    def _behind(self, state: _State, targets: Sequence[int], *, recursive: bool) -> _State:
+    def _behind(self, state: _State, targets: Sequence[int], *, pointed: bool) -> _State:
         """The state behind a call; what is measured of none of the functions yet is noted.
 
         Args:
             state: before it.
             targets: the functions that may be called.
-            recursive: whether what is under way already calls itself so; through a pointer nobody can tell.
+            pointed: whether that is told by a pointer, of which nobody knows which of the functions it is.
         """
         leaves = 0
         for key in ((target, state.interrupts) for target in targets):
             if key in self._known:
                 leaves |= self._known[key].leaves
             elif key not in self._on_way:
-                self._missing.append(key)
-            elif recursive:
+                self._missing[key] = pointed and self._missing.get(key, True)
+            elif not pointed and not self._through_pointers(key):
                 self.recursive.add(key[0])
         return state.called(FunctionStack(0, 0, leaves or state.interrupts))
+
+    def _through_pointers(self, key: _Key) -> bool:
+        """Whether the calls that lead from what is under way to where it is called again are not all sure."""
+        way = iter(self._on_way)
+        for each in way:
+            if each == key:
+                break
+        return any(self._on_way[each] for each in way)
 
     def _computed(self, instruction: Instruction, state: _State, entry: int) -> _State:
         """The state behind an instruction that neither calls nor jumps."""

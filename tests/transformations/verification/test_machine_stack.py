@@ -106,6 +106,70 @@ def test_call_through_a_variable_reaches_what_is_kept_there_and_nothing_else() -
     assert (bound.bytes, bound.deepest) == (2 + 1 + 2 + 3, ("main", "near"))
 
 
+COMPUTED = """
+00000080 <table>:
+  80:\tsubi\tr28, 0xFE\t; 254
+\t\t\t80: R_AVR_LO8_LDI_NEG\tother
+  82:\tsbci\tr29, 0xFE\t; 254
+  84:\tcall\t0x20\t; 0x20 <near>
+  88:\tmovw\tr30, r28
+  8a:\tsubi\tr30, 0xF8\t; 248
+  8c:\tsbci\tr31, 0xFF\t; 255
+  8e:\tldi\tr24, 0x18\t; 24
+\t\t\t8e: R_AVR_LO8_LDI_GS\tfar
+  90:\tldi\tr25, 0x00\t; 0
+  92:\tstd\tZ+1, r25\t; 0x01
+  94:\tst\tZ, r24
+  96:\tret
+"""
+
+
+def test_what_is_kept_further_on_in_a_variable_is_called_through_that_one_alone() -> None:
+    bound = stack_bound(LISTING + COMPUTED, "avr")
+    assert bound is not None
+    assert (bound.bytes, bound.deepest) == (2 + 1 + 2 + 3, ("main", "near"))
+    lost = stack_bound(LISTING + COMPUTED.replace("movw\tr30, r28", "movw\tr30, r20"), "avr")
+    assert lost is not None
+    assert lost.deepest == ("main", "far")
+
+
+CIRCLE = """
+Disassembly of section .text:
+
+00000010 <main>:
+  10:\trcall\t.+14    \t; 0x20 <shows>
+  12:\tret
+
+00000020 <shows>:
+  20:\tpush\tr2
+  22:\trcall\t.+12    \t; 0x30 <through>
+  24:\tret
+
+00000030 <through>:
+  30:\ticall
+  32:\tret
+
+00000040 <kept>:
+  40:\trcall\t.-34    \t; 0x20 <shows>
+  42:\tret
+
+00000050 <begin>:
+  50:\tldi\tr24, 0x20\t; 32
+\t\t\t50: R_AVR_LO8_LDI_GS\tkept
+  52:\tmovw\tr30, r24
+  54:\tret
+"""
+
+
+def test_functions_call_themselves_where_all_calls_of_the_circle_are_sure() -> None:
+    guessed = stack_bound(CIRCLE, "avr")
+    assert guessed is not None
+    assert guessed.recursive == ()
+    sure = stack_bound(CIRCLE.replace("  30:\ticall", "  30:\trcall\t.+14    \t; 0x40 <kept>"), "avr")
+    assert sure is not None
+    assert sure.recursive == ("shows",)
+
+
 def test_functions_call_the_next_for_as_long_as_they_like() -> None:
     count = 5000
     names = ["main", *(f"f{number}" for number in range(1, count))]
