@@ -22,6 +22,9 @@ def _current_folder_is_first() -> bool:
 def start() -> int:
     """Run the command of this process; an interruption ends it with a word and exit code 130, whenever it comes."""
     try:
+        from robosmi.cli.kept_patterns import keep_patterns
+
+        keep_patterns()  # before modules with patterns are imported
         from robosmi.cli.main import main
 
         code = main()

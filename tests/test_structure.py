@@ -33,6 +33,7 @@ FOUNDATION = (
     "foreign_code",
     "functions",
     "user_folders",
+    "user_cache",
     "resources",
     "offers",
     "plugins",
@@ -340,7 +341,7 @@ def test_every_module_says_what_lives_in_it() -> None:
 
 OPENS: dict[str, str] = {
     "robosmi/inputs.py": "it is the place",
-    "robosmi/generate/template_cache.py": "asks who has written what it reads",
+    "robosmi/user_cache.py": "asks who has written what it reads",
     "robosmi/cli/streams.py": "opens the null device in place of a stream that is closed",
     "robosmi/cli/landlock.py": "names a folder to the kernel, and can read nothing by it",
     "robosmi/model/open_folder.py": "writes, and holds folders open",

@@ -292,8 +292,9 @@ def promote(cls: type[EObject], root: type) -> None:
         cls: the class.
         root: base class of all generated classes; as a base it makes no supertype.
     """
-    features = {key: value for key, value in vars(cls).items() if isinstance(value, EStructuralFeature)}
-    if not _has_only(cls, features):
+    names = [*vars(cls)]
+    features = {key: feature for key in names if (feature := attribute_of(cls, key, EStructuralFeature)) is not None}
+    if not _are_all(features, names):
         Core.register_classifier(cls, promote=True)
         if root in cls.__bases__:
             cls.eClass.eSuperTypes.remove(EObject.eClass)  # no class of Ecore has it unless the metamodel says so
@@ -320,10 +321,10 @@ def promote(cls: type[EObject], root: type) -> None:
     Core.register_classifier(cls)
 
 
-def _has_only(cls: type, features: dict[str, EStructuralFeature]) -> bool:
-    """Whether a class has only features, which no class has yet, and what Python itself gives each class."""
+def _are_all(features: dict[str, EStructuralFeature], names: list[str]) -> bool:
+    """Whether a class has these features alone, which no class has yet, beside what Python itself gives each class."""
     new = all(feature.__class__ in (EAttribute, EReference) and container_of(feature) is None for feature in features.values())
-    return new and all(key in features or key[:2] == "__" for key in vars(cls))
+    return new and all(key in features or key[:2] == "__" for key in names)
 
 
 def _slot(owner: EObject, feature: EStructuralFeature, is_ref: bool, is_cont: bool, value: Argument) -> EValue:
