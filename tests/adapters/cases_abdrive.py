@@ -118,6 +118,60 @@ void loop() {{}}
     assert 1400 <= back <= 2000  # the limit of drive_speed does not count
 
 
+@proves(*d("speed", "ramp", "setRampStep"), beside=["ping.h/ping_cm"])
+def a_ramp_keeps_its_time_while_a_ranger_is_polled_and_steps_once_a_frame_after_a_new_call(uno: Uno) -> None:
+    """Echoes of 17 ms put frames off; what was owed before a call must not be made up for with what the call asks for."""
+    program = """
+void setup() { drive_speed(0, 0); drive_setRampStep(10); delay(300); }
+void loop() {
+  for (int16_t turn = 0; turn < 5; turn++) {
+    drive_speed(128, 100);
+    for (int16_t polls = 20; polls; polls--) { ping_cm(7); delay(5); }
+    delay(turn * 3);
+    drive_ramp(0, 0); delay(500);
+  }
+}
+"""
+    used = [*d("speed", "ramp", "setRampStep"), "ping.h/ping_cm"]
+    ranger = DeviceUse("ranger", {"signal": "D7"}, {"points": [[0, 299.6]]})
+    trace = replace(uno, ports=PORTS).run(program, used, 7200, [ranger])
+    pulses = trace.pulses("D5")
+    assert min(width for _, width in trace.pulses("D6")) == pytest.approx(1500 - 100 * 200 / 128, abs=3)
+    step = 10 * 200 / 128
+    rises, falls = [], []
+    for (at_us, width), (next_us, following) in pairwise(pulses):
+        if next_us - at_us > 30_000:
+            rises.append(next_us)
+        if width >= 1698 and following < 1690:
+            falls.append(next_us)
+            begins = [each for at, each in pulses if at_us <= at][:4]
+            assert [before - after for before, after in pairwise(begins)] == pytest.approx([step] * 3, abs=3)
+        if width < 1698 <= following:
+            assert next_us - rises[-1] == pytest.approx(12 * 20_000, abs=21_000)
+    assert len(rises) == len(falls) == 5
+
+
+@proves(*d("speed", "ramp", "setRampStep"))
+def a_call_just_before_a_frame_takes_six_frames_as_any_other(uno: Uno) -> None:
+    program = f"""{SAY}
+void setup() {{ Serial.begin(115200); drive_speed(0, 0); drive_setRampStep(10); delay(300);
+  for (uint16_t ticks = 40; ticks < 440; ticks += 40) {{  // of half a microsecond, before the job of a frame
+    drive_ramp(64, 40); delay(100);
+    while ((uint16_t)(OCR1B - TCNT1) < 1000) {{}}
+    while ((uint16_t)(OCR1B - TCNT1) > ticks) {{}}
+    uint32_t begun = millis();
+    drive_ramp(0, 0);
+    say(millis() - begun); delay(200);
+  }} }}
+void loop() {{}}
+"""
+    trace = replace(uno, ports=PORTS).run(program, d("speed", "ramp", "setRampStep"), 8000)
+    assert max(width for _, width in trace.pulses("D5")) == pytest.approx(1600, abs=3)
+    times = list(map(int, trace.text.split()))
+    assert len(times) == 10
+    assert all(100 <= time <= 141 for time in times), times
+
+
 @proves(*d("getTicks", "speed", "ramp"))
 def ticks_count_from_the_first_call_that_drives(uno: Uno) -> None:
     program = f"""{SAY}

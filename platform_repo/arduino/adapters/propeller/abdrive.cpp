@@ -139,8 +139,8 @@ inline void drive_frame() {
   drive_frames = drive_frames == 255 ? 128 : drive_frames + 1;
 }
 
-inline void drive_wait_frames(uint8_t count) {
-  for (uint8_t last = drive_frames; count; yield()) {
+inline void drive_wait_frames(uint8_t count, uint8_t last = drive_frames) {
+  for (; count; yield()) {
     if (drive_frames == last) continue;
     last = drive_frames;
     count--;
@@ -226,8 +226,10 @@ static DriveCounts drive_counts_from_its_start;
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline void drive_head_for(int16_t left, int16_t right) {
   int16_t to[2] = {left, right};
+  frames_due();  // those before this call
   uint8_t old = SREG;
   cli();
+  uint8_t last = drive_frames;  // with the next one the change begins
   int16_t change[2] = {(int16_t)abs(left - wheels[0].speed), (int16_t)abs(right - wheels[1].speed)};
   for (uint8_t side = 0; side < 2; side++) {
     Wheel &wheel = wheels[side];
@@ -236,8 +238,11 @@ inline void drive_head_for(int16_t left, int16_t right) {
     wheel.change_by(drive_step, change[side], change[!side]);
   }
   SREG = old;
-  drive_wait_rest();
-  drive_wait_frames(6);
+  if (wheels[0].rest || wheels[1].rest) {
+    drive_wait_rest();
+    last = drive_frames;
+  }
+  drive_wait_frames(6, last);
   drive_wait_rest();
 }
 
@@ -269,7 +274,7 @@ inline void drive_rampStep(int32_t left, int32_t right) {
 //#   role: servo
 //#   fidelity: returns when one of the wheels is within 4 ticks/s, as there
 //#   limit: two speeds beyond the limit of drive_setMaxSpeed are never reached: it returns at the limit, where the library waits for ever
-//#   stack: 61 42
+//#   stack: 63 43
 //#   interrupt: TIMER0_COMPA_vect 61 59
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
@@ -369,7 +374,7 @@ inline bool drive_on_the_way() {
 //#   role: encoder
 //#   fidelity: stops, drives both wheels so many ticks in the same time, and returns when they stand
 //#   limit: gives up ten seconds after the last tick, where the library waits for ever
-//#   stack: 103 85
+//#   stack: 103 82
 //#   interrupt: TIMER0_COMPA_vect 30 30
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 62 62
@@ -379,6 +384,7 @@ inline void drive_goto(int32_t distLeft, int32_t distRight) {
   drive_start();
   drive_speed(0, 0);
   int16_t top_before = drive_top;
+  frames_due();  // those before this call
   uint8_t old = SREG;
   cli();
   drive_still = 0;

@@ -77,17 +77,17 @@ inline bool servo_pulses() { return SERVO_MASK & _BV(OCIE1A); }  // whether Serv
 
 //# helper frames
 //#   needs: background servo_timer frame_ticks frame_interrupt simpletools.h/TimedInput
-//#   fidelity: frame jobs every 20 ms with interrupts on; they wait while an input is timed, and come at least 8 ms one after the other
+//#   fidelity: frame jobs every 20 ms with interrupts on; they wait while an input is timed, and are made up for when it ends
 //#   ram: 11
 static void (*frame_jobs[3])();
 static volatile uint8_t frames_owed;  // that have waited
 static volatile uint8_t frame_age;    // periods of 1,024 us since the frame jobs began last
 
-inline void do_frame_jobs() {
+inline void do_frame_jobs(uint8_t age) {
   static volatile bool under_way = false;
   uint8_t old = SREG;
   cli();
-  bool due = frames_owed && frame_age > 7 && !under_way;
+  bool due = frames_owed && frame_age >= age && !under_way;
   if (due) {
     under_way = true;
     frames_owed--;
@@ -100,10 +100,14 @@ inline void do_frame_jobs() {
   under_way = false;
 }
 
+inline void do_owed_frames() {  // all of them, as what comes next may make them wait again
+  for (uint8_t owed = frames_owed; owed; owed--) do_frame_jobs(0);
+}
+
 inline void frame_period() {
   if (frame_age < 255) frame_age++;
   if (frames_wait) frames_wait--;
-  else do_frame_jobs();
+  else do_frame_jobs(8);
 }
 
 inline void frame_comes() {  // Servo.h begins each frame later than it should, by what its interrupt takes: here that is made good
@@ -116,14 +120,14 @@ inline void frame_comes() {  // Servo.h begins each frame later than it should, 
   due += 20000;
   if (frames_owed < 3) frames_owed++;
   sei();
-  if (!frames_wait) do_frame_jobs();
+  if (!frames_wait) do_frame_jobs(8);
 }
 
 inline void do_each_frame(void (*job)()) {
   uint8_t old = SREG;
   cli();
   add_job(frame_jobs, job);
-  frames_due = do_frame_jobs;
+  frames_due = do_owed_frames;
   each_period = frame_period;
   count_periods();
   if (!(SERVO_MASK & _BV(OCIE1B))) {
