@@ -237,7 +237,10 @@ def test_a_board_with_another_chip_is_not_taken_for_it() -> None:
             "'mcu' is 'atmega328q', a microcontroller of which nothing is known",
         ),
         ("boards", "pins = [", "pins = [[", "cannot be read"),
-        ("mcus", "ram_bytes = 2048", "ram = 2048", "'ram_bytes' is missing"),
+        ("mcus", "pin_ma", "pin_mA", r"'pin_mA' is no key of it \(did you mean 'pin_ma'\?\)"),
+        ("mcus", 'functions = ["tone"]', 'function = ["tone"]', r"'takes\[0\].function' is no key of it"),
+        ("mcus", "ram_bytes = 2048", "ram = 2048", "'ram' is no key of it"),
+        ("mcus", "ram_bytes = 2048", "", "'ram_bytes' is missing"),
     ],
 )
 def test_a_damaged_file_names_file_and_key(

@@ -19,6 +19,7 @@ from robosmi.metamodels import platform
 from robosmi.project import read_data
 from robosmi.resources import folders
 from robosmi.transformations.knowledge.board_ports import check_names, check_ports
+from robosmi.transformations.knowledge.data_keys import OF_MICROCONTROLLERS, TAKES
 from robosmi.typed import kept
 from robosmi.verify.tables import DataTable
 
@@ -29,10 +30,8 @@ ABILITIES = ("digital", "pwm", "analog_in", "interrupt", "uart", "i2c", "spi")
 """What a pin may be able to do, as boards' files say it."""
 CHANNELS = ("A", "B", "C", "D")  # compare outputs of a timer
 _PIN_KEYS = ("label", "port", "aliases", "abilities", "timer", "channel", "reserved")
-_USERS = (
-    (platform.UserKind.function, "functions"), (platform.UserKind.library, "libraries"), (platform.UserKind.part, "parts"),
-)  # fmt: skip
-"""What takes resources of a microcontroller, and the key that names it."""
+_USERS = {"functions": platform.UserKind.function, "libraries": platform.UserKind.library, "parts": platform.UserKind.part}
+"""What takes resources of a microcontroller, by the key that names it."""
 _BOARD_KEYS = ("name", "title", "mcu", "f_cpu", "volts", "led", "boot_loader", "pins", "drawn_as", "drawn_chips", "drawn_symbols")
 _DRAWN_KEYS = {
     "drawn_as": ("tool", "modules", "connectors"),
@@ -164,10 +163,12 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
         problem = f"is '{name}', a microcontroller of which nothing is known{did_you_mean(name, known)}"
         raise named_in.error("mcu", problem) if named_in is not None else PlatformDataError(f"'mcu' {problem}")
     table = table_of(path)
+    check_keys(table, OF_MICROCONTROLLERS)
     buses = table.table("buses", needed=False)
     uses = []
     for entry in table.tables("takes", needed=False):
-        for kind, key in _USERS:
+        check_keys(entry, TAKES)
+        for key, kind in _USERS.items():
             uses += [
                 platform.ResourceUse(
                     name=user,
@@ -300,10 +301,8 @@ def variant_folder(platform_name: str, variant: str, project: Path | None = None
 
 
 def _settings(platform_name: str, project: Path | None) -> DataTable:
-    for folder in folders(KIND, project):
-        if (path := folder / platform_name / "platform.toml").is_file():
-            return table_of(path)
-    return DataTable(Path(platform_name), {})
+    paths = (folder / platform_name / "platform.toml" for folder in folders(KIND, project))
+    return next((table_of(path) for path in paths if path.is_file()), DataTable(Path(platform_name), {}))
 
 
 def _literal_rules(platform_name: str, project: Path | None) -> list[DataTable]:

@@ -20,6 +20,7 @@ from robosmi.transformations.knowledge.board_models import (
     KIND,
     board_file,
     board_names,
+    check_keys,
     load_board,
     load_mapping,
     mapped_boards,
@@ -27,6 +28,7 @@ from robosmi.transformations.knowledge.board_models import (
     table_of,
     text_of,
 )
+from robosmi.transformations.knowledge.data_keys import OF_SOURCES, OF_TARGETS, TARGET
 from robosmi.transformations.knowledge.target_names import KINDS, TargetNames, add_names_of, reserved_names
 from robosmi.typed import dynamic_attribute
 from robosmi.verify.tables import DataTable
@@ -297,6 +299,8 @@ def target_platform(name: str, project: Path | None = None) -> platform.Platform
 
 
 def _platform(table: DataTable, folder: str, project: Path | None) -> platform.Platform:
+    check_keys(table, (*OF_TARGETS, *OF_SOURCES))
+    check_keys(table.table("target", needed=False), TARGET)
     return platform.Platform(
         name=table.text("name"),
         title=table.text("title", table.text("name")),
