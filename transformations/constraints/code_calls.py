@@ -1,4 +1,4 @@
-"""A constraint on calls: they give what functions take."""
+"""Constraints on calls: they give what functions take, and come back where something stands behind them."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ from collections.abc import Iterator
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
+from robosmi.query import all_of_kind
 from robosmi.transformations.constraints.code_move import moved, place, the_move, together
 from robosmi.transformations.queries.own_headers import unit_of
+from robosmi.transformations.queries.unreached import Unreached
 from robosmi.transformations.queries.unsaid_parameters import unsaid_pointers
 from robosmi.typed import distinct
 from robosmi.validate import Fail
@@ -41,3 +43,16 @@ def _short_calls_of_pointers(unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Cal
             lacking = [function for function in kept.functions if len(function.parameters) > len(call.arguments)]
             if unit_of(call) is unit and lacking:
                 yield call, str(lacking[0].name)
+
+
+@units.constraint(id="RS343", severity=Severity.info, location=place, advice="take it out, or let what stands before it end")
+def GetsThere(unit: ccode.SourceUnit) -> bool | Fail:
+    """Nothing stands behind a call of a function that never returns."""
+    unreached = Unreached(the_move().program.units)
+    found = [(row, before) for row, before in unreached.statements(unit) if not isinstance(before, ccode.Loop)]
+    called = (call.callee for _, before in found for call in all_of_kind(before, ccode.Call) if call.callee is not None)
+    names = distinct(f"'{function.name}'" for function in called if id(function) in unreached.endless)
+    return not found or together(
+        f"nothing gets here, on the source neither: {' and '.join(names)} never return{'s' * (len(names) == 1)}",
+        [row for row, _ in found],
+    )

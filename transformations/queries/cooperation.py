@@ -129,12 +129,54 @@ def starts_at_once(calls: Sequence[ccode.Call], ends: Collection[str]) -> tuple[
         ends: names of functions that end such code, or wait for its end.
     """
     total, why = 0, []
+    counted = set[int]()
     for call in calls:
         count = _times(call, ends, ())
+        variable = _ended_before(call, calls, ends)
+        if variable is not None:  # of all of these one runs
+            count = int(id(variable) not in counted)
+            counted.add(id(variable))
         total += count
         if count > 1:
             why.append(f"line {call.line} may start {min(count, MOST)}")
     return max(1, min(total, MOST)), why
+
+
+def _ended_before(call: ccode.Call, calls: Sequence[ccode.Call], ends: Collection[str]) -> ccode.Variable | None:
+    """The variable that keeps what a call starts, where each of its starts stands behind an end of what it keeps."""
+    kept = _keeper(call)
+    if kept is None:
+        return None
+    names = {each.calleeName for each in calls}
+    assigned = (each for r in kept.references if isinstance(each := r.eContainer(), ccode.Assignment) and each.left is r)
+    if any(not isinstance(each.right, ccode.Call) or each.right.calleeName not in names for each in assigned):
+        return None  # what it keeps may be something else
+    return kept if all(_ends_first(each, kept, ends) for each in calls if _keeper(each) is kept) else None
+
+
+def _keeper(call: ccode.Call) -> ccode.Variable | None:
+    """The variable that a call's value is assigned to as a statement."""
+    around = call.eContainer()
+    target = around.left if isinstance(around, ccode.Assignment) and around.operator == "=" and around.right is call else None
+    variable = target.target if isinstance(target, ccode.NameReference) else None
+    return variable if isinstance(variable, ccode.Variable) else None
+
+
+def _ends_first(call: ccode.Call, kept: ccode.Variable, ends: Collection[str]) -> bool:
+    """Whether what a variable keeps is ended in the block of a start, before it and behind any other start."""
+    statement = ancestor_of_kind(call, ccode.ExpressionStatement)
+    block = statement.eContainer() if statement is not None else None
+    ended = False
+    for each in block.statements if isinstance(block, ccode.Block) else ():
+        if each is statement:
+            break
+        for inner in all_contents(each):
+            if isinstance(inner, ccode.Assignment) and isinstance(inner.left, ccode.NameReference) and inner.left.target is kept:
+                ended = False
+            if isinstance(inner, ccode.Call) and inner.calleeName in ends and isinstance(each, ccode.ExpressionStatement):
+                names = (e for e in all_contents(inner) if isinstance(e, ccode.NameReference))
+                ended = ended or any(name.target is kept for name in names)
+    return ended
 
 
 def _times(element: Element, ends: Collection[str], above: tuple[int, ...]) -> int:

@@ -1,7 +1,7 @@
 """What of a program may be carried out at all: all that main leads to, by calls, names of functions, and values of variables.
 
-What a compiler leaves out of a program because nothing leads there is left out here, too. Which calls happen in fact, and in
-which order, is not asked.
+What a compiler leaves out of a program because nothing leads there is left out here, too, and what stands behind what never ends.
+Which calls happen in fact, and in which order, is not asked.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.query import all_contents
 from robosmi.transformations.queries.main_function import main_of
+from robosmi.transformations.queries.unreached import Unreached
 from robosmi.typed import matches
 
 
@@ -24,7 +25,9 @@ def live_in(units: Sequence[ccode.SourceUnit]) -> list[Element]:
     defined = what_is_defined(units)
     pending = beginnings(units)
     seen, found = {id(each) for each in pending}, list[Element]()
-    inside = set[int]()
+    unreached = Unreached(units)
+    dead = (statement for unit in units for statement in unreached.inside(unit))
+    inside = {id(each) for statement in dead for each in (statement, *all_contents(statement))}
     while pending:
         start = pending.pop()
         for element in (start, *all_contents(start)):
