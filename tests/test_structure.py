@@ -347,6 +347,7 @@ OPENS: dict[str, str] = {
     "robosmi/model/open_folder.py": "writes, and holds folders open",
     "robosmi/model/files.py": "writes",
     "robosmi/model/sqlite_files.py": "changes bytes of the file that it has just written",
+    "robosmi/verify/temporary.py": "opens folders to lock them, and reads nothing by it",
     "robosmi/verify/serial_ports.py": "opens serial ports, which are no files to be read",
     "robosmi/model/zip_archive.py": "reads an archive that is in memory",
     "transformations/t2m/fritzing/drawing_model.py": "writes an archive in memory",

@@ -67,7 +67,14 @@ class Chain:
     # Declaration
 
     def load(
-        self, name: str, file: str | Path, *, metamodel: Paths = (), driver: str | None = None, reads: Paths = (), step: str = ""
+        self,
+        name: str,
+        file: str | Path,
+        *,
+        metamodel: Paths = (),
+        driver: str | Function | None = None,
+        reads: Paths = (),
+        step: str = "",
     ) -> None:
         """Read a model of any technology.
 
@@ -75,13 +82,13 @@ class Chain:
             name: the model's name.
             file: the file.
             metamodel: .ecore files, of XMI.
-            driver: the driver's name; found by the file's ending if None.
+            driver: the driver's name, or a driver itself: it is called with the path and the model's name, and gives a `Model`;
+                found by the file's ending if None.
             reads: files that the model refers to.
             step: the step's name; `load NAME` if not given.
         """
-        self._add(
-            step or f"load {name}", "load", None, (), makes=name, file=file, metamodel=metamodel, driver=driver, reads=reads
-        )
+        own, named = (None, driver) if driver is None or isinstance(driver, str) else (driver, None)
+        self._add(step or f"load {name}", "load", own, (), makes=name, file=file, metamodel=metamodel, driver=named, reads=reads)
 
     def validate(self, function: Function, *, models: Names, stop_at: str = "error", reads: Paths = (), step: str = "") -> None:
         """Check constraints; later steps that use one of the models are done only if they hold.
@@ -230,7 +237,7 @@ class Chain:
         for key in ("metamodel", "reads"):
             given = options.get(key, ())
             options[key] = tuple(folder / p for p in ([given] if isinstance(given, (str, Path)) else given))
-        code = inspect.getsourcefile(function) if function is not None else None
+        code = _source_of(function) if function is not None else None
         listed = (models,) if isinstance(models, str) else tuple(models)
         title = name or attribute_of(function, "__name__", str) or kind
         if not re.fullmatch(r"\w[\w .-]*", title):
@@ -343,6 +350,14 @@ class Chain:
         return run
 
 
+def _source_of(function: Function) -> str | None:
+    """The file that a function or class is written in; None where nobody knows it, as of a class whose file is no module."""
+    try:
+        return inspect.getsourcefile(function)
+    except TypeError:
+        return None
+
+
 def _check_parameters(step: Step) -> None:
     """Hold the parameters of a function of models against what it will be called with: the language, then the models by name.
 
@@ -356,13 +371,17 @@ def _check_parameters(step: Step) -> None:
     except (TypeError, ValueError):  # some callables of C have none
         return
     names = step.given_models()
+    wanted = ["the path", "the model's name"] if step.kind == "load" else ["the language", *names]
     try:
-        signature.bind(None, **dict.fromkeys(names))
+        if step.kind == "load":
+            signature.bind(None, None)
+        else:
+            signature.bind(None, **dict.fromkeys(names))
     except TypeError as error:
         from robosmi.query.erl import place_of  # a chain of plain functions needs no queries
 
         raise RuleError(
             f"the function of the step '{step.name}' does not fit: {error}",
             location=place_of(step.function),
-            fix=f"give it these parameters: {', '.join(['the language', *names])}; nothing was done",
+            fix=f"give it these parameters: {', '.join(wanted)}; nothing was done",
         ) from None

@@ -10,13 +10,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from types import FunctionType
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.chain.steps import Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import RuleError
 from robosmi.generate import Gen
 from robosmi.generate.places import free_name
 from robosmi.model import save_model
@@ -27,11 +29,14 @@ from robosmi.model.metamodel import Metamodel
 from robosmi.model.session import Session
 from robosmi.model.xml_comments import comments_lost, told
 from robosmi.query import ModelView
-from robosmi.query.erl import owner_of, technology
+from robosmi.query.erl import failed, owner_of, place_of, technology
 from robosmi.transform import ETL, Flock
-from robosmi.typed import replaced
+from robosmi.typed import attribute_of, replaced
 from robosmi.validate import EVL
 from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
+
+if TYPE_CHECKING:
+    from robosmi.functions import Function
 
 Choice = str | Callable[[Unsatisfied], OfferedFix | None]
 """Which fix of a finding is performed: "first", "last", or a function that chooses one (None for none)."""
@@ -64,9 +69,30 @@ class Doing(Struct):
 def load(step: Step, doing: Doing) -> tuple[StepResult, Model]:
     """Read a model."""
     assert step.file is not None
-    return StepResult(step, "done"), ModelView(
-        doing.session.open_model(step.file, step.driver, step.makes, metamodel=step.metamodel)
-    )
+    if step.function is not None:
+        made = _opened(step, step.function)
+    else:
+        made = doing.session.open_model(step.file, step.driver, step.makes, metamodel=step.metamodel)
+    return StepResult(step, "done"), ModelView(made)
+
+
+def _opened(step: Step, driver: Function) -> Model:
+    """The model that a driver of the chain's own makes.
+
+    Raises:
+        RuleError: it raises, or makes something else.
+    """
+    code = attribute_of(driver, "__init__", FunctionType) or driver
+    try:
+        made = driver(step.file, step.makes)
+    except (Exception, SystemExit) as error:
+        raise failed(error, f"the driver of the step '{step.name}'", code) from error
+    if not isinstance(made, Model):
+        raise RuleError(
+            f"the driver of the step '{step.name}' gives {made!r:.60}, which is no Model", location=place_of(code),
+            fix="let it return a model: a subclass of robosmi.model.driver.Model, or what robosmi.model.open_model gives",
+        )  # fmt: skip
+    return made
 
 
 def validate(step: Step, doing: Doing) -> tuple[StepResult, None]:

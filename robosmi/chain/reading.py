@@ -6,6 +6,7 @@ import hashlib
 import importlib
 import importlib.util
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -80,9 +81,17 @@ def _add(chain: Chain, step: dict[str, Any], number: int, folder: Path, place: L
             raise _wrong(place, f"step {number} ({kind} = '{target}') has no '{key}'", f'add {key} = "..."')
     title = step.pop("name", "")
     if kind == "load":
+        if ":" in (driver := step.get("driver", "")):
+            step["driver"] = function(driver, folder, place)
+            code = driver.rpartition(":")[0]
+            step["reads"] = [*_listed(step.get("reads", ())), *([code] if code.endswith(".py") else [])]
         chain.load(target, step=title, **step)
         return
     dynamic_attribute(chain, kind)(function(target, folder, place), step=title, **step)
+
+
+def _listed(names: str | Iterable[str]) -> list[str]:
+    return [names] if isinstance(names, str) else list(names)
 
 
 def _text(place: Location, number: int, key: str, value: Any) -> str:

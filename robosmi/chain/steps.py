@@ -35,7 +35,7 @@ class Step(Struct, frozen=True):
     Attributes:
         name: its name, of which there is one in the chain.
         kind: one of `KINDS`, `CALL` or `GIVEN`.
-        function: the user's function; None for `load` and `given`.
+        function: the user's function, of `load` the user's driver; None for `given`, and for `load` with a driver by name.
         models: names of the models and values that it reads.
         makes: name of the model or value that it makes, "" for none.
         file: the file of that model, None if it stays in memory; for `load` the file that is read.
