@@ -47,7 +47,7 @@ from robosmi.model.structure import resource_of
 from robosmi.typed import attribute_of, dynamic_attribute
 
 if TYPE_CHECKING:
-    from robosmi.model.ecore import PyEcoreValue, Value
+    from robosmi.model.ecore import Value
 
 
 def _holder_class(name: str, is_ref: bool, is_cont: bool) -> type[EValue]:
@@ -180,11 +180,6 @@ def collection(owner: EObject, feature: EStructuralFeature) -> Any:
         empty_ordered_set(made)
     made.birth = (owner, feature) if is_born and form[0] is FeatureOrderedSet else None
     return made
-
-
-def holders_of(element: EObject) -> list[PyEcoreValue]:
-    """All holders and collections of an element, those made by a mere look included."""
-    return [value for value in element.__dict__.values() if isinstance(value, (EValue, ECollection))]
 
 
 def plain_value(slot: Any) -> Any:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
-from robosmi.diagnostics import Finding, Severity
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RuleError, UsageError
 from robosmi.model.driver import Model
 from robosmi.query.erl import failed, place_in_model, technology, told
@@ -176,11 +176,19 @@ class Validation:
         found = []
         for u in self.unsatisfied:
             c = u.constraint
-            located = c.location(u.element) if c.location is not None and u.element is not None else None
+            located = self._located(c, u.element) if u.element is not None else None
             advice = u.advice or (u.fixes[0].title if u.fixes else None)
             evidence = {k: v if isinstance(v, (str, int, float, bool)) or v is None else str(v) for k, v in u.extras.items()}
             found.append(Finding(c.id, u.severity, u.message, located, self.place(u), advice, evidence))
         return found
+
+    def _located(self, constraint: Constraint, element: Item) -> Location | None:
+        if constraint.location is None:
+            return None
+        try:
+            return constraint.location(element)
+        except (Exception, SystemExit) as error:
+            raise failed(error, f"the location of {constraint.name}", constraint.location, element, self.models) from error
 
     def to_json(self) -> dict[str, Json]:
         """The report as JSON values: `unsatisfied` and `fixed`, in order."""

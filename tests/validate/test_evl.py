@@ -472,3 +472,11 @@ def test_a_chain_of_questions_may_be_as_long_as_the_model() -> None:
 
     assert v.satisfies(above, Known)
     assert asked == [*(f"a{n}" for n in range(length - 1, -1, -1)), "Cy"]
+
+
+def test_a_mistake_in_the_place_of_a_constraint_is_told_with_its_line() -> None:
+    v = EVL(library())
+    v.context("Book").constraint(name="C", location=lambda b: Location(b.path))(lambda b: False)
+    with pytest.raises(RuleError, match=r"the location of C fails for .*Book has no feature 'path'") as told:
+        v.run().findings()
+    assert str(told.value.location).partition(":")[0].endswith("test_evl.py")

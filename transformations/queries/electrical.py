@@ -82,10 +82,6 @@ class Wiring:
             if owner not in self._joins:
                 yield owner, connector
 
-    def only_joins(self, component: hardware.Component) -> bool:
-        """Whether it is a breadboard or the like."""
-        return component in self._joins
-
     def is_wired(self, component: hardware.Component, net: hardware.Net) -> bool:
         """Whether a net of a component leads to another one."""
         return any(owner is not component for owner, _ in self.on(net))

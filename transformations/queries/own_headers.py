@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.queries.source_text import header_file, is_header, meant_unit
+from robosmi.typed import distinct
 
 
 def file_of(include: ccode.Include) -> ccode.SourceUnit:
@@ -36,16 +37,8 @@ def unit_of(element: ccode.Located) -> ccode.SourceUnit:
 
 
 def included(unit: ccode.SourceUnit) -> list[ccode.SourceUnit]:
-    """The program's own headers that a unit includes, those that they include too."""
-    found: dict[int, ccode.SourceUnit] = {}
-    pending = [unit]
-    while pending:
-        for include in pending.pop().includes:
-            header = _meant_header(include)
-            if header is not None and id(header) not in found:
-                found[id(header)] = header
-                pending.append(header)
-    return list(found.values())
+    """The program's own headers that a unit includes, those that they include too, in the order of the text."""
+    return [header for _, header in _met([unit]) if header is not None]
 
 
 def all_includes(unit: ccode.SourceUnit) -> tuple[str, ...]:
@@ -54,19 +47,23 @@ def all_includes(unit: ccode.SourceUnit) -> tuple[str, ...]:
     program = unit.program
     if program is None or not any(is_header(u) for u in program.units):
         return tuple(str(include.header) for include in unit.includes)
-    found: dict[str, None] = {}
-    seen: set[int] = set()
     around = [u for u in program.units if unit in included(u)] if is_header(unit) else []
-    for start in (unit, *around):
-        pending = list(reversed(start.includes))
+    return tuple(distinct(str(include.header) for include, _ in _met([unit, *around])))
+
+
+def _met(units: Iterable[ccode.SourceUnit]) -> Iterator[tuple[ccode.Include, ccode.SourceUnit | None]]:
+    """The includes of units as a preprocessor meets them, each with the program's own header that it is the first to bring in."""
+    seen: set[int] = set()
+    for unit in units:
+        pending = list(reversed(unit.includes))
         while pending:
             include = pending.pop()
-            found.setdefault(str(include.header))
             header = _meant_header(include)
-            if header is not None and id(header) not in seen:
-                seen.add(id(header))
-                pending += reversed(header.includes)
-    return tuple(found)
+            first = header if header is not None and id(header) not in seen else None
+            if first is not None:
+                seen.add(id(first))
+                pending += reversed(first.includes)
+            yield include, first
 
 
 def in_sketch(header: ccode.SourceUnit) -> str:

@@ -30,10 +30,9 @@ _SIGNED = frozenset(
     }
 )  # CXTypeKind: Char_S to LongDouble
 _ARITHMETIC = frozenset(range(3, 24))
-_POINTER, _ENUM, _FLOATING, _DOUBLE = (
+_POINTER, _ENUM, _DOUBLE = (
     type_kinds.POINTER,
     type_kinds.ENUM,
-    frozenset({type_kinds.FLOAT, type_kinds.DOUBLE, type_kinds.LONGDOUBLE}),
     frozenset({type_kinds.DOUBLE, type_kinds.LONGDOUBLE}),
 )
 _STORAGES = {0: "unspecified", 1: "unspecified", 2: "externStorage", 3: "staticStorage", 6: "autoStorage", 7: "registerStorage"}
@@ -296,8 +295,3 @@ def resolve(context: UnitContext, kind: Type) -> tuple[str, int, bool, bool]:
 
 def _element(lib: ClangLibrary, kind: Type) -> Type:
     return lib.getCanonicalType(lib.getArrayElementType(kind))
-
-
-def is_floating(kind: Type) -> bool:
-    """Whether a canonical type of the parser is a real number."""
-    return kind.kind in _FLOATING
