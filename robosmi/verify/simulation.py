@@ -299,10 +299,11 @@ def _trace(answer: dict[str, Any], engine: str) -> PinTrace:
     if "error" in answer:
         errors = {each.__name__: each for each in (UsageError, MissingToolError, VerificationError)}
         raise errors.get(answer["error"], VerificationError)(answer["message"], fix=answer["fix"])
+    pins: dict[str, str] = {}  # one text for each pin, not for each change
     try:
         return PinTrace(
             answer["engine"], answer["state"], answer["simulated_us"],
-            tuple(PinChange(*each) for each in answer["changes"]),
+            tuple(PinChange(at_us, pins.setdefault(pin, pin), level) for at_us, pin, level in answer["changes"]),
             tuple(Wave(*each) for each in answer["waves"]),
             tuple(ConsoleByte(*each) for each in answer["console"]),
             tuple(DeviceEvent(*each) for each in answer["device_events"]),
@@ -310,5 +311,5 @@ def _trace(answer: dict[str, Any], engine: str) -> PinTrace:
             answer["stack_bytes"],
             answer["console_baud"],
         )  # fmt: skip
-    except (KeyError, TypeError) as error:
+    except (KeyError, TypeError, ValueError) as error:
         raise InternalError(f"the engine '{engine}' answered what is no trace: {error}") from error

@@ -24,14 +24,11 @@ from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.verification.difference_calls import calls_around
-from robosmi.transformations.verification.judging import ended_badly, judged, why_nothing_was_compared, without_target
+from robosmi.transformations.verification.judging import why_nothing_was_compared
 from robosmi.transformations.verification.original_side import (
     CONSOLE_CHANNEL,
     Place,
-    SourceRuns,
-    channel_events,
     places_reached,
-    run_further,
     run_source,
     run_varied,
 )
@@ -45,11 +42,11 @@ from robosmi.transformations.verification.port_devices import (
     texts_understood,
 )
 from robosmi.transformations.verification.scenario_search import search
-from robosmi.transformations.verification.second_look import looked_at_again
+from robosmi.transformations.verification.scenario_verdicts import Case, ComparedScenario, compare_scenarios
 from robosmi.transformations.verification.source_reached import cover
-from robosmi.transformations.verification.target_side import LIMIT_S, NOTHING_SEEN, TargetSide
+from robosmi.transformations.verification.target_side import LIMIT_S, TargetSide
 from robosmi.trust import acting
-from robosmi.typed import paired, sum_of
+from robosmi.typed import sum_of
 from robosmi.verify.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.libraries import STAND_IN
@@ -176,51 +173,32 @@ def verify(
         if verdict.racy and not made.new and not any(not runs.racy_channels for _, runs in cases):
             verdict.reasons.append(f"no scenario is left: in all {verdict.racy} that were made the source differs from itself")
         doing(f"run the migrated program in {len(cases)} scenario{'s' * (len(cases) != 1)}")
-        ran = side.run([scenario for scenario, _ in cases])
-        verdict.engine = side.engine
-        doing("compare what both do")
         one_thread, at_rest = plan.concurrency is None, resting_pins(plan)
-
-        def further(scenario: Scenario, runs: SourceRuns) -> SourceRuns:
-            doing(f"look whether the source differs from itself in '{scenario.name}'")
-            return run_further(program, ports, scenario, runs, LIMIT_S)
-
-        undecided: list[VerificationError] = []
-        kept: list[Case] = []
-        traces: list[PinTrace] = []
-        for (scenario, runs), trace in paired(cases, ran):
-            if not side.shows_console:
-                runs.channels.pop(CONSOLE_CHANNEL, None)
-            if isinstance(trace, VerificationError):
-                told, seen = without_target(scenario, runs, trace), NOTHING_SEEN
-                undecided += [] if ended_badly(runs) else [trace]
-            else:
-                first, seen = judged(scenario, runs, trace, ports, one_thread, at_rest), trace
-                told = looked_at_again(first, scenario, trace, ports, one_thread, runs, further, at_rest)
-                if told is not first and told.verdict == NOT_DECIDABLE and scenario.origin == "generated":
-                    verdict.racy += 1
-                    made.racy_counts.append(runs.nominal.counts)
-                    made.new.remove(scenario)
-                    continue
-            verdict.scenarios.append(told)
-            kept.append((scenario, runs))
-            traces.append(seen)
-        if undecided and verdict.verdict != DIFFERENT_VERDICT:
-            raise undecided[0]
+        compared = compare_scenarios(program, ports, cases, side, one_thread, at_rest, whole=vcd is not None)
+        kept = compared.kept
+        verdict.engine = side.engine
+        verdict.scenarios = [each.told for each in kept]
+        for scenario, runs in compared.racy:
+            verdict.racy += 1
+            made.racy_counts.append(runs.nominal.counts)
+            made.new.remove(scenario)
+        if compared.undecided and verdict.verdict != DIFFERENT_VERDICT:
+            raise compared.undecided[0]
         if cases and not kept:
             verdict.reasons.append(f"no scenario is left: in all {verdict.racy} that were made the source differs from itself")
         if (found := verdict.first_difference) is not None:
-            scenario, runs = kept[verdict.scenarios.index(found[0])]
-            verdict.calls = calls_around(program, ports, scenario, runs, found[1])
+            runs = kept[verdict.scenarios.index(found[0])].runs
+            verdict.calls = calls_around(program, ports, found[0].scenario, runs, found[1])
         if verdict.nothing_compared:
             verdict.reasons.append(why_nothing_was_compared(verdict, ports))
-        cover(verdict, program, [runs for _, runs in kept], made.racy_counts, plan, output, ports)
+        cover(verdict, program, [each.runs for each in kept], made.racy_counts, plan, output, ports)
         done = Verified(verdict, report)
         _store(made.new, plan_file.parent / FOLDER, done)
         if kept:
-            _write_picture(plan_file.parent / PICTURE, verdict, kept, traces, ports, done)
-            if vcd is not None:
-                _write_vcd(vcd, verdict, kept, traces, done)
+            shown = kept[_shown(verdict)]
+            _write_picture(plan_file.parent / PICTURE, shown, done)
+            if vcd is not None and shown.trace is not None:
+                _write_vcd(vcd, shown, shown.trace, done)
     return done
 
 
@@ -287,9 +265,6 @@ class _Made(Struct):
     racy_counts: list[bytes] = []
 
 
-Case = tuple[Scenario, SourceRuns]
-
-
 def _cases(
     program: OriginalProgram, ports: list[BoundPort], plan: migration.MigrationPlan, given: list[Scenario], stored: Path,
     seed: int | None, verdict: Verdict, budget_s: float,
@@ -341,19 +316,14 @@ def _shown(verdict: Verdict) -> int:
     return next((n for n, s in enumerate(verdict.scenarios) if s.verdict == DIFFERENT_VERDICT), busiest)
 
 
-def _write_picture(
-    path: Path, verdict: Verdict, cases: Sequence[Case], traces: Sequence[PinTrace], ports: Sequence[BoundPort], done: Verified
-) -> None:
+def _write_picture(path: Path, shown: ComparedScenario, done: Verified) -> None:
     """Both sides of a scenario as a picture, beside the models."""
-    number = _shown(verdict)
-    scenario, runs = cases[number]
-    target = channel_events(traces[number], ports, target=True)
-    pairs = {name: (seen[0][0], target[name][0]) for name, seen in runs.channels.items() if name in target}
-    first = verdict.scenarios[number].first
-    difference = None if first is None else (first.at_ms, first.channel, first.message)
-    title = f"{scenario.name}: {verdict.scenarios[number].verdict.replace('-', ' ')}"
+    told = shown.told
+    pairs = {name: (seen[0][0], shown.target[name]) for name, seen in shown.runs.channels.items() if name in shown.target}
+    difference = None if told.first is None else (told.first.at_ms, told.first.channel, told.first.message)
+    title = f"{told.scenario.name}: {told.verdict.replace('-', ' ')}"
     try:
-        write_atomic(path, trace_svg(title, pairs, scenario.horizon_ms, difference).encode())
+        write_atomic(path, trace_svg(title, pairs, told.scenario.horizon_ms, difference).encode())
     except OSError as error:
         raise SourceError(
             f"the picture cannot be stored: {error.strerror or error}", fix="check the folder's permissions"
@@ -361,11 +331,10 @@ def _write_picture(
     done.written.append((path, "picture"))
 
 
-def _write_vcd(path: Path, verdict: Verdict, cases: Sequence[Case], traces: Sequence[PinTrace], done: Verified) -> None:
-    number = _shown(verdict)
-    scenario, runs = cases[number]
+def _write_vcd(vcd: Path, shown: ComparedScenario, trace: PinTrace, done: Verified) -> None:
+    sides = {"source": shown.runs.nominal.trace, "target": trace}
     try:
-        write_atomic(path, vcd_text({"source": runs.nominal.trace, "target": traces[number]}, scenario.name).encode())
+        write_atomic(vcd, vcd_text(sides, shown.told.scenario.name).encode())
     except OSError as error:
         raise SourceError(f"the trace cannot be written: {error.strerror or error}", fix="give another file") from error
-    done.written.append((path, "vcd"))
+    done.written.append((vcd, "vcd"))

@@ -7,8 +7,9 @@ is asked, unless a person has named one.
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections import deque
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 
 from robosmi.errors import EngineCrashError, VerificationError
 from robosmi.metamodels import platform
@@ -66,11 +67,18 @@ class TargetSide:
         instead = ", ".join(name for name in self._names if name in self._instead)
         return f"{self._names[0]} ({instead} where {' and '.join(n for n in self._names if n in self._crashed)} crashed)"
 
-    def run(self, scenarios: Sequence[Scenario]) -> list[PinTrace | VerificationError]:
-        """What the program does in each scenario, as many at once as there are cores, or why that is not known."""
-        pool = ThreadPoolExecutor(os.cpu_count() or 1)
+    def run(self, scenarios: Sequence[Scenario]) -> Iterator[PinTrace | VerificationError]:
+        """What the program does in each scenario, or why that is not known: by order, as many at once as there are cores."""
+        cores = os.cpu_count() or 1
+        pool = ThreadPoolExecutor(cores)
+        waiting: deque[Future[PinTrace | VerificationError]] = deque()
         try:
-            return list(pool.map(self._run, scenarios))
+            for scenario in scenarios:
+                waiting.append(pool.submit(self._run, scenario))
+                if len(waiting) > cores:  # one more than run, so that none of them waits for the comparison
+                    yield waiting.popleft().result()
+            while waiting:
+                yield waiting.popleft().result()
         except BaseException:  # an interruption, too: nobody waits for the others
             self._over = True
             end_simulations()

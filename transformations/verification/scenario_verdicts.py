@@ -1,0 +1,98 @@
+"""The migrated program in one scenario after the other, compared with what the original has done there.
+
+Of each run of the migrated program only what it did on the channels is kept, since its edges may be some hundred thousand: those
+of the runs that are under way at once are all that there are at a time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from msgspec import Struct
+
+from robosmi.doing import doing
+from robosmi.errors import VerificationError
+from robosmi.transformations.verification.judging import ended_badly, judged, without_target
+from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, SourceRuns, channel_events, run_further
+from robosmi.transformations.verification.port_devices import BoundPort
+from robosmi.transformations.verification.second_look import looked_at_again
+from robosmi.transformations.verification.target_side import LIMIT_S, NOTHING_SEEN, TargetSide
+from robosmi.typed import paired
+from robosmi.verify.activity import ActivityEvent
+from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.scenario import Scenario
+from robosmi.verify.simulation import PinTrace
+from robosmi.verify.verdict import NOT_DECIDABLE, ScenarioVerdict
+
+Case = tuple[Scenario, SourceRuns]
+
+
+class ComparedScenario(Struct):
+    """A scenario that was compared.
+
+    Attributes:
+        told: what it says.
+        runs: the original's runs.
+        target: channel -> what the migrated program has done there.
+        trace: all that it has done, where that was asked for.
+    """
+
+    told: ScenarioVerdict
+    runs: SourceRuns
+    target: dict[str, list[ActivityEvent]]
+    trace: PinTrace | None = None
+
+
+class ComparedScenarios(Struct):
+    """What became of all scenarios.
+
+    Attributes:
+        kept: those that were compared.
+        racy: generated ones of which a second look tells that the source differs from itself there.
+        undecided: why nothing is known of the migrated program where that hinders a verdict.
+    """
+
+    kept: list[ComparedScenario] = []
+    racy: list[Case] = []
+    undecided: list[VerificationError] = []
+
+
+def compare_scenarios(
+    program: OriginalProgram, ports: Sequence[BoundPort], cases: Sequence[Case], side: TargetSide, one_thread: bool,
+    at_rest: Mapping[str, int], whole: bool = False,
+) -> ComparedScenarios:  # fmt: skip
+    """Run the migrated program in each scenario, and compare what both do.
+
+    Args:
+        program: the original.
+        ports: the ports.
+        cases: the scenarios with the original's runs.
+        side: the migrated program on its board.
+        one_thread: whether one thread of the source does all that is seen.
+        at_rest: the pins that the migrated program holds so that what is there does nothing, with their levels.
+        whole: whether to keep all that the migrated program did.
+    """
+
+    def further(scenario: Scenario, runs: SourceRuns) -> SourceRuns:
+        doing(f"look whether the source differs from itself in '{scenario.name}'")
+        return run_further(program, ports, scenario, runs, LIMIT_S)
+
+    found = ComparedScenarios()
+    number = 0
+    for (scenario, runs), trace in paired(cases, side.run([scenario for scenario, _ in cases])):
+        number += 1
+        doing(f"compare what both do: {number} of {len(cases)}")
+        if not side.shows_console:
+            runs.channels.pop(CONSOLE_CHANNEL, None)
+        if isinstance(trace, VerificationError):
+            told, seen = without_target(scenario, runs, trace), NOTHING_SEEN
+            found.undecided += [] if ended_badly(runs) else [trace]
+        else:
+            first, seen = judged(scenario, runs, trace, ports, one_thread, at_rest), trace
+            told = looked_at_again(first, scenario, trace, ports, one_thread, runs, further, at_rest)
+            if told is not first and told.verdict == NOT_DECIDABLE and scenario.origin == "generated":
+                found.racy.append((scenario, runs))
+                continue
+        target = {name: events for name, (events, *_) in channel_events(seen, ports, target=True).items()}
+        found.kept.append(ComparedScenario(told, runs, target, seen if whole else None))
+    return found
