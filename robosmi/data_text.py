@@ -7,12 +7,15 @@ of thousands of digits. What the values mean is up to who asks for them, and so 
 from __future__ import annotations
 
 import json
+import marshal
 import re
 import sys
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import TypeAlias
+
+from robosmi.user_cache import KeptResults
 
 Json: TypeAlias = "bool | int | float | str | Sequence[Json] | Mapping[str, Json] | None"
 """What a text in JSON can say; tuples are written as lists."""
@@ -63,6 +66,27 @@ def toml_of(text: str | bytes) -> dict[str, Json]:
         if any(line.count(".") >= MOST_PARTS for line in text.split("\n")) and _parts(text) > MOST_PARTS:
             raise ValueError(f"a key in it has more than {MOST_PARTS} parts")
         return tomllib.loads(text)
+
+
+def data_toml(text: str) -> dict[str, Json]:
+    """The value of a text in TOML that is read again and again, as that of a file of the platform repository, by every run.
+
+    Python's reader takes a millisecond for 5 KB, so values are kept from one run to the next.
+
+    Raises:
+        ValueError: as for `toml_of`.
+    """
+    if (stored := _TABLES.get(text)) is not None:
+        value: dict[str, Json] = marshal.loads(stored)
+        return value
+    value = toml_of(text)
+    with suppress(ValueError):  # a date cannot be kept
+        _TABLES.put(text, marshal.dumps(value))
+    return value
+
+
+_TABLES: KeptResults[str, bytes] = KeptResults("tables", "1", 500)
+"""Text -> its value, as bytes: each caller gets one of its own."""
 
 
 def _parts(text: str) -> int:

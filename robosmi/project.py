@@ -15,7 +15,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from robosmi import inputs, resources
-from robosmi.data_text import Json, as_table, as_text, line_of_key, toml_of
+from robosmi.data_text import Json, as_table, as_text, data_toml, line_of_key, toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, did_you_mean
 from robosmi.typed import kept
@@ -363,7 +363,7 @@ def read_data(path: Path) -> dict[str, Json]:
         PlatformDataError: it cannot be read.
     """
     try:
-        return toml_of(inputs.read_text(path, inputs.DATA))
+        return data_toml(inputs.read_text(path, inputs.DATA))
     except (ValueError, OSError) as error:
         raise PlatformDataError(
             f"the entry cannot be read: {error}", location=Location(str(path)), fix="correct the entry"

@@ -7,12 +7,20 @@ or its content, which is up to who keeps it.
 
 from __future__ import annotations
 
+import atexit
+import marshal
 import os
 import stat
+import sys
+import zlib
 from contextlib import suppress
+from typing import Generic, TypeVar
 
 from robosmi.inputs import flags
 from robosmi.user_folders import cache_dir
+
+K = TypeVar("K")
+V = TypeVar("V")
 
 
 def read_kept(name: str) -> bytes | None:
@@ -48,6 +56,56 @@ def keep(name: str, data: bytes) -> None:
             os.replace(temporary, place)
         except OSError:
             os.unlink(temporary)
+
+
+class KeptResults(Generic[K, V]):
+    """Results of a function of nothing but its argument, kept in one file from one run to the next.
+
+    Keys and results are plain values of Python (those that `marshal` takes). The file counts for one build of Python and is
+    checked by a sum; one that is not whole is as none. New results are written when the process ends, beside those that other
+    processes have written meanwhile.
+
+    Args:
+        name: of the file, below the cache folder.
+        form: changes whenever the function makes something else of the same argument.
+        most: results that the file holds; one that would hold more is begun anew.
+    """
+
+    def __init__(self, name: str, form: str, most: int) -> None:
+        self._name = f"{name}-{sys.implementation.cache_tag}"
+        self._head = f"{form} {sys.version}".replace("\n", " ").encode() + b"\n"
+        self._most = most
+        self._known: dict[K, V] | None = None
+        self._new: dict[K, V] = {}
+
+    def get(self, key: K) -> V | None:
+        """What was kept for a key, or None."""
+        if self._known is None:
+            self._known = self._read()
+        return self._known[key] if key in self._known else self._new.get(key)
+
+    def put(self, key: K, result: V) -> None:
+        """Keep a result from the end of this process on."""
+        if not self._new:
+            atexit.register(self._write)
+        self._new[key] = result
+
+    def _read(self) -> dict[K, V]:
+        data = read_kept(self._name) or b""
+        head, start = data[: len(self._head)], len(self._head) + 4
+        if head != self._head or data[len(head) : start] != _sum(data[start:]):
+            return {}
+        found: dict[K, V] = marshal.loads(data[start:])
+        return found
+
+    def _write(self) -> None:
+        whole = {**self._read(), **self._new}
+        data = marshal.dumps(whole if len(whole) <= self._most else self._new)
+        keep(self._name, self._head + _sum(data) + data)
+
+
+def _sum(data: bytes) -> bytes:
+    return zlib.crc32(data).to_bytes(4, "big")
 
 
 def _is_ours(found: os.stat_result) -> bool:

@@ -10,17 +10,14 @@ made, and where a name of Python's that is needed here is missing, patterns are 
 
 from __future__ import annotations
 
-import atexit
-import marshal
 import os
 import re
 import sys
-import zlib
 from collections.abc import Callable
 from types import FrameType
 from typing import TypeAlias
 
-from robosmi.user_cache import keep, read_kept
+from robosmi.user_cache import KeptResults
 
 try:
     import _sre  # type: ignore[import-not-found, unused-ignore]
@@ -32,35 +29,14 @@ Text: TypeAlias = "str | bytes"
 Pattern: TypeAlias = "re.Pattern[str] | re.Pattern[bytes]"
 Code: TypeAlias = tuple[int, bytes, int, dict[str, int], tuple[str | None, ...]]
 """What the engine makes a pattern of: all its flags, its code, how many groups it has, their names, and the names by number."""
-Codes: TypeAlias = dict[tuple[Text, int], Code]
-"""Text of a pattern and the flags beside it -> its code."""
 
-NAME = f"patterns-{sys.implementation.cache_tag}"
+NAME = "patterns"
 """The file of the cache folder."""
 MOST = 5000
 """Patterns that are kept at most; all commands together have a fifth of that."""
 _OWN = os.path.dirname(re.__file__)
 OF_FUNCTIONS = 1
 """Flag of the code of functions (CO_OPTIMIZED), which modules and the bodies of classes do not have."""
-
-
-def _build() -> bytes:
-    """What a code counts for: the build of Python, and the version of its engine."""
-    return f"1 {sys.version} {_sre.MAGIC} {_sre.CODESIZE}\n".replace("\n", " ").encode() + b"\n"
-
-
-def _read() -> Codes:
-    """The codes that were kept for this Python, or none."""
-    build, _, rest = (read_kept(NAME) or b"").partition(b"\n")
-    if build + b"\n" != _build() or rest[:4] != zlib.crc32(rest[4:]).to_bytes(4, "big"):
-        return {}
-    found: Codes = marshal.loads(rest[4:])
-    return found
-
-
-def _write(codes: Codes) -> None:
-    data = marshal.dumps(codes)
-    keep(NAME, _build() + zlib.crc32(data).to_bytes(4, "big") + data)
 
 
 def _code_of(text: Text, flags: int) -> Code:
@@ -93,22 +69,18 @@ def keep_patterns() -> None:
     if _sre is None or memoryview(b"").cast("I").itemsize != _sre.CODESIZE:
         return
     compiled: Callable[[Text, int], Pattern] = _compiler.compile
-    known, new = _read(), dict[tuple[Text, int], Pattern]()
+    kept: KeptResults[tuple[Text, int], Code] = KeptResults(NAME, f"1 {_sre.MAGIC} {_sre.CODESIZE}", MOST)
 
     def made(text: Text, flags: int = 0) -> Pattern:
-        code = known.get((text, flags)) if isinstance(text, (str, bytes)) else None
-        if code is not None:
+        if not isinstance(text, (str, bytes)) or flags & re.DEBUG:
+            return compiled(text, flags)
+        if (code := kept.get((text, flags))) is not None:
             return _pattern_of(text, code)
         found = compiled(text, flags)
-        if isinstance(text, (str, bytes)) and not flags & re.DEBUG and _of_module(sys._getframe(1)):
-            new[text, flags] = found
+        if _of_module(sys._getframe(1)):
+            fresh = _code_of(text, flags)
+            if _pattern_of(text, fresh) == found:
+                kept.put((text, flags), fresh)
         return found
 
-    def store() -> None:
-        codes = {key: _code_of(*key) for key in new}
-        told = {key: code for key, code in codes.items() if _pattern_of(key[0], code) == new[key]}
-        if told and len(known) + len(told) <= MOST:
-            _write({**_read(), **told})
-
     _compiler.compile = made
-    atexit.register(store)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
-from html import escape
 
 from robosmi.quoting.text import one_line, visible
 
 _SCHEMES = ("http", "https", "mailto", "ftp")
+_BETWEEN_TAGS = {ord("&"): "&amp;", ord("<"): "&lt;", ord(">"): "&gt;"}
+_IN_QUOTES = {**_BETWEEN_TAGS, ord('"'): "&quot;", ord("'"): "&#x27;"}
+"""As in Python's `html`, which takes long to load with its list of all entities."""
 _NOT_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
 
 
@@ -17,12 +19,12 @@ def html(text: str) -> str:
     >>> html("<script>"), html('5" & more')
     ('&lt;script&gt;', '5" &amp; more')
     """
-    return escape(_NOT_XML.sub("\ufffd", text), quote=False)
+    return _NOT_XML.sub("\ufffd", text).translate(_BETWEEN_TAGS)
 
 
 def html_attribute(text: str) -> str:
     """A text in an attribute between quotation marks."""
-    return escape(_NOT_XML.sub("\ufffd", text))
+    return _NOT_XML.sub("\ufffd", text).translate(_IN_QUOTES)
 
 
 def html_url(text: str) -> str:

@@ -14,7 +14,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from robosmi import inputs
-from robosmi.data_text import Json, toml_of
+from robosmi.data_text import Json, data_toml
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
@@ -216,7 +216,7 @@ def parse_toml(text: str, path: str, first_line: int) -> dict[str, Json]:
         PlatformDataError: it is not TOML; with its place in the whole file.
     """
     try:
-        return toml_of(text)
+        return data_toml(text)
     except ValueError as error:
         at = re.search(r"at line (\d+), column (\d+)", str(error))
         line, column = (int(at[1]) + first_line - 1, int(at[2])) if at else (first_line, None)

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from robosmi import inputs, resources
-from robosmi.data_text import Json, as_table, as_texts, json_of, toml_of
+from robosmi.data_text import Json, as_table, as_texts, data_toml, json_of
 from robosmi.errors import PlatformDataError
 from robosmi.transformations.knowledge.api_data import FunctionMeaning, FunctionPins, HeaderContent, PlatformSettings
 from robosmi.transformations.knowledge.api_facts import ApiEntry, Convention, PinFacts, PinParameter
@@ -219,7 +219,7 @@ def _json(path: Path) -> dict[str, Json]:
 
 def _toml(path: Path) -> dict[str, Json]:
     try:
-        return toml_of(inputs.read_text(path, inputs.DATA))
+        return data_toml(inputs.read_text(path, inputs.DATA))
     except (OSError, ValueError) as error:
         raise PlatformDataError(f"the platform data {path.name} cannot be read: {error}", fix="repair or reinstall it") from error
 

@@ -119,5 +119,6 @@ def _complaints(path: str, virtual: list[clang.UnsavedFile], texts: Mapping[str,
 
 def _defines(texts: Mapping[str, bytes], name: str) -> bool:
     """Whether a file of the program defines a function."""
-    definition = re.compile(rb"\b%s[ \t]*\([^;{}()]*\)\s*\{" % name.encode())
-    return any(definition.search(text) for path, text in texts.items() if path.startswith(_SKETCH))
+    own = [text for path, text in texts.items() if path.startswith(_SKETCH) and name.encode() in text]
+    definition = re.compile(rb"\b%s[ \t]*\([^;{}()]*\)\s*\{" % name.encode()) if own else None
+    return definition is not None and any(definition.search(text) for text in own)

@@ -6,7 +6,6 @@ is left out with a finding and costs only itself. Where two files define one id,
 
 from __future__ import annotations
 
-import html
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -94,8 +93,10 @@ def _files(folders: Sequence[Path]) -> Iterator[tuple[Path, str]]:
 
 def _words(root: etree._Element) -> Counter[str]:
     """How often each word stands in the description, in lower case; HTML is often written in it as text."""
+    from html import unescape  # slow to load, and wanted only while parts are added
+
     text = str(root.xpath("string(description)"))
-    return Counter(word.lower() for word in matches(_WORD, _TAG.sub(" ", html.unescape(html.unescape(text)))))
+    return Counter(word.lower() for word in matches(_WORD, _TAG.sub(" ", unescape(unescape(text)))))
 
 
 def _left_out(path: Path, cause: str) -> Finding:
