@@ -388,7 +388,7 @@ def plugin_findings() -> list[Finding]:
 
 
 def content(kind: str, name: str) -> Offered:
-    """As `registry().get(kind, name)`, where that is called: a mistake in the call of a plug-in's function is told as its own."""
+    """The registered function of that kind and name; one of a plug-in that has a wrong form is told as its fault when called."""
     found: Offered = registry().get(kind, name)
     owner = registry().owner(kind, name)
     return PluginOffer(found, kind, name, owner) if owner else found

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def unlike(value: Any, function: Function) -> str:
-    """What is expected instead of a value, or an empty text where the value is of the kind that the function returns.
+    """In words, the type that a function promises to return, where a value is not of it; an empty text where it is.
 
     Args:
         value: what was made.

@@ -342,7 +342,7 @@ class ChainRun:
             self.models = {name: made for name, made in self.models.items() if self.makers[name].kind in (CALL, GIVEN)}
 
     def _called(self, step: Step, models: dict[str, Any]) -> Any:
-        """What a step of values makes.
+        """The value that a step's function returns.
 
         Raises:
             RuleError: another function was put in the place of this step or of one before it, and fails or makes something else.

@@ -24,7 +24,7 @@ def configure(parser: Options) -> None:
 
 
 class _Arguments(argparse.Namespace):
-    """What the command was told."""
+    """The options and arguments of the command."""
 
     files: list[Path]
     source_platform: str | None

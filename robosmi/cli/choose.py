@@ -34,7 +34,7 @@ def configure(parser: Options) -> None:
 
 
 class _Arguments(argparse.Namespace):
-    """What the command was told."""
+    """The options and arguments of the command."""
 
     output: Path
     answers: list[str]

@@ -200,7 +200,7 @@ def _collect_less() -> None:
 
 
 class _Parsed(argparse.Namespace):
-    """What each command is told."""
+    """The options that every command has."""
 
     command: str
     fail_on: str

@@ -33,7 +33,7 @@ class Incoming(Protocol):
 
 
 class Outgoing(Protocol):
-    """What messages are sent to."""
+    """The end of a stream that takes the messages for the client."""
 
     async def send(self, item: SessionMessage, /) -> None:
         """Send one."""

@@ -35,7 +35,7 @@ def configure(parser: Options) -> None:
 
 
 class _Arguments(argparse.Namespace):
-    """What the command was told."""
+    """The options and arguments of the command."""
 
     chain: Path
     dry_run: bool

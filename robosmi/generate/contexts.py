@@ -101,7 +101,7 @@ class _Walk:
         return {"markdown_block": "markdown", "yaml_key": "yaml"}.get(place, place)
 
     def _expression(self, node: nodes.Expr, state: Any) -> nodes.Expr:
-        """The expression with what quotes it."""
+        """The expression, wrapped in the call that quotes its value for the place where it is printed."""
         if isinstance(node, nodes.Call) and self._is_own(node, state):
             return node
         if not self.language.whole:

@@ -22,7 +22,7 @@ YOURS, BASE, MIDDLE, GENERATED = "<<<<<<< yours\n", "||||||| last generated\n", 
 
 
 class Kept(Struct):
-    """What becomes of a file.
+    """How a newly made text and the file that is there are brought together.
 
     Attributes:
         text: its new text.
@@ -98,7 +98,7 @@ class _Merge:
         return Kept(self.existing, refused=Finding("RS905", Severity.error, message, Location(self.path, line), fix=fix))
 
     def result(self, before_conflicts: Sequence[str] = ()) -> Kept:
-        """What becomes of the file."""
+        """The new text with the edits of the existing file, or the reason why the run must stop."""
         new, old = self.theirs.by_id(), self.ours.by_id()
         for broken in self.ours.broken:
             message = f"the marker of the region '{broken.identity}' is broken: {broken.what}; its text is kept as other text is"

@@ -22,7 +22,7 @@ _AS_BYTES = "surrogateescape"
 
 
 class KeptTexts:
-    """What becomes of the files.
+    """How the newly made texts of a run and the files that are there are brought together.
 
     Attributes:
         files: the texts as they are to be written, relative path -> bytes.

@@ -88,7 +88,7 @@ class Staging:
         self._unread, self._record = True, None
 
     def write(self, one: Write) -> None:
-        """Put a text into a file, as EGL's `generate` and `append` do. It happens when somebody asks for the outcome.
+        """Put a text into a file, as EGL's `generate` and `append` do. Existing files are read and merged later.
 
         Reading many files in a row is much faster than reading one between two templates.
         """

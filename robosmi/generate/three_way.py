@@ -230,7 +230,7 @@ def _rising(places: Mapping[int, int]) -> list[int]:
 def _between(
     base: Sequence[str], ours: Sequence[str], theirs: Sequence[str], start: list[int], stop: list[int]
 ) -> Iterator[Chunk]:
-    """What lies between two runs that both kept."""
+    """The chunk between two runs of lines that neither side changed: a change, a conflict, or nothing."""
     spans = [(a, b) for a, b in paired(start, stop)]
     was, mine, other = stretch(base, spans[0]), stretch(ours, spans[1]), stretch(theirs, spans[2])
     if not was and not mine and not other:

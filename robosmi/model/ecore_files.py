@@ -62,7 +62,7 @@ def _step(node: EcoreNode, step: str) -> EcoreNode | None:
 
 
 class EcoreFiles:
-    """All files of a run."""
+    """The .ecore files that a run has read, each once."""
 
     def __init__(self) -> None:
         self._files: dict[Path, EcoreFile] = {}

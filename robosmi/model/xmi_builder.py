@@ -154,7 +154,7 @@ class Builder:
     def rare_attribute(
         self, child: DynamicEObject, slots: Slots, plan: ClassPlan, entry: FeatureEntry, name: str, text: str
     ) -> None:
-        """Attributes other than single values and references."""
+        """Read an XML attribute that is no reference and no single value: an xmi:id, a list of values, one that is refused."""
         if entry.kind == XMI_ID:
             slots[IDENTITY] = text
             self.identify(text, child)

@@ -36,7 +36,7 @@ Piece: TypeAlias = "str | tuple[str, str, EObject]"
 
 
 class Column:
-    """One feature of a class.
+    """How the values of one feature of a class are written.
 
     Attributes:
         kind: one of the numbers above.

@@ -22,7 +22,7 @@ XSI = "http://www.w3.org/2001/XMLSchema-instance"
 
 
 class FeatureEntry:
-    """One name of one class.
+    """What is done with one XML name in elements of one class.
 
     Attributes:
         kind: one of the numbers above.

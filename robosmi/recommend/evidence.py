@@ -31,7 +31,7 @@ _MOST_LETTERS = 4
 
 
 class Evidence(Struct):
-    """What speaks for one library.
+    """The figures that speak for one library.
 
     Attributes:
         library: its number.

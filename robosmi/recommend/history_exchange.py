@@ -42,7 +42,7 @@ def to_csv(entries: Iterable[HistoryEntry]) -> str:
 
 
 def from_json(text: str, location: Location | None = None) -> list[HistoryEntry]:
-    """What `to_json` gave.
+    """The entries of a document that `to_json` wrote.
 
     Raises:
         SourceError: not of that form; the first wrong entry is named.

@@ -159,7 +159,7 @@ class LibraryIndex:
         return self._counted("SELECT wide, gaps, counts FROM term WHERE term = ?", term)
 
     def _identifiers(self, term: str) -> Postings:
-        """As `postings`, for the words of identifiers (comments and strings left out); to be called as `identifiers`."""
+        """The libraries in whose identifiers (not comments, not strings) a word occurs, and how often."""
         return self._counted("SELECT wide, gaps, counts FROM ident WHERE term = ?", term)
 
     def _counted(self, sql: str, term: str) -> Postings:

@@ -32,7 +32,7 @@ Usual = Mapping[str, Sequence[int]]
 
 
 class PartWords:
-    """What a part asks for.
+    """The words and model numbers by which libraries for a part are sought.
 
     Attributes:
         words: stem -> weight, 0..1.

@@ -31,7 +31,7 @@ program lets go (see `driven_lines`).
 
 
 class Sight(Struct, frozen=True):
-    """How closely one looks.
+    """How short an event may be to count as one of its own.
 
     Attributes:
         pause_us: pulses that follow each other within this time are one activity: a shorter pause in a tone is not seen.

@@ -125,7 +125,7 @@ def _part(one: float, other: float) -> float:
 
 
 class Alignment(Struct, frozen=True):
-    """What belongs together.
+    """Which events of two runs correspond.
 
     Attributes:
         pairs: numbers of the events of both runs, without those that repeat what was said before something too short.
@@ -140,7 +140,7 @@ class Alignment(Struct, frozen=True):
 def aligned(
     own: Sequence[ActivityEvent], other: Sequence[ActivityEvent], fitting: Callable[[int, int], bool] | None = None
 ) -> Alignment:
-    """Find what belongs together: the longest way through both runs.
+    """Find which events of two runs correspond: the longest common sequence.
 
     Args:
         own, other: the events.

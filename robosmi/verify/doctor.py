@@ -57,7 +57,7 @@ _UPLOAD = "upload puts a compiled sketch on its board"
 
 
 class ToolStatus(Struct, frozen=True):
-    """One thing that is needed.
+    """A program, core or package that some command needs, and whether it is installed.
 
     Attributes:
         name: a program, a core or a Python package.

@@ -27,7 +27,7 @@ _NEUTRAL_US = 1500.0
 
 
 class ServoWidth(NamedTuple):
-    """A width from `at_us` on.
+    """The pulse width of a servo's signal from one moment on.
 
     Attributes:
         at_us: when it is reached.

@@ -149,7 +149,7 @@ def _refuse_cplusplus(program: ccode.Program, target: TargetFacts) -> None:
 
 
 def _the_main(program: ccode.Program) -> ccode.Function:
-    """The one function that is run.
+    """The program's function main, of which there has to be one.
 
     Raises:
         SourceError: there is none, or more than one.

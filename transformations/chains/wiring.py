@@ -36,7 +36,7 @@ FORM = "wiring form"
 
 
 class Handed(Struct):
-    """A wiring in one form.
+    """A wiring as files of one form: a pin table, a picture or a folder for a simulator.
 
     Attributes:
         files: relative path -> bytes; a form that is one file has it under an empty path.

@@ -51,7 +51,7 @@ _FIXED = re.compile(r"\bu?int(?:8|16|32|64)_t\b|\bfloat\b")
 
 
 class Move:
-    """A plan, and what source and target make of its program.
+    """A plan with what its program means on both platforms: views of the units, widths of types, names.
 
     Args:
         plan: the plan; it has a program and both platforms.

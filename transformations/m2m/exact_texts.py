@@ -26,7 +26,7 @@ _SIZE = re.compile(r"\[([^\]]*)\]")
 
 
 def exact_texts(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """The texts that are written where they stand."""
+    """Changes of string literals that fill their array to the last character: written as a list of characters instead."""
     for literal, size in without_zero(view, data):
         if size:
             text = data[literal.startOffset : literal.endOffset].decode("utf-8", errors="surrogateescape")

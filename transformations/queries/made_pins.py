@@ -226,7 +226,7 @@ class _Written:
             found.sort(key=lambda each: each[0])
 
     def of(self, place: TextPlace) -> set[tuple[int, int]]:
-        """The text and the first token of all that a place stands for."""
+        """Where a place of the source stands in texts with expanded macros: (text, index of its first token) of each copy."""
         starts = self._starts.get((place.unit, place.body), [])
         first, behind = (bisect_left(starts, at, key=lambda each: each[0]) for at in (place.start, place.end))
         here = {(text, index): around for _, text, index, around in starts[first:behind]}

@@ -98,7 +98,7 @@ def pin_uses_of(view: CodeView, views: Iterable[CodeView]) -> list[PinUse]:
 
 
 def made_uses_of(view: CodeView) -> list[PinUse]:
-    """The pins that calls use which macros make where they are used in a unit, in text order.
+    """The pins used by calls that come of a unit's uses of macros, in text order.
 
     Args:
         view: the unit.

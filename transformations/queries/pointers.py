@@ -50,7 +50,7 @@ def takes_number(call: ccode.Call, position: int) -> bool:
 
 
 def gives_access(expression: Element | None) -> bool:
-    """Whether who is given an expression may change what it stands for: an address, an array, a pointer."""
+    """Whether a function that takes an expression as argument can change a variable by it: an address, an array, a pointer."""
     if isinstance(expression, ccode.Unary):
         return str(expression.operator) == "&"
     use = named_type(expression)

@@ -225,7 +225,7 @@ class _MacroBody:
         return bool(self.rest) and [token[3] for token in argument if token[3] != "##"] == [self.rest]
 
     def _pass_on(self, position: int, takers: Mapping[int, Hashable], name: str) -> None:
-        """What is given for `...` goes to what stands at its place and behind it."""
+        """Let the arguments for `...` flow to the parameters that take them: the one at that position and those behind it."""
         for behind in range(MOST_FOR_DOTS):
             given = ("macro parameter", self.name, len(self.own) - 1 + behind)
             if position + behind in takers:

@@ -21,7 +21,9 @@ _WRITES = ("=", "|=", "^=", "&=")
 
 
 def register_bits(view: CodeView, masks: PortMasks) -> list[PinUse]:
-    """The uses of ports as bits of registers and of masks, in text order; of one that the text does not say, one of no known pin.
+    """The uses of ports as bits of registers and of masks, in text order.
+
+    Where the text does not tell which bit is meant, the use has no pin.
 
     A bit that no port has, because the mask is wider than the register, is a use of that number.
 
