@@ -22,7 +22,7 @@ code = main()
 import gc
 print(json.dumps({"code": code, "modules": sorted(sys.modules), "threshold": gc.get_threshold()}), file=sys.stderr)
 """
-LONG_TO_LOAD = {"pyecore.resources", "ssl", "urllib.request", "networkx", "numpy", "asyncio", "email"}
+LONG_TO_LOAD = {"pyecore.resources", "ssl", "urllib.request", "networkx", "numpy", "asyncio", "email", "html"}
 
 ENDING = """
 import atexit, threading, time
