@@ -11,6 +11,7 @@ import pytest
 
 from robosmi.cli.main import COMMANDS, build_parser
 from robosmi.data_text import Json
+from robosmi.plugins import registry
 from robosmi.typed import attribute_of
 from tests.running import run
 from tests.tools import require_tools
@@ -137,3 +138,9 @@ def compared(command: str, found: set[str]) -> None:
     assert sorted(path for path in through(found) if path not in ends) == []
     met = {re.sub(r"\[\]$", "", path) for path in through(found)}
     assert sorted(path for path in told if re.sub(r"\[\]$", "", path) not in met) == []
+
+
+def test_every_device_is_in_the_table_of_devices() -> None:
+    page = (ROOT / "docs" / "how-to" / "run-a-sketch-on-a-simulator.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (`[^|]*) \|", page.partition("| device | pins |")[2].partition("\n\n")[0], re.MULTILINE)
+    assert {name for row in rows for name in re.findall(r"`(\w+)`", row)} == set(registry().names("device"))
