@@ -16,7 +16,7 @@ from msgspec import Struct
 
 from robosmi import inputs, resources
 from robosmi.data_text import Json
-from robosmi.metamodels import ccode, migration
+from robosmi.metamodels import ccode, migration, platform
 from robosmi.project import read_data
 from robosmi.query import all_contents
 from robosmi.transformations.knowledge.platform_api import ApiIndex
@@ -36,6 +36,8 @@ _MOST_TEXTS = 24
 _LEVELS = {"low": 0, "high": 1}
 _NUMBERS = (50, 70000)
 _NUMBER_LINES = ("70000\r", "-40000\r", "4\r30\r-5\r12\r7\r")
+_LEVELS_DEVICE, _LEVELS_PIN = "levels", "pin"
+"""What plays a port at which a program reads levels."""
 _CHANNEL = re.compile(r"AD(\d+)|.*\.channel_(\d+)")
 
 
@@ -157,7 +159,24 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             found[source] = replaced(first, shares_with=port.title)
             others.append(replaced(port, shares_with=first.title, device="", pin=""))
     _connect(found, wired_devices(seen, table.tables("wired", needed=False), _roles(plan)))
+    for source in _asked_by_convention(plan):
+        there = found.get(source)
+        if there is not None and not there.device and not there.line:
+            found[source] = replaced(there, device=_LEVELS_DEVICE, pin=_LEVELS_PIN)
     return [*found.values(), *others]
+
+
+def _asked_by_convention(plan: migration.MigrationPlan) -> list[str]:
+    """The pins of ports of which an adapter says that it reads levels there, of no component that is known."""
+    return [
+        f"P{int(binding.sourcePin)}"
+        for binding in plan.portBindings
+        if (port := binding.conventionalPort) is not None
+        and port.direction == platform.Direction.input
+        and port.capability == platform.PinCapability.digital
+        and not port.componentRole
+        and int(binding.sourcePin) >= 0
+    ]
 
 
 def _split(plan: migration.MigrationPlan, binding: migration.PortBinding) -> tuple[str, ...]:

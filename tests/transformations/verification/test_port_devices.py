@@ -11,6 +11,7 @@ import pytest
 import robosmi
 from robosmi.diagnostics import Location
 from robosmi.errors import UsageError
+from robosmi.transformations.chains.models import load_models
 from robosmi.transformations.verification.played_devices import played, signals_of
 from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, reads_console, resting_pins
 from robosmi.transformations.verification.simulated_kinds import device_facts
@@ -202,3 +203,30 @@ def test_pins_that_are_held_at_rest_are_told_with_their_levels(tmp_path: Path) -
     (tmp_path / "h.csv").write_text("pin,part,title,connector\nD9,Continuous Servo,wheel,pulse\nD7,Button,key,1\n")
     plan = robosmi.plan_migration([tmp_path / "p.c"], hardware=tmp_path / "h.csv").plan
     assert resting_pins(plan) == {"D9": 0}
+
+
+GATE = """//# header gate.h
+
+//# adapter gate_open
+//#   for: int gate_open(int number)
+//#   kind: oneToOne
+//#   port: GATE_SWITCH = gate.switch 7 digital in
+//#   fidelity: one switch, whatever its number
+inline int32_t gate_open(int32_t number) {
+  (void)number;
+  pinMode(GATE_SWITCH, INPUT);
+  return digitalRead(GATE_SWITCH);
+}
+"""
+
+
+def test_a_port_at_which_an_own_adapter_reads_is_played(tmp_path: Path) -> None:
+    (tmp_path / "adapters").mkdir()
+    (tmp_path / "adapters" / "gate.cpp").write_text(GATE)
+    (tmp_path / "robosmi.toml").write_text('[bind]\n"gate.switch" = "D4"\nP5 = "D5"\n')
+    (tmp_path / "robot.c").write_text(
+        '#include "simpletools.h"\n#include "gate.h"\nint main() { while (1) { if (gate_open(1)) high(5); else low(5); } }\n'
+    )
+    robosmi.migrate([tmp_path / "robot.c"], tmp_path / "out")
+    found = {port.name: port for port in bound_ports(load_models(tmp_path / "out" / "models" / "plan.xmi").plan)}
+    assert [(found[name].target, found[name].device) for name in ("gate.switch", "P5")] == [("D4", "levels"), ("D5", "")]
