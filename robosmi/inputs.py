@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 import stat
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -191,9 +192,15 @@ def _read(path: str | os.PathLike[str], kind: Kind, follow: bool, dir_fd: int | 
     if data is None or len(data) > kind.most:
         cause = f"it is larger than {kind.limit}, the most that a {kind.name} may have"
         raise InputRefusedError(errno.EFBIG, cause, path, f"check that it is a {kind.name}, or split it")
+    if kind is SOURCE and b"\r" in data:
+        data = _OLD_END.sub(b"\n", data)
     if kept is not None:
         kept[name] = data
     return data
+
+
+_OLD_END = re.compile(rb"\r(?!\n)")
+"""The end of a line on old systems, which compilers take for one."""
 
 
 def read_text(path: str | os.PathLike[str], kind: Kind, encoding: str = "utf-8", errors: str = "strict") -> str:

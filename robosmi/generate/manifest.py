@@ -7,6 +7,7 @@ A manifest that came with its folder from elsewhere (see `runs`) serves to compa
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path, PurePosixPath
 
@@ -39,6 +40,23 @@ class Guarded(Struct):
     reformed: list[str] = []
 
 
+def _check_folder(folder: Path) -> None:
+    """Make sure that an output folder is one, or can be made.
+
+    Raises:
+        SourceError: a file, or links that lead to each other, stand where it or a folder above it is to be.
+    """
+    for path in (folder, *folder.parents):
+        if not os.path.lexists(path):
+            continue
+        if not path.is_dir():
+            what = "a link that leads nowhere stands" if path.is_symlink() and not path.exists() else "a file stands"
+            raise SourceError(
+                f"{what} where the output folder is to be", location=Location(str(path)), fix="give another output folder with -o"
+            )
+        return
+
+
 class Manifest(Struct):
     """What the last run made.
 
@@ -61,8 +79,10 @@ class Manifest(Struct):
         """The manifest in an output folder; an empty one where there is none.
 
         Raises:
-            SourceError: it is damaged or no ordinary file, so that edits could not be told from generated text.
+            SourceError: it is damaged or no ordinary file, so that edits could not be told from generated text; or the output
+                folder cannot be one.
         """
+        _check_folder(folder)
         path = folder / NAME
         fix = "remove it together with the generated files, or give another output folder"
         try:

@@ -74,7 +74,8 @@ def find_sketch(path: Path, toolchains: Sequence[Toolchain]) -> tuple[Sketch, To
         UsageError: there are several.
     """
     if not path.exists():
-        raise SourceError("there is no such file or folder", location=Location(str(path)))
+        nowhere = "a link that leads nowhere is there" if path.is_symlink() else "there is no such file or folder"
+        raise SourceError(nowhere, location=Location(str(path)), fix="give the output folder of `robosmi migrate`, or a sketch")
     for toolchain in toolchains:
         suffix = toolchain.sketch.text("suffix")
         if path.is_file() and path.suffix == suffix:

@@ -308,8 +308,43 @@ def test_a_missing_model_is_said_once(migrated: Path, tmp_path: Path) -> None:
 def test_an_output_folder_that_is_a_file_is_refused(inside: str, line_follower: Path, tmp_path: Path) -> None:
     (tmp_path / "taken").write_text("mine")
     before = tree(tmp_path)
-    check_refused(run("migrate", line_follower, "-o", tmp_path / "taken" / inside), 3, "taken")
+    outcome = run("migrate", line_follower, "-o", tmp_path / "taken" / inside)
+    check_refused(outcome, 3, "taken", "a file stands where the output folder is to be")
+    assert "give another output folder" in outcome.err
     assert tree(tmp_path) == before
+
+
+def test_links_that_lead_to_each_other_are_no_output_folder_and_no_sketch(line_follower: Path, tmp_path: Path) -> None:
+    (tmp_path / "one").symlink_to("two")
+    (tmp_path / "two").symlink_to("one")
+    check_refused(run("migrate", line_follower, "-o", tmp_path / "one"), 3, "one", "a link that leads nowhere")
+    outcome = run("compile", tmp_path / "one")
+    assert outcome.code == 3
+    assert "a link that leads nowhere is there" in outcome.err
+    assert "robosmi migrate" in outcome.err
+
+
+@pytest.mark.parametrize("end", [b"\r", b"\n\r", b"\r\n", b"\r\r\n"])
+def test_line_ends_of_other_systems_are_line_ends(end: bytes, tmp_path: Path) -> None:
+    text = """#include "simpletools.h"  // tools
+#define DOUBLE(x) (2 * (x))
+// main
+int main() {
+  print(
+    "%d", DOUBLE(40000));
+}"""
+    lines = text.splitlines()
+    source, plain = tmp_path / "ends.c", tmp_path / "plain" / "ends.c"
+    plain.parent.mkdir()
+    source.write_bytes(end.join(line.encode() for line in lines))
+    plain.write_text("\n".join(lines))
+    for path, out in ((source, "out"), (plain, "plain_out")):
+        assert run("migrate", path, "-o", tmp_path / out).code == 0
+    made, wanted = ((tmp_path / out / "ends" / "ends.ino").read_text().split() for out in ("out", "plain_out"))
+    assert made == wanted
+    before = tree(tmp_path / "out")
+    assert run("migrate", source, "-o", tmp_path / "out").code == 0
+    assert tree(tmp_path / "out") == before
 
 
 @pytest.mark.parametrize("name", ["line_follower", "models", "models/source"])

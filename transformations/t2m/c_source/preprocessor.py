@@ -38,7 +38,7 @@ def read(
         inner = [(start + first, start + behind) for first, behind in directive_comments(text)]
         comments += [ccode.Comment(text=context.source.text(*span), **place(*span)) for span in inner]
         for first, behind in reversed(inner):  # a comment at its end is no part of a directive
-            if behind == end:
+            if behind >= end:  # the end of its line may count as part of the comment
                 end = start + len(text[: first - start].rstrip())
         if word in CONDITIONALS:
             active = context.active(last) if word != "endif" else context.active(start)
