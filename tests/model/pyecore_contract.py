@@ -3,19 +3,22 @@
     python -m tests.model.pyecore_contract                  the facts, in the pyecore that is installed
     python -m tests.model.pyecore_contract 0.14.0 0.15.2    the same in other versions, each in an environment of its own
 
-Each fact is a function that raises when it does not hold; its docstring is the fact. Only pyecore and the one module
-`robosmi/model/pyecore_internals.py` are used, so that a version can be judged that the rest of RoboSMi does not run with.
+Each fact is a function that raises when it does not hold; its docstring is the fact. Only pyecore, the one module
+`robosmi/model/pyecore_internals.py` and what that imports (types, and helpers over msgspec) are used, so that a version can be
+judged that the rest of RoboSMi does not run with.
 Exit 1 when a fact does not hold.
 """
 
 from __future__ import annotations
 
 import importlib.util
+import os
 import subprocess
 import sys
 import tempfile
 import venv
 from collections.abc import Callable
+from importlib.metadata import requires
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -466,10 +469,10 @@ def judged_in(version: str) -> int:
     with tempfile.TemporaryDirectory() as folder:
         venv.create(folder, with_pip=True)
         python = str(Path(folder) / "bin" / "python")
-        subprocess.run(
-            [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", f"pyecore=={version}"], check=True
-        )
-        return subprocess.run([python, str(Path(__file__))], check=False).returncode
+        wanted = [f"pyecore=={version}", *(each for each in requires("robosmi") or () if each.startswith("msgspec"))]
+        subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *wanted], check=True)
+        found_by = {**os.environ, "PYTHONPATH": str(INTERNALS.parents[2])}
+        return subprocess.run([python, str(Path(__file__))], check=False, env=found_by).returncode
 
 
 def main(versions: list[str]) -> int:
