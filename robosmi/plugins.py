@@ -308,7 +308,7 @@ def _offers(path: str) -> bool:
 def unloadable(error: BaseException) -> MissingToolError | None:
     """The error for a package that is not ours and cannot be loaded, whatever it raised; None for any other exception."""
     if isinstance(error, ImportError) and error.name:
-        foreign = not is_own(error.name)
+        foreign = not is_own(error.name) and (error.__traceback__ is None or _came_of_an_import(error))
     elif isinstance(error, AttributeError) and isinstance(error.obj, ModuleType):
         foreign = not is_own(error.obj.__name__)
     else:

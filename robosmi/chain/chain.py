@@ -285,7 +285,8 @@ class Chain:
         ordered = in_order(self.steps, graph, self.place)
         for step, path in missing(ordered, graph, self.folder):
             said = f"reads '{relative(path, self.folder or path)}', which does not exist and no step makes"
-            meant = did_you_mean(path.name, [ECORE]) if path in step.metamodel else ""
+            beside = [ECORE, *(file.name for file in path.parent.glob("*.ecore"))] if path in step.metamodel else []
+            meant = did_you_mean(path.name, beside)
             raise SourceError(
                 f"the step '{step.name}' {said}{meant}",
                 location=self.place or Location(str(path)),

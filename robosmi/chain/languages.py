@@ -18,7 +18,7 @@ from msgspec import Struct
 from robosmi import inputs
 from robosmi.chain.steps import Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import RuleError
+from robosmi.errors import RobosmiError, RuleError
 from robosmi.generate import Gen
 from robosmi.generate.places import free_name
 from robosmi.model import save_model
@@ -229,6 +229,15 @@ DOES: dict[str, Callable[[Step, Doing], tuple[StepResult, Model | None]]] = {
 
 
 def call(step: Step, language: Any, models: Mapping[str, Model]) -> None:
-    """Call the user's function: the language's object, then the models by name."""
+    """Call the user's function: the language's object, then the models by name.
+
+    Raises:
+        RuleError: it raises.
+    """
     assert step.function is not None
-    step.function(language, **models)
+    try:
+        step.function(language, **models)
+    except RobosmiError:
+        raise
+    except (Exception, SystemExit) as error:
+        raise failed(error, f"the function of the step '{step.name}'", step.function) from error

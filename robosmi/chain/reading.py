@@ -66,7 +66,9 @@ def read_chain(path: str | Path) -> Chain:
 def _add(chain: Chain, step: dict[str, Any], number: int, folder: Path, place: Location) -> None:
     kinds = [key for key in step if key in KINDS]
     if len(kinds) != 1:
-        said = "says nothing of what it does" if not kinds else f"does two things: {' and '.join(kinds)}"
+        known_keys = {*KINDS, "name", "reads", *(key for keys in _KEYS.values() for key in keys)}
+        odd = next((f"; '{key}' is no key{did_you_mean(key, known_keys)}" for key in step if key not in known_keys), "")
+        said = f"says nothing of what it does{odd}" if not kinds else f"does two things: {' and '.join(kinds)}"
         raise _wrong(place, f"step {number} {said}", f"give it one of the keys {', '.join(KINDS)}")
     kind = kinds[0]
     known = {**_KEYS[kind], "name": False, "reads": False}

@@ -242,6 +242,10 @@ class ChainRun:
         parts += [(f"output {relative(p, self.folder)}", "") for p in step.outputs()]
         parts += [(f"file {relative(p, self.folder)}", digest_of(p)) for p in step.inputs()]
         parts += [(f"model {name}", self.content[name]) for name in step.models]
+        if step.kind == "load" and step.function is None and step.file is not None:
+            from robosmi.model.opening import code_of_driver  # a chain of functions loads nothing
+
+            parts += [(f"driver {path}", digest_of(path)) for path in code_of_driver(step.file, step.driver)]
         return digest_of_all(parts)
 
     def intact(self, step: Step, known: StepState) -> bool:

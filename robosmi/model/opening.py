@@ -8,6 +8,7 @@ of a path and a name that gives a `Model`. The registry's come first.
 from __future__ import annotations
 
 from collections.abc import Callable
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TypeVar
 
@@ -15,7 +16,7 @@ from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Location
-from robosmi.errors import SourceError, UsageError, did_you_mean
+from robosmi.errors import RobosmiError, SourceError, UsageError, did_you_mean
 from robosmi.model.driver import Model
 from robosmi.offers import Offered, PluginOffer, wrong_result
 from robosmi.plugins import content, load, registry
@@ -66,6 +67,31 @@ def driver_of(file: Path, driver: str | None = None) -> Callable[..., Model]:
         UsageError: there is no such driver.
         SourceError: no driver takes the file, or it cannot be read.
     """
+    return _driver(_key_of(file, driver))
+
+
+def code_of_driver(file: Path, driver: str | None = None) -> list[Path]:
+    """The Python files of the plug-in whose driver opens a file; none for a built-in driver, or where no driver takes the file.
+
+    Args:
+        file: the file or folder.
+        driver: the driver's name; found by the file if None.
+    """
+    try:
+        key = _key_of(file, driver)
+    except (RobosmiError, OSError):  # it is told when the file is opened
+        return []
+    if not registry().owner("driver", key):
+        return []
+    package = registry().entries["driver"][key].partition(":")[0].partition(".")[0]
+    spec = find_spec(package)
+    places = list(spec.submodule_search_locations or ()) if spec is not None else []
+    found = [path for place in places for path in Path(place).rglob("*.py")]
+    return sorted(found) or ([Path(spec.origin)] if spec is not None and spec.origin is not None else [])
+
+
+def _key_of(file: Path, driver: str | None) -> str:
+    """The name, ending or marking file under which the driver of a file is offered."""
     offered = registry().entries.get("driver", {})
     if driver is not None and (driver not in {*offered, *_DRIVERS} or driver.startswith((".", "/"))):
         raise UsageError(
@@ -83,7 +109,7 @@ def driver_of(file: Path, driver: str | None = None) -> Callable[..., Model]:
             location=Location(str(file)),
             fix=f"name a driver ({', '.join(drivers())}), or give one of: {', '.join(sorted(known))}",
         )
-    return _driver(key)
+    return key
 
 
 def _driver(key: str) -> Callable[..., Model]:

@@ -6,13 +6,14 @@ A constraint is a function whose name is the constraint's. Declarations know no 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from inspect import CO_VARARGS
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar, overload
 
 from msgspec import Struct
 
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import RuleError
-from robosmi.query.erl import place_of, type_name
+from robosmi.query.erl import code_of, place_of, type_name
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -220,10 +221,20 @@ class Context(Generic[E]):
             given.setdefault("severity", mild if critique else Severity.error)
             given.setdefault("id", name)
             self._check_name(name, function)
+            self._check_parameters(name, function)
             self.constraints.append(Constraint(name, function, self, critique, **given))
             return function
 
         return add if check is None else add(check)
+
+    def _check_parameters(self, name: str, function: Function) -> None:
+        """Refuse a function of a context that takes no element."""
+        code = code_of(function)
+        if self.kind is not None and code is not None and not code.co_argcount and not code.co_flags & CO_VARARGS:
+            raise RuleError(
+                f"the constraint {name} of {self.name} takes nothing",
+                location=place_of(function), fix="give its function a parameter: it is called with the element",
+            )  # fmt: skip
 
     def _check_name(self, name: str, function: Function) -> None:
         """Refuse a second constraint of one name: nobody could ask for it, and findings of both would look alike.
