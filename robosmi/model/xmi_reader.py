@@ -15,7 +15,7 @@ from urllib.parse import unquote
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, RobosmiError, SourceError
-from robosmi.model.lean import collector_at_rest
+from robosmi.model.lean import BARE, collector_at_rest
 from robosmi.model.metamodels import OWN_NAMESPACES, Metamodels, built_in
 from robosmi.model.pyecore_internals import is_value
 from robosmi.model.xmi_document import Document, ForeignRoot, Unreadable
@@ -280,7 +280,7 @@ class _Reader:
                 slots = element.__dict__
                 for key, name, lower, upper in plan.bounds:
                     slot = slots.get(key)
-                    number = 0 if slot is None else 1 if is_value(slot) else len(slot)
+                    number = 0 if slot is None else 1 if slot.__class__ in BARE or is_value(slot) else len(slot)
                     if number < lower:
                         wanted = "which it needs" if lower == 1 else f"of which it needs {lower}, but {number}"
                         text = f"{plan.name} has no '{name}', which it needs" if not number else f"{plan.name}.{name}: {wanted}"

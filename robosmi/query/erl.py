@@ -18,6 +18,8 @@ from robosmi import foreign_code
 from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, RobosmiError, RuleError, UsageError
 from robosmi.model.driver import Model, TypeHandle, class_of, is_element, name_of, type_of
+from robosmi.model.ecore import EClassifier
+from robosmi.model.feature_errors import is_another_load
 from robosmi.plugins import is_own
 from robosmi.query.models import ModelView
 from robosmi.query.problems import UnknownTypeError, unknown_type
@@ -149,6 +151,17 @@ def rule_type(given: RuleKind, models: Sequence[Model], what: str, function: Fun
         return RuleType(given, models)
     except (UnknownTypeError, UsageError) as error:
         raise with_place(error, what, function) from None
+
+
+def other_load(kind: RuleType, models: Iterable[Model]) -> Model | None:
+    """The model whose metamodel has another load of a type, where no model has the type itself; else None."""
+    if kind.primitive is not None:
+        return None
+    found = [(m, class_of(t)) for m in models if (t := m.find_type(name_of(kind.kind))) is not None]
+    if any(cls is kind.cls for _, cls in found):
+        return None
+    wanted = attribute_of(kind.cls, "eClass", EClassifier)
+    return next((m for m, cls in found if is_another_load(wanted, attribute_of(cls, "eClass", EClassifier))), None)
 
 
 def with_place(error: RobosmiError, what: str, function: Function | None) -> RobosmiError:

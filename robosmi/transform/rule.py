@@ -17,10 +17,9 @@ from msgspec import Struct
 
 from robosmi.errors import InternalError, RuleError, UsageError, did_you_mean
 from robosmi.model.driver import Model, TypeHandle, class_of
-from robosmi.model.ecore import EClassifier
-from robosmi.model.feature_errors import ONE_LOAD, is_another_load
+from robosmi.model.feature_errors import ONE_LOAD
 from robosmi.model.ordering import post_order
-from robosmi.query.erl import RuleType, arity, called, failed, place_of, rule_type, type_name
+from robosmi.query.erl import RuleType, arity, called, failed, other_load, place_of, rule_type, type_name
 from robosmi.query.verdicts import guarded
 from robosmi.typed import attribute_of, kept, paired
 
@@ -217,17 +216,10 @@ class BoundRule:
         Raises:
             RuleError: it is a class of another load of a model's metamodel.
         """
-        if kind.primitive is not None:
-            return
-        found = [(m, t) for m in models if (t := m.find_type(kind.name)) is not None]
-        if any(class_of(t) is kind.cls for _, t in found):
-            return
-        wanted = attribute_of(kind.cls, "eClass", EClassifier)
-        for model, other in found:
-            if is_another_load(wanted, attribute_of(class_of(other), "eClass", EClassifier)):
-                raise self.rule.wrong(
-                    f"is about {kind.name} of another load of the metamodel that the model {model.name} has", ONE_LOAD
-                )
+        if (model := other_load(kind, models)) is not None:
+            raise self.rule.wrong(
+                f"is about {kind.name} of another load of the metamodel that the model {model.name} has", ONE_LOAD
+            )
 
     def applies(self, source: Item, exact: bool, check_type: bool = True) -> bool:
         """Whether the rule is for a source: its type, its guard and those of the rules it extends; a refusal is remembered.

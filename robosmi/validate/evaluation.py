@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import InternalError, RuleError, UsageError, did_you_mean
 from robosmi.model.driver import Model
+from robosmi.model.feature_errors import ONE_LOAD
 from robosmi.query.deep import LEVELS, in_thread
-from robosmi.query.erl import RuleType, called, failed, rule_type, told
+from robosmi.query.erl import RuleType, called, failed, other_load, place_of, rule_type, told
 from robosmi.query.verdicts import guarded, verdict_of
 from robosmi.typed import distinct
 from robosmi.validate.constraint import Constrained, Constraint, Fail
@@ -100,6 +101,11 @@ class Evaluation:
             first = context.constraints[0].check if context.constraints else None
             about = f"the context {context.name}"
             kind = rule_type(context.kind, models, about, first) if context.kind is not None else None
+            if kind is not None and (model := other_load(kind, models)) is not None:
+                raise RuleError(
+                    f"{about} is about another load of the metamodel that the model {model.name} has",
+                    location=place_of(first) if first is not None else None, fix=ONE_LOAD,
+                )  # fmt: skip
             done: set[Any] = set()
             states = [_State(c, kind, done) for c in context.constraints]
             self._contexts.append((context, kind, states, done))

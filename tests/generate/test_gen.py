@@ -298,3 +298,15 @@ def test_the_record_is_no_place_for_files(tmp_path: Path) -> None:
         g.run()
     with pytest.raises(SourceError, match="outside of the output folder"):
         Gen(tmp_path / "out", {}, keep="../last")
+
+
+def test_a_target_that_is_no_text_is_told_with_its_rule(tmp_path: Path) -> None:
+    gen = Gen(tmp_path / "out")
+    number: Any = lambda: 3  # noqa: E731
+
+    @gen.rule(template="any.txt", target=number)
+    def Numbered() -> None: ...
+
+    with pytest.raises(RuleError, match="the target of Numbered is 3, which is no text") as told:
+        gen.run()
+    assert told.value.location is not None

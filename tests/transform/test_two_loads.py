@@ -14,6 +14,7 @@ from robosmi.model.emf import EmfModel
 from robosmi.model.feature_errors import FeatureValueError
 from robosmi.query import ModelView
 from robosmi.transform import ETL
+from robosmi.validate import EVL
 from tests.library import EPSILON, LIBRARY, empty, library
 
 GRAPH = EPSILON / "cases" / "models" / "graph.ecore"
@@ -96,3 +97,19 @@ def test_models_of_one_session_are_no_strangers(tmp_path: Path) -> None:
 def test_a_model_is_made_of_the_path_of_its_metamodel() -> None:
     graph = ModelView(EmfModel((), str(GRAPH), "G"))
     assert graph.Node(label="n").label == "n"
+
+
+@pytest.mark.parametrize("form", ["type of a model", "class"])
+def test_a_context_of_another_load_is_refused(form: str) -> None:
+    L, other = library("L"), library("L2")
+    v = EVL(L)
+    kind = other.Book if form == "type of a model" else class_of(other.type_named("Book"))
+
+    @v.context(kind).constraint
+    def Known(b: Any) -> bool:
+        return False
+
+    with pytest.raises(RuleError, match="the context Book is about another load of the metamodel that the model L has") as told:
+        v.run()
+    assert "Session" in str(told.value.fix)
+    assert len(v.run(other).unsatisfied) > 0
