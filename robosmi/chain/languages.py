@@ -228,6 +228,16 @@ DOES: dict[str, Callable[[Step, Doing], tuple[StepResult, Model | None]]] = {
 """How each kind is done."""
 
 
+def do(step: Step, doing: Doing) -> tuple[StepResult, Model | None]:
+    """Do a step, and note whether it changed a model that it only reads; what fixes changed is stored, and not meant."""
+    read = [model for given in doing.models.values() if isinstance(model := technology(given), EmfModel)]
+    for model in read:
+        model.touched()
+    result, made = DOES[step.kind](step, doing)
+    result.changes = not result.saved and any(model.touched() for model in read)
+    return result, made
+
+
 def call(step: Step, language: Any, models: Mapping[str, Model]) -> None:
     """Call the user's function: the language's object, then the models by name.
 

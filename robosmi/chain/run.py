@@ -210,7 +210,8 @@ class ChainRun:
             self.content[step.makes] = inputs
         known = self.state.steps.get(step.name)
         mending = self.fix is not None and step.kind == "validate" and known is not None and bool(known.findings)
-        if known is not None and not (self.force or mending) and known.inputs == inputs and self.intact(step, known):
+        again = self.force or mending or (known is not None and known.changes)
+        if known is not None and not again and known.inputs == inputs and self.intact(step, known):
             result = StepResult(step, "up to date", findings=[finding_from(f) for f in known.findings], outputs=known.outputs)
             result.state = "failed" if known.failed else result.state
         else:
@@ -314,10 +315,10 @@ class ChainRun:
             else:
                 self.models[step.makes] = made
             return StepResult(step, "done")
-        from robosmi.chain.languages import DOES  # all languages at once, which a chain of functions does not need
+        from robosmi.chain.languages import do  # all languages at once, which a chain of functions does not need
 
         files = {name: self.makers[name].file for name in step.models}
-        result, made = DOES[step.kind](step, self._doing(models, files))
+        result, made = do(step, self._doing(models, files))
         if made is not None:
             self.models[step.makes] = made
         if self.dry_run and result.state == "done":
@@ -395,4 +396,4 @@ class ChainRun:
         result.outputs |= {relative(path, self.folder): "" for path in step.stored()}
         result.outputs = {name: digest_of(self.folder / name) for name in result.outputs}
         findings = [finding.to_json() for finding in result.findings]
-        self.state.steps[step.name] = StepState(inputs, result.outputs, findings, result.state == "failed")
+        self.state.steps[step.name] = StepState(inputs, result.outputs, findings, result.state == "failed", result.changes)

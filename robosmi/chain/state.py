@@ -27,12 +27,13 @@ SCHEMA = "robosmi-chain/1"
 
 
 class StepState(Struct):
-    """A step's last run: digest of its inputs, outputs with their digests, findings."""
+    """A step's last run: digest of its inputs, outputs with their digests, findings; whether it changed a model that it reads."""
 
     inputs: str
     outputs: dict[str, str] = {}
     findings: list[dict[str, Json]] = []
     failed: bool = False
+    changes: bool = False
 
 
 class State:
@@ -70,7 +71,7 @@ class State:
 def _step_from(entry: dict[str, Json]) -> StepState:
     outputs = {name: as_text(made) for name, made in as_table(entry["outputs"]).items()}
     findings = [as_table(finding) for finding in as_list(entry["findings"])]
-    return StepState(as_text(entry["inputs"]), outputs, findings, bool(entry["failed"]))
+    return StepState(as_text(entry["inputs"]), outputs, findings, bool(entry["failed"]), bool(entry.get("changes")))
 
 
 def digest_of(path: Path) -> str:

@@ -99,6 +99,7 @@ class StepResult(Struct):
         outputs: every file that it made, changed or not -> its digest.
         fixed: the fixes that a validation performed, each with the element that it was for.
         saved: names of the models that were stored anew because of them.
+        changes: whether it changed a model that it only reads, in memory, so that later steps have to see that again.
     """
 
     step: Step
@@ -111,6 +112,7 @@ class StepResult(Struct):
     outputs: dict[str, str] = {}
     fixed: list[str] = []
     saved: list[str] = []
+    changes: bool = False
 
     def to_json(self) -> dict[str, Json]:
         """The step in the contract's result of `run`."""

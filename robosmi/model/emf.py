@@ -132,6 +132,11 @@ class EmfModel(TypedModel):
         content = roots[0] if len(roots) == 1 else roots
         write_atomic(target, to_xmi({target.name: content, **(others or {})}, [target.name])[target.name])
 
+    def touched(self) -> bool:
+        """Whether an element of it was changed since this was asked last; of a new model, yes."""
+        before, self._watch.touched = self._watch.touched, False
+        return before
+
     @property
     def packages(self) -> list[EPackage]:
         """The outermost EPackages."""

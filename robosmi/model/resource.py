@@ -13,15 +13,16 @@ from robosmi.model.pyecore_internals import ListenedTo, set_own_resource
 
 
 class Watch:
-    """Hears of changes; `changed` says whether one of them was about containment."""
+    """Hears of changes: `touched` says whether there was one, `changed` whether one was about containment."""
 
-    __slots__ = ("changed",)
+    __slots__ = ("changed", "touched")
 
     def __init__(self) -> None:
-        self.changed = True
+        self.changed = self.touched = True
 
     def notifyChanged(self, notification: Any) -> None:
         """Called by pyecore."""
+        self.touched = True
         if not self.changed:
             feature = notification.feature
             self.changed = feature is None or (feature.is_reference and feature.containment)

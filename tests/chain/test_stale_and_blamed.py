@@ -89,3 +89,25 @@ def test_a_misspelt_key_or_metamodel_is_told_with_the_nearest(old: str, new: str
     with pytest.raises(SourceError) as told:
         read_chain(site / "chain.toml").run()
     assert said in told.value.message
+
+
+def test_a_step_that_changes_what_it_reads_is_done_again_for_the_steps_behind_it(site: Path) -> None:
+    replace(
+        site / "rules.py",
+        "    price = {",
+        '    for book in library.Book.all:\n        book.name = f"{book.name} II"\n    price = {',
+    )
+    replace(site / "rules.py", "def pages(g: Gen, site: Any) -> None:", "def pages(g: Gen, site: Any, library: Any) -> None:")
+    replace(site / "rules.py", 'f"{p.title}.html"', 'f"{p.title} of {library.Book.all.first().name}.html"')
+    replace(
+        site / "chain.toml",
+        'generate = "rules.py:pages"\nmodels = "site"',
+        'generate = "rules.py:pages"\nmodels = ["site", "library"]',
+    )
+    read_chain(site / "chain.toml").run()
+    first = sorted(path.name for path in (site / "out").glob("*.html"))
+    assert any(" II" in name.partition(" of ")[2] for name in first)
+    (site / "templates" / "page.html").write_text("{# new #}\n" + (site / "templates" / "page.html").read_text())
+    again = read_chain(site / "chain.toml").run()
+    assert {r.step.name: r.state for r in again.steps}["to_site"] == "done"
+    assert sorted(path.name for path in (site / "out").glob("*.html")) == first
