@@ -32,6 +32,11 @@ def value_refused(owner: str, name: str, value: object, error: TypeError) -> Fea
     """
     said, expected = f"{owner}.{name} does not take {value!r}", attribute_of(error, "expected", ecore.EClassifier)
     if expected is None:
+        collection = attribute_of(error, "expected", type)
+        if collection is not None and issubclass(collection, ecore.ECollection):
+            return FeatureValueError(
+                f"{said}: it takes many values", fix=f"use {name}.append(value), {name}.extend(values) or clear()"
+            )
         return FeatureValueError(f"{said}: {error}")
     kinds: list[ecore.EClassifier] = []
     if isinstance(value, ecore.EEnumLiteral) and isinstance(enumeration := value.eContainer(), EEnum):
@@ -41,7 +46,8 @@ def value_refused(owner: str, name: str, value: object, error: TypeError) -> Fea
     if any(is_another_load(kind, expected) for kind in kinds):
         where = f"metamodel '{expected.ePackage.nsURI}'" if expected.ePackage is not None else "metamodel"
         return FeatureValueError(f"{said}: its {expected.name} is that of another load of the {where}", fix=ONE_LOAD)
-    return FeatureValueError(f"{said}: it takes {expected.name}, not {kinds[0].name if kinds else class_name(value)}")
+    fix = f"write {value}.0" if value.__class__ is int and expected.name in ("EDouble", "EFloat") else None
+    return FeatureValueError(f"{said}: it takes {expected.name}, not {kinds[0].name if kinds else class_name(value)}", fix=fix)
 
 
 def is_another_load(kind: ecore.EClassifier | None, expected: ecore.EClassifier | None) -> bool:

@@ -60,6 +60,9 @@ def test_a_value_of_a_wrong_kind_is_told_in_plain_words_whichever_way_it_is_give
         graph.Node().label = 3
     with pytest.raises(FeatureValueError, match=r"it takes Node, not Edge$"):
         graph.Graph().nodes.append(graph.Edge())
+    with pytest.raises(FeatureValueError, match=r"^Graph\.nodes does not take .*: it takes many values\n") as told:
+        graph.Graph().nodes = graph.Node()
+    assert told.value.fix == "use nodes.append(value), nodes.extend(values) or clear()"
 
 
 @pytest.mark.parametrize("side", ["source", "target"])
