@@ -164,7 +164,9 @@ class ClassMembers:
         text = docstring("\n\n".join(o.documentation for o in same if o.documentation) or first.name, "        ")
         head = call(f"def {name}", parameters, "    ", f" -> {result}:")
         cls = self._names[self._cls]
-        reason = string(f"{cls}.{name} is not written: define it in class {cls}Mixin of mixins.py")
+        reason = string(
+            f"{cls}.{name} is not written: define it in class {cls}Mixin of mixins.py, and generate the package again"
+        )
         raised = call(f"raise {scope.symbol('builtins', 'NotImplementedError')}", [reason], "        ")
         return f"{head}\n        {text}\n        {raised}"
 
