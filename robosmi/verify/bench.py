@@ -142,6 +142,7 @@ class Bench(ABC):
         return PinTrace(
             engine, state, min(self.now, horizon_us),
             by_time(self.changes), by_time(waves), by_time(console), by_time(self.events),
+            rests_until_us=horizon_us if state == "done" else 0.0,
         )  # fmt: skip
 
     # ---- connecting

@@ -36,7 +36,7 @@ def held_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
         pin: label of the pin.
     """
     held = [(level, _held(trace, pin, level, _SHORTEST_US)) for level in (0, 1)]
-    found = [event for level, each in held for event in _lengths(HELD, level, each, lengths_alike, trace.simulated_us)]
+    found = [event for level, each in held for event in _lengths(HELD, level, each, lengths_alike, trace.known_us)]
     return sorted(found, key=lambda event: event.at_us)
 
 
@@ -48,9 +48,10 @@ def pulse_lengths(trace: PinTrace, pin: str) -> list[ActivityEvent]:
         pin: label of the pin.
     """
     low, high = _held(trace, pin, 0, 0.0), _held(trace, pin, 1, 0.0)
-    longest = max([(length, level) for level, held in ((0, low), (1, high)) for _, length in held], default=(0.0, 0))
-    level, held = (0, low) if longest[1] else (1, high)
-    return _lengths(PULSE, level, held, pulses_alike, trace.simulated_us)
+    lengths = [(length, level) for level, held in ((0, low), (1, high)) for _, length in held]
+    lengths += [(trace.known_us - at_us, level) for at_us, level in trace.levels(pin)[-1:] if level in (0, 1)]
+    level, held = (0, low) if max(lengths, default=(0.0, 0))[1] else (1, high)
+    return _lengths(PULSE, level, held, pulses_alike, trace.known_us)
 
 
 def _lengths(

@@ -123,6 +123,7 @@ class PinTrace(Struct, frozen=True):
         reached: the addresses of the instructions that ran, in bytes, where that was asked and the engine tells it.
         stack_bytes: how far the stack came down from the end of its room at most, where that was asked and the engine tells it.
         console_baud: bits a second of the console's line as it was set at last; 0 where that is not told.
+        rests_until_us: the horizon, up to which the pins of a program that has stopped itself stay as they are; 0 for others.
     """
 
     engine: str
@@ -135,6 +136,12 @@ class PinTrace(Struct, frozen=True):
     reached: tuple[int, ...] = ()
     stack_bytes: int | None = None
     console_baud: float = 0.0
+    rests_until_us: float = 0.0
+
+    @property
+    def known_us(self) -> float:
+        """Until when it is known what the pins do."""
+        return max(self.simulated_us, self.rests_until_us)
 
     @property
     def text(self) -> str:
@@ -148,6 +155,7 @@ class PinTrace(Struct, frozen=True):
         return replaced(
             self,
             simulated_us=at_us,
+            rests_until_us=0.0,
             changes=tuple(each for each in self.changes if each.at_us <= at_us),
             waves=tuple(each for each in self.waves if each.at_us <= at_us),
             console=tuple(each for each in self.console if each.at_us <= at_us),
@@ -310,6 +318,7 @@ def _trace(answer: dict[str, Any], engine: str) -> PinTrace:
             tuple(answer["reached"]),
             answer["stack_bytes"],
             answer["console_baud"],
+            answer["rests_until_us"],
         )  # fmt: skip
     except (KeyError, TypeError, ValueError) as error:
         raise InternalError(f"the engine '{engine}' answered what is no trace: {error}") from error

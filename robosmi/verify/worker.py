@@ -42,6 +42,7 @@ def answer(question: dict[str, Any]) -> dict[str, Any]:
         "reached": trace.reached,
         "stack_bytes": trace.stack_bytes,
         "console_baud": trace.console_baud,
+        "rests_until_us": trace.rests_until_us,
     }
 
 

@@ -175,3 +175,25 @@ def test_a_pin_that_is_held_at_rest_is_not_foreign(level: str, told: str, tmp_pa
     outcome = run("verify", tmp_path / "out", "--scenario", tmp_path / "s.toml", "--json")
     assert outcome.code == (6 if told else 0), outcome.result["first_difference"]
     assert not told or told in outcome.result["first_difference"]["message"]
+
+
+ENDS = {
+    "two lengths": "pause(100); pulse_out(5, 20000); pause(300); pulse_out(5, 1500); pause(300);",
+    "one pulse at the end": "pause(100); pulse_out(5, 20000);",
+}
+
+
+@pytest.mark.parametrize("name", ENDS)
+@pytest.mark.parametrize("longer", [False, True])
+def test_pulses_of_a_program_that_ends_are_compared_as_far_as_the_other_side_runs(
+    name: str, longer: bool, tmp_path: Path
+) -> None:
+    """The original stops itself and leaves its pins as they are, while the sketch goes on with an empty loop."""
+    require_verification("simavr")
+    (tmp_path / "p.c").write_text('#include "simpletools.h"\nint main() { ' + ENDS[name] + " }\n")
+    assert run("migrate", tmp_path / "p.c", "--bind", "P5=D5", "-o", tmp_path / "out").code in (0, 1)
+    sketch = tmp_path / "out" / "p" / "p.ino"
+    if longer:
+        sketch.write_text(re.sub(r"pulse_out\(5, (\d+)\)", r"pulse_out(5, \1 * 11 / 10)", sketch.read_text()))
+    outcome = run("verify", tmp_path / "out", "--json")
+    assert outcome.code == (6 if longer else 0), outcome.result["first_difference"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -22,11 +23,14 @@ HARDWARE, MAPPING = PLACE / "boards" / "uno.toml", PLACE / "arduino" / "boards" 
 
 
 def own_board(data: Path, old: str, new: str) -> Path:
-    """A board like the Uno in one file of one's own, with a text changed."""
+    """A board like the Uno in one file of one's own, with a text changed; a channel has one pin."""
     text = MAPPING.read_text() + HARDWARE.read_text()
     text = text[: text.index("# Bare microcontrollers")]
     for was, becomes in (('name = "uno"', 'name = "mine"'), ("arduino:avr:uno", "mine:avr:mine"), (old, new)):
         assert was in text
+        taken = re.search(r', "pwm"\], (timer = "Timer0", channel = "A")', text)
+        if taken and taken[1] in becomes:
+            text = text.replace(taken[0], "]", 1)
         text = text.replace(was, becomes, 1)
     path = data / "platform_repo" / "arduino" / "boards" / "mine.toml"
     path.parent.mkdir(parents=True)

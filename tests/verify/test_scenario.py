@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from robosmi.errors import SourceError
@@ -88,7 +88,7 @@ _NAME = st.text(min_size=1, max_size=12)
 Signals = dict[str, dict[str, tuple[tuple[float, object], ...]]]
 
 
-@settings(max_examples=80)
+@settings(max_examples=80, suppress_health_check=[HealthCheck.too_slow])  # on a machine under load
 @given(_NAME, st.floats(1000, 600_000), st.dictionaries(_NAME, _POINTS.map(lambda p: {"points": p}), max_size=4))
 def test_a_text_is_read_back_as_the_same_scenario(
     tmp_path_factory: pytest.TempPathFactory,
