@@ -156,23 +156,22 @@ def merged(events: Sequence[ActivityEvent]) -> list[ActivityEvent]:
 
 
 def _run(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
-    """The events of pulses that follow each other closely."""
+    """The events of pulses that follow each other closely; the pauses between what they are parted into are no ends."""
     found: list[ActivityEvent] = []
     number = 0
     while number < len(pulses):
         pulse = pulses[number]
-        if pulse.hz > 0:
-            last = number
-            while last + 1 < len(pulses) and pulses[last + 1].hz > 0 and same_wave(pulses[last + 1], pulse):
-                last += 1
-            found.append(ActivityEvent(pulse.begin, WAVE, (pulse.hz, round(pulse.duty, 3))))
-            found += _end(pulses[last].end, horizon_us, sight)
-            number = last + 1
-            continue
         last = number
-        while last + 1 < len(pulses) and pulses[last + 1].hz == 0:
+        while last + 1 < len(pulses) and (
+            pulses[last + 1].hz > 0 and same_wave(pulses[last + 1], pulse) if pulse.hz > 0 else pulses[last + 1].hz == 0
+        ):
             last += 1
-        found += _edges(pulses[number : last + 1], horizon_us, sight)
+        until_us = pulses[last + 1].begin if last + 1 < len(pulses) else horizon_us
+        if pulse.hz > 0:
+            found.append(ActivityEvent(pulse.begin, WAVE, (pulse.hz, round(pulse.duty, 3))))
+            found += _end(pulses[last].end, until_us, sight)
+        else:
+            found += _edges(pulses[number : last + 1], until_us, sight)
         number = last + 1
     return found
 
@@ -183,7 +182,9 @@ def _edges(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[Activit
         return _frames(pulses, horizon_us, sight)
     if len(pulses) < FEWEST:
         return [event for p in pulses for event in _levels(p, horizon_us)]
-    return [event for steady, part in wave_parts(pulses) for event in _part(steady, part, horizon_us, sight)]
+    parts = wave_parts(pulses)
+    ends = [*(after[0].begin for _, after in parts[1:]), horizon_us]
+    return [event for (steady, part), until_us in paired(parts, ends) for event in _part(steady, part, until_us, sight)]
 
 
 def _is_servo_pulse(pulse: Pulse) -> bool:

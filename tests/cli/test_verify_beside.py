@@ -197,3 +197,30 @@ def test_pulses_of_a_program_that_ends_are_compared_as_far_as_the_other_side_run
         sketch.write_text(re.sub(r"pulse_out\(5, (\d+)\)", r"pulse_out(5, \1 * 11 / 10)", sketch.read_text()))
     outcome = run("verify", tmp_path / "out", "--json")
     assert outcome.code == (6 if longer else 0), outcome.result["first_difference"]
+
+
+TUNE = """#include "simpletools.h"
+int notes[] = { 1047, 1175, 1319, 1397 };
+int main() {
+  pause(200);
+  for (int i = 0; i < 4; i++) freqout(4, 120, notes[i]);
+  pause(300);
+  freqout(4, 100, 1000); freqout(4, 100, 2000);
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "different"),
+    [("1047", "1047", False), ("1319", "1480", True), ("120", "180", True), ("i < 4", "i < 3", True), ("2000", "1900", True)],
+)
+def test_notes_without_a_pause_between_them_are_compared(old: str, new: str, different: bool, tmp_path: Path) -> None:
+    """The source is silent for some microseconds between two of them, which nobody hears, and a timer of the target is not."""
+    require_verification("simavr")
+    (tmp_path / "p.c").write_text(TUNE)
+    assert run("migrate", tmp_path / "p.c", "--bind", "P4=D4", "-o", tmp_path / "out").code in (0, 1)
+    sketch = tmp_path / "out" / "p" / "p.ino"
+    assert old in sketch.read_text()
+    sketch.write_text(sketch.read_text().replace(old, new))
+    outcome = run("verify", tmp_path / "out", "--json")
+    assert outcome.code == (6 if different else 0), outcome.result["first_difference"]
