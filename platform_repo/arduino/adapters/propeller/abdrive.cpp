@@ -213,7 +213,7 @@ static DriveCounts drive_counts_from_its_start;
 //# adapter drive_speed
 //#   for: void drive_speed(int left, int right)
 //#   kind: semantic
-//#   needs: drive_step wheels drive_frame drive_start
+//#   needs: drive_step wheels drive_frame drive_start simpletools.h/TimedInput
 //#   role: servo
 //#   timer: Timer1
 //#   fidelity: acts on a change only, and returns after 6 frames (100 to 120 ms), later when a wheel rests, while the ramp goes on; the
@@ -370,7 +370,7 @@ inline bool drive_on_the_way() {
 //# adapter drive_goto
 //#   for: void drive_goto(int distLeft, int distRight)
 //#   kind: semantic
-//#   needs: drive_goto_step drive_top wheels drive_frame drive_start drive_encoders drive_speed drive_going
+//#   needs: drive_goto_step drive_top wheels drive_frame drive_start drive_encoders drive_speed drive_going simpletools.h/TimedInput
 //#   role: encoder
 //#   fidelity: stops, drives both wheels so many ticks in the same time, and returns when they stand
 //#   limit: gives up ten seconds after the last tick, where the library waits for ever

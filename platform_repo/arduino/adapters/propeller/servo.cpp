@@ -83,11 +83,11 @@ static void (*frame_jobs[3])();
 static volatile uint8_t frames_owed;  // that have waited
 static volatile uint8_t frame_age;    // periods of 1,024 us since the frame jobs began last
 
-inline void do_frame_jobs(uint8_t age) {
+inline void do_frame_jobs() {
   static volatile bool under_way = false;
   uint8_t old = SREG;
   cli();
-  bool due = frames_owed && frame_age >= age && !under_way;
+  bool due = frames_owed && frame_age > 7 && !under_way;
   if (due) {
     under_way = true;
     frames_owed--;
@@ -101,13 +101,16 @@ inline void do_frame_jobs(uint8_t age) {
 }
 
 inline void do_owed_frames() {  // all of them, as what comes next may make them wait again
-  for (uint8_t owed = frames_owed; owed; owed--) do_frame_jobs(0);
+  for (uint8_t owed = frames_owed; owed; owed--) {
+    frame_age = 8;
+    do_frame_jobs();
+  }
 }
 
 inline void frame_period() {
   if (frame_age < 255) frame_age++;
   if (frames_wait) frames_wait--;
-  else do_frame_jobs(8);
+  else do_frame_jobs();
 }
 
 inline void frame_comes() {  // Servo.h begins each frame later than it should, by what its interrupt takes: here that is made good
@@ -120,7 +123,7 @@ inline void frame_comes() {  // Servo.h begins each frame later than it should, 
   due += 20000;
   if (frames_owed < 3) frames_owed++;
   sei();
-  if (!frames_wait) do_frame_jobs(8);
+  if (!frames_wait) do_frame_jobs();
 }
 
 inline void do_each_frame(void (*job)()) {
