@@ -44,7 +44,8 @@ def changed_repository(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     change("arduino/platform.toml", "intBits = 16", "intBits = 32")
     change("arduino/platform.toml", 'generator = "arduino_sketch"', 'generator = "none"')
     change("boards/uno.toml", "volts = 5.0", "volts = 1.8")
-    change("boards/uno.toml", 'timer = "Timer1"', 'timer = "Timer2"')
+    for old, new in (("Timer2", "Timer3"), ("Timer1", "Timer2"), ("Timer3", "Timer1")):  # an output has one pin
+        change("boards/uno.toml", f'timer = "{old}"', f'timer = "{new}"')
     change("boards/uno.toml", '"arduino_Uno_Rev3(fix)"', '"another"')
     change("mcus/atmega328p.toml", 'timers = ["Timer1"]', 'timers = ["Timer0"]')
     change("arduino/libraries/takes.toml", "Timer1", "Timer0")

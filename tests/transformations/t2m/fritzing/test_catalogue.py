@@ -340,12 +340,15 @@ def test_import_of_a_folder_without_parts(tmp_path: Path) -> None:
     assert not (tmp_path / "a.sqlite").exists()
 
 
-@pytest.mark.parametrize("entry", ['role = "Sensor"\nwhy = "x"', 'role = "Input"'])
-def test_damaged_rules_for_roles_are_told(entry: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("entry", "told"),
+    [('role = "Sensor"\nwhy = "x"', "an entry has the role 'Sensor'"), ('role = "Input"', "an entry for 'Input' says no reason")],
+)
+def test_damaged_rules_for_roles_are_told(entry: str, told: str, tmp_path: Path) -> None:
     folder = tmp_path / ".robosmi" / "platform_repo" / "parts"
     folder.mkdir(parents=True)
     (folder / "roles.toml").write_text(f"[[rule]]\n{entry}\n")
-    with pytest.raises(PlatformDataError, match="an entry has the role"):
+    with pytest.raises(PlatformDataError, match=told):
         classify(Part("x", "Thing"), tmp_path)
 
 
