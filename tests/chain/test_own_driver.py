@@ -53,3 +53,34 @@ def test_a_driver_that_cannot_be_used_is_told_with_its_place(
         read_chain(notes / "chain.toml").run()
     assert told.value.location is not None or driver.endswith("Unfinished")
     assert told.value.fix
+
+
+LOUD = """
+
+def loud(v: EVL, notes: Any) -> None:
+    \"""Notes are loud.\"""
+    shout = Fix("shout", lambda n: object.__setattr__(n, "text", n.text.upper()))
+    v.context(notes.Note).constraint(name="Loud", fixes=[shout])(lambda n: n.text.isupper())
+"""
+
+
+def test_a_fix_of_a_model_that_can_only_be_read_is_not_performed(notes: Path) -> None:
+    """It was told as done, and nothing was written."""
+    replace(
+        notes / "drivers.py",
+        "from robosmi.generate import Gen\n",
+        "from robosmi.generate import Gen\nfrom robosmi.validate import EVL, Fix\n",
+    )
+    with (notes / "drivers.py").open("a") as file:
+        file.write(LOUD)
+    replace(
+        notes / "chain.toml",
+        "[[step]]\ngenerate",
+        '[[step]]\nvalidate = "drivers.py:loud"\nmodels = "notes"\n\n[[step]]\ngenerate',
+    )
+    for _ in range(2):
+        step = read_chain(notes / "chain.toml").run(fix="first").steps[1]
+        assert (step.state, step.fixed, step.saved) == ("failed", [], [])
+        assert {finding.rule for finding in step.findings} == {"RS532", "Loud"}
+        assert "can only be read" in next(f.message for f in step.findings if f.rule == "RS532")
+    assert (notes / "notes.txt").read_text() == (FOLDER / "notes.txt").read_text()
