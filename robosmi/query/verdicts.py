@@ -26,7 +26,7 @@ def verdict_of(answer: T, says: str, fix: str) -> T:
         fix: what to write instead.
 
     Raises:
-        UsageError: it is a text, a plain Python collection, a function, a generator or a coroutine.
+        UsageError: it is a text, a plain Python collection, a function, a class, a generator or a coroutine.
     """
     if answer is True or answer is False or answer is None:
         return answer
@@ -39,6 +39,8 @@ def verdict_of(answer: T, says: str, fix: str) -> T:
         given = "a generator or another iterator (it has a `yield`?)"
     elif answer.__class__ in (list, tuple, dict, set, frozenset):
         given = f"a plain {class_name(answer)}"
+    elif isinstance(answer, type) and not hasattr(answer, "eClass"):  # classes of a metamodel are its elements
+        given = f"the class {answer.__name__!r}, which was not called"
     elif inspect.isroutine(answer):
         given = f"the function {answer.__name__!r}, which was not called"
     else:

@@ -95,6 +95,7 @@ NO_VERDICTS = [
     (lambda b: {"price": b.price}, "a plain dict"),
     (lambda b: lambda: False, "the function '<lambda>', which was not called"),
     (lambda b: b.name.isupper, "the function 'isupper', which was not called"),
+    (lambda b: Fail, "the class 'Fail', which was not called"),
     (generating, "a generator"),
     (waiting, "a coroutine"),
 ]
