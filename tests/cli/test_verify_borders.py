@@ -56,3 +56,31 @@ def test_a_border_that_is_moved_a_little_is_noticed(old: str, new: str, made: Pa
     sketch.write_text(text.replace(old, new))
     outcome = run("verify", tmp_path / "out", "--json")
     assert (outcome.code, outcome.result["verdict"]) == (6, "different")
+
+
+KEYS = """#include "simpletools.h"
+#include "keypad.h"
+int rows[4] = {7, 6, 5, 4};
+int cols[4] = {3, 2, 1, 0};
+int values[16] = {1, 2, 3, 10, 4, 5, 6, 11, 7, 8, 9, 12, 14, 0, 15, 13};
+int main() {
+  keypad_setup(4, 4, rows, cols, values);
+  while (1) {
+    if (keypad_read() == 1) high(12); else low(12);
+    pause(50);
+  }
+}
+"""
+
+
+def test_what_shows_lists_has_no_borders_and_is_played(tmp_path: Path) -> None:
+    """A keypad shows which of its keys are held, between two of which there is nothing."""
+    require_verification("simavr")
+    (tmp_path / "keys.c").write_text(KEYS)
+    pins = {7: "D2", 6: "D3", 5: "D4", 4: "D5", 3: "D6", 2: "D7", 1: "D8", 0: "D9", 12: "D12"}
+    bound = [word for port, pin in pins.items() for word in ("--bind", f"P{port}={pin}")]
+    made = run("migrate", tmp_path / "keys.c", "-o", tmp_path / "out", *bound)
+    assert made.code in (0, 1), made.err
+    outcome = run("verify", tmp_path / "out", "--json")
+    assert outcome.code == 0, outcome.err
+    assert outcome.result["source_coverage"]["branches_pct"] == 100.0

@@ -193,8 +193,8 @@ class _Search:
         """
         values = list(each.values)
         for background in self._backgrounds(each):
-            values += self._borders(each, background)
-        return replaced(each, values=tuple(distinct(values)))
+            values += [value for value in self._borders(each, background) if value not in values]
+        return replaced(each, values=tuple(values))
 
     def _backgrounds(self, each: _Input) -> list[Signals]:
         """What the other inputs show while borders are sought: nothing, then what has led the source elsewhere."""
