@@ -120,25 +120,28 @@ def _mend(result: StepResult, found: Validation, doing: Doing, fix: Choice) -> l
     Returns:
         What could not be mended, and why.
     """
-    loaded = {name: model for name, model in doing.models.items() if name not in doing.made and not model.read_only}
+    given = {name: model for name, model in doing.models.items() if name not in doing.made}
+    loaded = {name: model for name, model in given.items() if not model.read_only}
     before = {name: _stored(model) for name, model in loaded.items()}
     made = [model for name, model in doing.models.items() if name in doing.made]
-    read_only = [model for name, model in doing.models.items() if name not in doing.made and model.read_only]
-    left = [u for u in found.unsatisfied if u.fixes and owner_of(u.element, made) is not None]
-    unwritable = [u for u in found.unsatisfied if u.fixes and owner_of(u.element, read_only) is not None]
+    unwritable = [model for model in given.values() if model.read_only]
+    said = []
+    left = []
+    for models, why, advice in (
+        (made, "another step makes the model", "correct the rules of that step"),
+        (unwritable, "its model can only be read", "correct what the model is read from"),
+    ):
+        for u in found.unsatisfied:
+            if u.fixes and owner_of(u.element, models) is not None:
+                left.append(u)
+                message = f"the fix '{u.fixes[0].title}' was not performed: {why}"
+                said.append(Finding("RS532", Severity.info, message, element=found.place(u), fix=advice))
 
     def choose(unsatisfied: Unsatisfied) -> OfferedFix | None:
-        fixes = unsatisfied.fixes if unsatisfied not in left and unsatisfied not in unwritable else []
+        fixes = unsatisfied.fixes if unsatisfied not in left else []
         return fix(unsatisfied) if callable(fix) and fixes else fixes[0 if fix == "first" else -1] if fixes else None
 
     found.apply(choose)
-    said = []
-    for u in left:
-        message = f"the fix '{u.fixes[0].title}' was not performed: another step makes the model"
-        said.append(Finding("RS532", Severity.info, message, element=found.place(u), fix="correct the rules of that step"))
-    for u in unwritable:
-        message = f"the fix '{u.fixes[0].title}' was not performed: its model can only be read"
-        said.append(Finding("RS532", Severity.info, message, element=found.place(u), fix="correct what the model is read from"))
     for applied in found.fixed:
         title = f"{found.place(applied.of) or applied.of.name}: {applied.title}"
         if applied.error is None:
