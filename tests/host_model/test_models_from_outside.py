@@ -49,27 +49,30 @@ def test_a_model_is_found_wherever_data_is_looked_for(place: str, tmp_path: Path
     assert [level for _, level in run.trace.levels("P21")][-1] == 1
 
 
+def own_library(folder: Path, monkeypatch: pytest.MonkeyPatch, name: str, text: str) -> Path:
+    """A model of a library in a folder of one's own, which is looked at first."""
+    path = folder / HOST / "libraries" / name
+    path.parent.mkdir(parents=True)
+    path.write_text(text)
+    monkeypatch.setenv("ROBOSMI_PATH", str(folder))
+    return path
+
+
 def test_a_file_of_the_nearest_place_counts_before_the_built_in_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    libraries = tmp_path / HOST / "libraries"
-    libraries.mkdir(parents=True)
-    (libraries / "ping.c").write_text('#include "ping.h"\nint ping_cm(int pin) { return 1000 + pin; }\n')
-    monkeypatch.setenv("ROBOSMI_PATH", str(tmp_path))
+    own_library(tmp_path, monkeypatch, "ping.c", '#include "ping.h"\nint ping_cm(int pin) { return 1000 + pin; }\n')
     source = tmp_path / "near.c"
     source.write_text('#include "simpletools.h"\n#include "ping.h"\nint main() { print("%d", ping_cm(7)); }\n')
     assert ran(source, tmp_path / "built").trace.text == "1007"
 
 
 def test_a_model_that_does_not_compile_is_told_as_such(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    libraries = tmp_path / HOST / "libraries"
-    libraries.mkdir(parents=True)
-    (libraries / "own.c").write_text("int own(void) {\n  return nothing;\n}\n")
-    monkeypatch.setenv("ROBOSMI_PATH", str(tmp_path))
+    library = own_library(tmp_path, monkeypatch, "own.c", "int own(void) {\n  return nothing;\n}\n")
     source = tmp_path / "any.c"
     source.write_text("int main() { return 0; }\n")
     with pytest.raises(VerificationError, match=r"the model of a library does not compile on this machine: 'nothing'") as told:
         ran(source, tmp_path / "built")
     assert told.value.location is not None
-    assert (told.value.location.path, told.value.location.line) == (str(libraries / "own.c"), 2)
+    assert (told.value.location.path, told.value.location.line) == (str(library), 2)
 
 
 def test_a_function_without_a_model_is_told_as_the_program_writes_it(tmp_path: Path) -> None:
