@@ -24,6 +24,8 @@ _OFF = (1.0, -1.0, 0.5, -0.5)
 MEASURED = ("voltages", "capacitor", "ranger", "two_pin_ranger")
 """Devices whose values two boards never measure quite alike."""
 Channels = dict[str, list[list[list[ActivityEvent]]]]
+Otherwise = Callable[[float | None, SimulatedKind, float, float, float], float | None]
+"""Makes another value of one: with the facts of the device's kind, the least and the most that it measures, and by what part."""
 
 
 def with_exact_numbers(
@@ -39,8 +41,12 @@ def with_exact_numbers(
         run: the channels of a run of the source with other devices.
     """
     names = [name for name, seen in channels.items() if any(_has_numbers(event) for event in seen[0][0])]
-    wide = [run([_showing(use, part) for use in devices]) for part in _PARTS] if names else []
-    near = [run([_measured_otherwise(use, part) for use in devices]) for part in _OFF] if names and _all_known(devices) else []
+
+    def runs(other: Otherwise, parts: Sequence[float]) -> list[Mapping[str, list[list[ActivityEvent]]]]:
+        return [run([_measured_otherwise(use, other, part) for use in devices]) for part in parts]
+
+    wide = runs(_beyond_accuracy, _PARTS) if names else []
+    near = runs(_within_accuracy, _OFF) if names and _all_known(devices) else []
     return {
         name: [
             [_marked(own, varied, [run[name][sight] for run in wide], [run[name][sight] for run in near]), *varied]
@@ -95,8 +101,8 @@ def _span(numbers: Iterable[float]) -> tuple[float, float]:
     return min(listed), max(listed)
 
 
-def _measured_otherwise(use: DeviceUse, part: float) -> DeviceUse:
-    """A device as a board sees it that measures more, by a part of what two boards may be off."""
+def _measured_otherwise(use: DeviceUse, other: Otherwise, part: float) -> DeviceUse:
+    """A device that shows something else of all that it measures."""
     if use.kind not in MEASURED:
         return use
     facts = device_facts()[use.kind]
@@ -104,31 +110,22 @@ def _measured_otherwise(use: DeviceUse, part: float) -> DeviceUse:
     for name, ends in facts["ends"].items():
         least, most = (as_number(end) for end in ends)
         points: Sequence[tuple[float, float | None]] = use.settings[name]
-        changed[name] = [[at_ms, _off(value, part, facts, least, most)] for at_ms, value in points]
+        changed[name] = [[at_ms, other(value, facts, least, most, part)] for at_ms, value in points]
     return replaced(use, settings={**use.settings, **changed})
 
 
-def _off(value: float | None, part: float, facts: SimulatedKind, least: float, most: float) -> float | None:
+def _within_accuracy(value: float | None, facts: SimulatedKind, least: float, most: float, part: float) -> float | None:
+    """What a board sees that measures more, by a part of what two boards may be off."""
     if value is None:
         return None
     by = part * (facts["off_least"] + facts["off_percent"] / 100 * abs(value))
     return min(max(value + by, min(least, value)), max(most, value))
 
 
-def _showing(use: DeviceUse, part: float) -> DeviceUse:
-    """A device that shows more of all that it measures by a part of it, and something where it shows nothing."""
-    if use.kind not in MEASURED:
-        return use
-    changed: dict[str, Json] = {}
-    for name, ends in device_facts()[use.kind]["ends"].items():
-        least, most = (as_number(end) for end in ends)
-        points: Sequence[tuple[float, float | None]] = use.settings[name]
-        changed[name] = [[at_ms, _shifted(value, part, least, most)] for at_ms, value in points]
-    return replaced(use, settings={**use.settings, **changed})
-
-
-def _shifted(value: float | None, part: float, least: float, most: float) -> float:
-    """A value that is more by a part of itself, or of a tenth of what the device can measure where that is more."""
+def _beyond_accuracy(value: float | None, facts: SimulatedKind, least: float, most: float, part: float) -> float:
+    """A value that is more by a part of itself, or of a tenth of what the device can measure where that is more; where a device
+    shows nothing, something.
+    """
     if value is None:
         return most * (1 - abs(part))
     return min(max(value + part * max(value, 0.1 * (most - least)), least), most)
