@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from robosmi.metamodels import ccode
-from robosmi.query import all_contents
 from robosmi.transformations.m2m.text_change import Change
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.own_headers import unit_of
 from robosmi.transformations.queries.signature_text import nothing, split
 from robosmi.transformations.queries.unsaid_parameters import UnsaidPointers, concerns, unsaid_pointers
+from robosmi.transformations.queries.value_uses import changes_nothing
 
 
 def said_of_pointers(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
@@ -56,17 +56,9 @@ def _left(kept: UnsaidPointers) -> str:
         return f"whose parameters ({kept.taken}) have types that are named behind it"
     for call in kept.calls if count is not None else ():
         surplus = [each for number, each in enumerate(call.arguments) if count is not None and number >= count]
-        if surplus and (call.viaMacro or not all(_is_plain(each) for each in surplus)):
+        if surplus and (call.viaMacro or not all(changes_nothing(each) for each in surplus)):
             return "that take fewer parameters"
     return ""
-
-
-def _is_plain(value: ccode.Expression) -> bool:
-    """Whether nothing is done where a value is computed."""
-    return not any(
-        isinstance(each, (ccode.Call, ccode.Assignment)) or (isinstance(each, ccode.Unary) and each.operator in ("++", "--"))
-        for each in (value, *all_contents(value))
-    )
 
 
 def _arguments(call: ccode.Call, kept: UnsaidPointers) -> Iterator[Change]:

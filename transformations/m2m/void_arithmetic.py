@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from robosmi.metamodels import ccode
-from robosmi.query import all_contents
 from robosmi.transformations.m2m.text_change import Change, Rule
 from robosmi.transformations.m2m.written_conversions import is_primary
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType, of_use, type_of
+from robosmi.transformations.queries.value_uses import changes_nothing
 
 _NO_BYTES = "C++ does not calculate with void *"
 
@@ -27,7 +27,7 @@ def steps(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) ->
     """Counting up and down."""
     for step in view.of_kind(ccode.Unary):
         kind = _bytes(step.operand, functions) if step.operator in ("++", "--") else ""
-        if kind and step.operand is not None and _twice(step.operand) and _is_written(step, data):
+        if kind and step.operand is not None and changes_nothing(step.operand) and _is_written(step, data):
             text, sign = _text(step.operand, data), step.operator[0]
             made = f"({text} = ({kind}){text} {sign} 1)"
             if isinstance(step.eContainer(), (ccode.ExpressionStatement, ccode.For)):
@@ -41,7 +41,7 @@ def additions(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]
     """`p += n` and `p -= n`."""
     for assignment in view.of_kind(ccode.Assignment):
         kind = _bytes(assignment.left, functions) if assignment.operator in ("+=", "-=") else ""
-        if kind and assignment.left is not None and _twice(assignment.left) and not _of_macro(assignment):
+        if kind and assignment.left is not None and changes_nothing(assignment.left) and not _of_macro(assignment):
             text = _text(assignment.left, data)
             made = f"{text} = ({kind})(({kind}){text} {assignment.operator[0]} ("
             yield Change(assignment, "compound-of-bytes", made, _NO_BYTES)
@@ -81,13 +81,6 @@ def _is_written(step: ccode.Unary, data: bytes) -> bool:
     """Whether the step stands in the text as it is, and not in a macro."""
     text, sign = _text(step, data), str(step.operator)
     return text.endswith(sign) if step.postfix else text.startswith(sign)
-
-
-def _twice(value: ccode.Expression) -> bool:
-    """Whether nothing is done where a value is computed, so that it may be written twice."""
-    elements = (value, *all_contents(value))
-    counted = any(isinstance(e, ccode.Unary) and e.operator in ("++", "--") for e in elements)
-    return not counted and not any(isinstance(e, (ccode.Call, ccode.Assignment)) for e in elements)
 
 
 def _text(expression: ccode.Expression, data: bytes) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
-from robosmi.query import ancestor_of_kind
+from robosmi.query import all_contents, ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.flow_reader import FlowReader
 from robosmi.transformations.queries.pointers import gives_access
@@ -106,3 +106,11 @@ def _expansion(expression: ccode.Expression) -> ccode.Call | None:
     while call is not None and not call.viaMacro:
         call = ancestor_of_kind(call, ccode.Call)
     return call if isinstance(call, ccode.Call) else None
+
+
+def changes_nothing(value: ccode.Expression) -> bool:
+    """Whether nothing but a value comes of an expression, so that it may be computed twice, or not at all."""
+    return not any(
+        isinstance(each, (ccode.Call, ccode.Assignment)) or (isinstance(each, ccode.Unary) and each.operator in ("++", "--"))
+        for each in (value, *all_contents(value))
+    )
