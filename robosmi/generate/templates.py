@@ -28,6 +28,7 @@ from robosmi.generate.sandbox import allowed, may_call, refused
 from robosmi.generate.template_cache import TemplateCache
 from robosmi.model.driver import ModelElement, features_of, name_of, type_of
 from robosmi.model.ecore import EObject
+from robosmi.model.in_order import IN_ORDER, in_order
 from robosmi.query.problems import unknown_property
 from robosmi.template_files import TemplateFiles
 from robosmi.typed import class_name, dynamic_attribute, kept
@@ -87,6 +88,8 @@ class _Environment(SandboxedEnvironment):
             self.seen.append(obj)
         if not allowed(obj, attribute):
             raise refused(obj, attribute)
+        if is_element and attribute in IN_ORDER and (ordered := in_order(obj, attribute)) is not None:
+            return ordered
         try:
             found = dynamic_attribute(obj, attribute)
             if attribute in ("format", "format_map"):  # their texts reach for attributes too

@@ -23,26 +23,13 @@ def queried_by(view: Callable[[Any], Any]) -> None:
     _query = view
 
 
-class Queried:
-    """Adds the operations of queries to a collection of pyecore's."""
+class Asked:
+    """Adds the operations of queries to a collection of elements or values."""
 
     def __getattr__(self, name: str) -> Any:
         if name[0] == "_" or _query is None:
             raise AttributeError(f"'{class_name(self)}' has no attribute '{name}'")
         return dynamic_attribute(_query(self), name)
-
-    def check(self, value: object) -> None:
-        """Refuse a value that the feature does not take, as assigning does.
-
-        Raises:
-            FeatureValueError: it is of another kind.
-        """
-        try:
-            super().check(value)  # type: ignore[misc]
-        except TypeError as error:
-            feature = attribute_of(self, "feature", EStructuralFeature)
-            name = str(feature.name) if feature is not None else ""
-            raise value_refused(class_name(attribute_of(self, "owner", EObject)), name, value, error) from error
 
     def _repr_html_(self) -> str:
         from robosmi.model.show import items_html  # for notebooks only
@@ -65,6 +52,27 @@ class Queried:
     def count(self, condition: Any, kind: Any = None) -> int:
         """How many values there are for which the condition holds, or that are the value."""
         return int(self._ask("count", condition, kind))
+
+
+class Contents(Asked, list[Any]):
+    """What an element contains, as a list of its own that takes the operations of queries; changing it changes no element."""
+
+
+class Queried(Asked):
+    """Adds the operations of queries to a collection of pyecore's that holds the values of a feature."""
+
+    def check(self, value: object) -> None:
+        """Refuse a value that the feature does not take, as assigning does.
+
+        Raises:
+            FeatureValueError: it is of another kind.
+        """
+        try:
+            super().check(value)  # type: ignore[misc]
+        except TypeError as error:
+            feature = attribute_of(self, "feature", EStructuralFeature)
+            name = str(feature.name) if feature is not None else ""
+            raise value_refused(class_name(attribute_of(self, "owner", EObject)), name, value, error) from error
 
 
 def _class(name: str, base: type, said: str) -> Any:

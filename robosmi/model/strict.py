@@ -8,7 +8,6 @@ element is `construct`'s and `lean`'s business.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from robosmi.model import ecore
@@ -21,8 +20,10 @@ from robosmi.model.feature_errors import (
     unknown_feature,
     value_refused,
 )
+from robosmi.model.feature_values import Contents
+from robosmi.model.in_order import all_contents
 from robosmi.model.lean import is_prepared, prepare
-from robosmi.model.structure import resource_of
+from robosmi.model.structure import contents, resource_of
 from robosmi.typed import class_name, dynamic_attribute
 
 __all__ = ["Element", "EnumLiteral", "FeatureValueError", "UnknownFeatureError", "enum_literal"]
@@ -41,7 +42,7 @@ if TYPE_CHECKING:
         def eContents(self) -> list[Element]: ...
         def __init__(self, /, **features: Any) -> None: ...
         def eContainer(self) -> Element | None: ...
-        def eAllContents(self) -> Iterator[Element]: ...
+        def eAllContents(self) -> list[Element]: ...
 
     class EnumLiteral(ecore.EEnumLiteral):
         """A literal of an enumeration."""
@@ -90,12 +91,12 @@ class Element(_Base):
 
         @property
         def eContents(self) -> list[Any]:
-            """The elements that this one contains."""
-            if not self._renamed:
-                return super().eContents
-            kept = [f for f in self.eClass.eAllReferences() if f.containment and not f.derived]
-            found = [(f, self.eGet(f)) for f in kept]
-            return [value for f, held in found for value in (held if f.many else [held]) if value is not None]
+            """The elements that this one contains, in EMF's order: those in features of supertypes first."""
+            return Contents(contents(self))
+
+        def eAllContents(self) -> list[Any]:
+            """All that this one contains, in EMF's order: an element before its contents."""
+            return all_contents(self)
 
         @property
         def eResource(self) -> Any:

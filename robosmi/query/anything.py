@@ -14,6 +14,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from robosmi.model.by_name import feature_values
+from robosmi.model.features import all_features, opposite
 from robosmi.model.structure import root_of
 from robosmi.query.collections import Bag, OrderedSet, Q, Set, collection
 from robosmi.query.extents import all_contents, contents
@@ -23,6 +24,7 @@ from robosmi.query.properties import get
 from robosmi.query.values import INT_MAX, INT_MIN, Long, as_string
 
 if TYPE_CHECKING:
+    from robosmi.model.ecore import EStructuralFeature
     from robosmi.query.values import Answer
 
 T = TypeVar("T")
@@ -316,10 +318,15 @@ def e_get(element: Any, feature: Any) -> Any:
 def e_cross_references(element: Any) -> Q[Any]:
     """What the element refers to without containing it, features in Ecore's order."""
     found: list[Any] = []
-    for feature in element.eClass.eAllReferences():
-        if not (feature.containment or feature.derived or (feature.eOpposite is not None and feature.eOpposite.containment)):
+    for feature in all_features(element.eClass):
+        if feature.is_reference and not (feature.containment or feature.derived or _is_container(feature)):
             found += feature_values(element, feature.name)
     return Q(found)
+
+
+def _is_container(feature: EStructuralFeature) -> bool:
+    opposed = opposite(feature)
+    return opposed is not None and opposed.containment
 
 
 def e_is_set(element: Any, feature: Any) -> bool:

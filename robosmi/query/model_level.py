@@ -6,11 +6,15 @@ Source: EolModelElementType, IModel and ModelElementTypeOperations of Epsilon.
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from robosmi.model.driver import Model, TypeHandle, name_of, unknown_type
+from robosmi.model.features import eclass_of
+from robosmi.model.in_order import INHERITED, inherited
 from robosmi.query.collections import Q
 from robosmi.query.run import current_run
+from robosmi.query.words import snake
 from robosmi.typed import attribute_of
 
 if TYPE_CHECKING:
@@ -65,6 +69,11 @@ def is_instantiable(kind: Answer) -> bool:
     return not (model.read_only or any(attribute_of(own, name, bool) for name in ("abstract", "interface")))
 
 
+def _inherited(name: str, kind: Any) -> Q[Any]:
+    """What a class has and inherits, in Ecore's order, by EMF's name for it."""
+    return Q(inherited(eclass_of(kind.kind if isinstance(kind, TypeHandle) else kind), name))
+
+
 def _contents(model: Model) -> Q[Any]:
     return Q(model.all_contents())
 
@@ -77,6 +86,7 @@ TYPES: dict[str, Function] = {
     "create_instance": create_instance,
     "is_instantiable": is_instantiable,
     "get_name": name_of,
+    **{snake(name): partial(_inherited, name) for name in INHERITED},
 }
 """Operations of types."""
 

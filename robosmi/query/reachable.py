@@ -17,6 +17,7 @@ from typing import Any, NoReturn
 from robosmi.errors import UsageError
 from robosmi.model.driver import Model, ModelElement, TypeHandle
 from robosmi.model.ecore import ECollection, EObject
+from robosmi.model.in_order import IN_ORDER, InheritedOrHeld, in_order
 from robosmi.model.reachable import is_resource, of_models
 from robosmi.query import collections, models, types
 from robosmi.query.first_order import FIRST_ORDER
@@ -79,6 +80,8 @@ def attribute(target: Any, name: str) -> Any:
         if isinstance(target, Model):
             return target[name]  # a type, or the error that there is none
         raise UsageError(f"an expression may not use '{name}'", fix="use features, and the functions of robosmi.query")
+    if name in IN_ORDER and isinstance(target, EObject) and (ordered := in_order(target, name)) is not None:
+        return ordered
     return dynamic_attribute(target, name)
 
 
@@ -128,7 +131,11 @@ class Caller:
         return value
 
     def _may_call(self, function: Any) -> bool:
-        if id(function) in self._named or (type(function) is FunctionType and function.__code__ in self._codes):
+        if (
+            id(function) in self._named
+            or type(function) is InheritedOrHeld
+            or (type(function) is FunctionType and function.__code__ in self._codes)
+        ):
             return True
         if type(function) in (MethodType, BuiltinMethodType):
             owner = function.__self__

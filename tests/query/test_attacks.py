@@ -66,8 +66,8 @@ PYTHON = [
     ("get(1, 'nativeType')", "may not use the operation 'native_type'"),
     ("Q([1]).nativeType.first()('7')", "may not use the operation 'native_type'"),
     ("Q([1]).get('nativeType').first()('7')", "may not use the operation 'native_type'"),
-    ("e_cross_references(Tuple(eClass=Tuple(eAllReferences=lambda: [Tuple(containment=False, derived=False, eOpposite=None,"
-     " many=False, name='__init__')]))).first()([])", "may not call a method"),
+    ("e_cross_references(Tuple(eClass=Tuple(eGenericSuperTypes=[], eSuperTypes=[], eStructuralFeatures=[Tuple(is_reference=True,"
+     " containment=False, derived=False, eOpposite=None, many=False, name='__init__')]))).first()([])", "unhashable type"),
     ("Lazy([1]).eager().list().sort(key=println.__call__)", "may not use '__call__'"),
     ("('{0.__class__}'.format)(1)", "may not use 'format'"),
     ("Q([1])[0].to_bytes(10, 'big')", "may not use 'to_bytes'"),
