@@ -1,7 +1,8 @@
-"""Which pieces of adapter files a program needs, and in which order they stand: the closure of what the adapters declare.
+"""Which pieces of adapter files a program needs, sorted so that each piece comes after the pieces it depends on.
 
-Names are looked up in the piece's own header first, then among all; `servo.h/servo_set` names a piece of another header. A
-variant for a microcontroller counts before one for all, one for what the program uses or calls before that.
+The result is the transitive closure of the `needs` that pieces declare. A name is looked up in the piece's own header first,
+then in all headers; `servo.h/servo_set` names a piece of another header. A variant for one microcontroller takes precedence
+over one for all of them; a variant for records or functions that the program uses takes precedence over both.
 """
 
 from __future__ import annotations
@@ -14,11 +15,11 @@ from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 
 
 class Needed:
-    """What a program needs.
+    """The pieces that a program needs on a microcontroller, and what cannot be served there.
 
     Attributes:
-        pieces: in an order in which each stands behind what it needs.
-        unserved: (header, name) of what was asked for and cannot be served on this microcontroller -> why not.
+        pieces: sorted topologically: each piece comes after the pieces it depends on.
+        unserved: (header, name) of each requested function that has no adapter on this microcontroller -> why not.
     """
 
     def __init__(self) -> None:
@@ -34,16 +35,16 @@ class PieceSource(Protocol):
         """The headers that there are pieces for."""
 
     def of(self, header: str) -> Sequence[Sequence[AdapterPiece]]:
-        """The pieces for a header, in groups: one of an earlier group counts before those of later ones."""
+        """The pieces of a header, in groups of descending precedence: a piece hides those of its name in later groups."""
 
 
 class AdapterPieces:
-    """All pieces for a source platform on a target platform, read header by header.
+    """All pieces for a source platform on a target platform, read header by header as they are asked for.
 
     Args:
-        source: where they come from, or the pieces themselves.
-        members: of records that the program does not declare, which it uses by name.
-        calls: the functions that the program calls and does not define.
+        source: the source of the pieces, or the pieces themselves.
+        members: names of the members that the program uses of records that it does not declare.
+        calls: names of the functions that the program calls and does not define.
     """
 
     def __init__(
@@ -57,7 +58,7 @@ class AdapterPieces:
         return (p for header in self._source.headers for groups in self._of(header).values() for group in groups for p in group)
 
     def _of(self, header: str) -> dict[str, list[list[AdapterPiece]]]:
-        """The pieces of a header by name, group by group."""
+        """The pieces of a header by name; the variants of each name in the groups of `PieceSource.of`."""
         known = self._known.get(header)
         if known is None:
             known = self._known[header] = {}
@@ -69,7 +70,7 @@ class AdapterPieces:
         return known
 
     def key(self, name: str, header: str = "") -> tuple[str, str] | None:
-        """Header and name of the piece that a name means for a piece or a program of that header; None if there is none."""
+        """The (header, name) of the piece that a name denotes when used in that header; None if there is no such piece."""
         if "/" in name:
             header, _, name = name.rpartition("/")
             return (header, name) if name in self._of(header) else None
@@ -78,23 +79,23 @@ class AdapterPieces:
         return next(((other, name) for other in self._source.headers if name in self._of(other)), None)
 
     def variant(self, key: tuple[str, str], mcu: str) -> AdapterPiece | None:
-        """The variant of a piece for a microcontroller."""
+        """The variant of a piece that takes precedence on a microcontroller, None if no variant fits it and the program."""
         for group in self._of(key[0]).get(key[1], ()):
             if fitting := [piece for piece in group if self._fits(piece, mcu)]:
                 return max(fitting, key=lambda piece: (bool(piece.members or piece.beside), bool(piece.mcus)))
         return None
 
     def _fits(self, piece: AdapterPiece, mcu: str) -> bool:
-        """Whether a variant is for a microcontroller and for the program."""
+        """Whether a variant's conditions (microcontrollers, members, calls; empty ones always hold) fit the program."""
         wanted = ((piece.members, self.members), (piece.beside, self.calls), (piece.mcus, {mcu}))
         return all(not names or not there.isdisjoint(names) for names, there in wanted)
 
     def variants(self, key: tuple[str, str]) -> list[AdapterPiece]:
-        """All variants of a piece, those that count first in front."""
+        """All variants of a piece in order of precedence."""
         return [piece for group in self._of(key[0]).get(key[1], ()) for piece in group]
 
     def needed(self, wanted: Iterable[tuple[str, str]], mcu: str) -> Needed:
-        """What a program that uses these (header, name) needs on a microcontroller.
+        """The closure of the pieces that a program needs on a microcontroller, given the (header, name) pairs that it uses.
 
         Raises:
             PlatformDataError: a piece needs what is not there, or itself.
@@ -120,7 +121,11 @@ class AdapterPieces:
     def _unserved(
         self, key: tuple[str, str], mcu: str, chain: dict[tuple[str, str], AdapterPiece], above: list[tuple[str, str]]
     ) -> str:
-        """Put a piece, behind what it needs, into the chain; what is not there for the microcontroller, else an empty text."""
+        """Append a piece, after the pieces it depends on, to `chain`.
+
+        Returns:
+            Why the microcontroller cannot have it, an empty text if it can.
+        """
         if key in chain:
             return ""
         piece = self.variant(key, mcu)
@@ -145,7 +150,7 @@ class AdapterPieces:
 
 
 class _Listed:
-    """Pieces as they are given."""
+    """A `PieceSource` over a given collection of pieces, which all have the same precedence."""
 
     def __init__(self, pieces: Iterable[AdapterPiece]) -> None:
         self._pieces: dict[str, list[AdapterPiece]] = {}

@@ -1,4 +1,4 @@
-"""The signature of an adapter as its plan has it, typed: printed for the target, or as types alone."""
+"""The signature of an adapter according to its plan: as a declarator for generated code, or as a `FunctionType`."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from robosmi.transformations.queries.signature_text import declare
 
 
 def target_signature(use: migration.AdapterUse) -> str:
-    """The declarator that is generated: return type, name, parameters."""
+    """The declarator of the adapter in generated code: return type, name and parameters."""
     shown = [declare(spelling(p.valueType), p.name) for p in use.parameters] + ["..."] * use.variadic
     return declare(spelling(use.result), f"{use.targetName}({', '.join(shown)})")
 
 
 def target_types(use: migration.AdapterUse) -> FunctionType:
-    """What the adapter takes and gives."""
+    """The return type and the parameter types of the adapter."""
     return FunctionType(spelling(use.result), tuple(spelling(p.valueType) for p in use.parameters))
 
 
 def spelling(kind: migration.TargetType | None) -> str:
-    """How a type is written, `void` where there is none."""
+    """The C spelling of a type, `void` for None."""
     return str(kind.spelling) if kind is not None else "void"

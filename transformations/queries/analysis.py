@@ -20,7 +20,7 @@ _RECORDS = {"structType": "struct", "unionType": "union", "classType": "class"}
 
 
 def analysis(program: ccode.Program, findings: list[Finding], api: ApiIndex) -> dict[str, Any]:
-    """The contract's `{"units": [...]}`; findings of the analysis itself (RS108, RS109) are added to the list given."""
+    """The contract's `{"units": [...]}`. Findings of the analysis itself (RS108, RS109) are appended to `findings`."""
     units = []
     calls = code.user_calls(program)
     views = code.views(program, api)

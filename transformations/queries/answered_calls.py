@@ -1,7 +1,7 @@
-"""Calls of the platform's functions that do nothing as the plan stands, and what they give: no body yet, or no pin.
+"""Calls of platform functions that have no effect in the current plan, and the value that each of them returns.
 
-A body that is still to be written gives 0. At a pin that is none an adapter does nothing and reads 0; where its text leaves at
-once and gives another number, that one. Where other things come first in the text, nothing is said of the call.
+A placeholder, whose body is still to be written, returns 0. An adapter that is called for a port without a pin does nothing and
+returns 0, or the number that its text returns early with. An adapter whose text does anything else first is left out.
 """
 
 from __future__ import annotations
@@ -17,21 +17,17 @@ _BEGINNING = (
     r"\{\s*(?:\w+ \w+\(\w+\);\s*)?(?:\w+(?:\(\w+\))?\.(?:drive|set)\([^;]*\);\s*)*"
     r"(?:if \([^;]*\.wired\(\)[^;]*\) return(?: (?P<given>-?\d+)| [^;]+)?;|return \w+(?:\(\w+\))?\.\w+\(\);|(?P<end>\}))"
 )
-"""How a body begins that does nothing at a pin that is none: it leaves, or asks that pin only."""
+"""How a body begins that does nothing when its port has no pin: it returns early, or only reads that pin."""
 _HANDED_ON = re.compile(r"\{\s*(?:return )?(?P<name>\w+)\([^;]*\);\s*\}")
 
 
 def unwritten_calls(plan: migration.MigrationPlan) -> dict[int, int]:
-    """Identities of the calls of functions without a body, and what they give: 0."""
+    """The `id` of each call of a function that has no body yet -> the value that it returns, 0."""
     return {id(call): 0 for use in plan.adapterUses if use.adapter is None for call in use.calls}
 
 
 def calls_at_no_pin(plan: migration.MigrationPlan) -> dict[int, int]:
-    """Identities of the calls that do nothing since their pin is none, and what they give.
-
-    Args:
-        plan: the plan.
-    """
+    """The `id` of each call that does nothing because its port has no pin -> the value that it returns."""
     found: dict[int, int] = {}
     open_ = {id(call) for flow in plan.portFlows if _nowhere(flow) for call in flow.calls}
     wired = {id(call) for flow in plan.portFlows if not _nowhere(flow) for call in flow.calls}
@@ -44,7 +40,7 @@ def calls_at_no_pin(plan: migration.MigrationPlan) -> dict[int, int]:
 
 
 def _nowhere(flow: migration.PortFlow) -> bool:
-    """Whether all numbers of a flow stand for no pin of the target where they are."""
+    """Whether no port of a flow has a pin of the target; False when the flow may carry other numbers too."""
     return flow.choice == "target" and not flow.anything and bool(flow.bindings) and all(_no_pin(b) for b in flow.bindings)
 
 
@@ -53,7 +49,7 @@ def _no_pin(binding: migration.PortBinding) -> bool:
 
 
 def _given_without_pin(piece: platform.Adapter) -> int | None:
-    """What a piece gives at a pin that is none, where it does nothing else."""
+    """What an adapter returns when its port has no pin, if it does nothing else then; None if it may do more."""
     name, text = re.escape(str(piece.targetName or piece.name)), str(piece.text)
     found = re.search(rf"\b{name}\([^{{;]*\)\s*{_BEGINNING}", text)
     if found is not None:
@@ -64,12 +60,11 @@ def _given_without_pin(piece: platform.Adapter) -> int | None:
 
 
 def ignored_arguments(use: migration.AdapterUse, answers: Mapping[int, int]) -> Iterator[ccode.Expression]:
-    """The arguments of which an adapter makes nothing: all of a call that does nothing, else those whose
-    parameters it never names.
+    """The arguments that an adapter ignores: all of a call without effect, else those whose parameter its text never names.
 
     Args:
-        use: of the adapter.
-        answers: the calls that do nothing.
+        use: the use of the adapter.
+        answers: the `id` of each call without effect -> what it returns.
     """
     names = None if use.adapter is None else _parameters(str(use.adapter.text), str(use.adapter.targetName or use.adapter.name))
     for call in use.calls:
@@ -79,7 +74,7 @@ def ignored_arguments(use: migration.AdapterUse, answers: Mapping[int, int]) -> 
 
 
 def _parameters(text: str, name: str) -> list[bool]:
-    """Whether the text of an adapter names each parameter that it has."""
+    """For each parameter of an adapter, whether its body names it; empty if the text does not define the function."""
     found = re.search(rf"\b{re.escape(name)}\((?P<parameters>[^{{;]*)\)[^{{;]*\{{(?P<body>.*)", text, re.DOTALL)
     if found is None:
         return []

@@ -52,7 +52,7 @@ class TokenText:
 
 
 def bare(argument: Sequence[Token]) -> Sequence[Token]:
-    """Tokens without the parentheses around all of them."""
+    """An argument's tokens without parentheses that enclose all of it."""
     while len(argument) > 2 and argument[0][3] == "(" and argument[-1][3] == ")" and _closes_last(argument):
         argument = argument[1:-1]
     return argument
@@ -82,6 +82,6 @@ class Holders:
                 self._all.append((int(each.startOffset), int(each.endOffset), each))
 
     def at(self, offset: int) -> ccode.Located | None:
-        """The outermost one in whose text an offset is."""
+        """The outermost macro definition or use that contains a byte offset, None if there is none."""
         index = bisect_right(self._all, offset, key=lambda one: one[0]) - 1
         return self._all[index][2] if index >= 0 and offset < self._all[index][1] else None

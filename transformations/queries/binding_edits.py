@@ -19,14 +19,16 @@ TRACED = "port binding"
 
 
 def referred(binding: migration.PortBinding) -> str:
-    """What a binding is on by its references: the name of a connection, the label of a pin, empty for nothing."""
+    """What a binding refers to: the name of its connection, else the label of its pin, else an empty text."""
     if binding.connection is not None:
         return str(binding.connection.name)
     return str(binding.pin.label) if binding.pin is not None else ""
 
 
 def only_the_choice_was_edited(binding: migration.PortBinding) -> bool:
-    """Whether the recorded choice says something else than what the binding refers to, and the latter is as it was made."""
+    """Whether a person changed only the recorded choice: it contradicts the connection or pin that the binding refers to, and
+    that reference is unchanged since the plan was made.
+    """
     pin = binding.connection.pin if binding.connection is not None else None
     alike = ["", referred(binding), *([pin.label, *pin.aliases] if pin is not None else [])]
     if binding.choice in alike or (binding.choice == NOT_WIRED and not referred(binding)):
@@ -40,12 +42,12 @@ def only_the_choice_was_edited(binding: migration.PortBinding) -> bool:
 
 
 def writes(change: migration.TextChange, value: str) -> bool:
-    """Whether a change of text has a name or number in it."""
+    """Whether the replacement text of a change contains a name or number as a whole word."""
     return re.search(rf"(?<!\w){re.escape(value)}(?!\w)", change.replacement) is not None
 
 
 def binding_links(plan: object) -> dict[int, trace.TraceLink]:
-    """The trace's links from what ports are bound to, by the `id` of the binding."""
+    """The trace links whose targets are port bindings, by the `id` of the binding."""
     links = plan.trace.links if isinstance(plan, migration.MigrationPlan) and plan.trace is not None else ()
     return {id(target): link for link in links if link.rule == TRACED for target in link.targets}
 
@@ -61,7 +63,7 @@ def _source(link: trace.TraceLink | None) -> migration.Connection | platform.Pin
 
 
 def trace_binding(binding: migration.PortBinding, links: Mapping[int, trace.TraceLink] | None = None) -> None:
-    """Bring the trace of a binding in line with what it refers to now; `links` are the plan's `binding_links`, if known."""
+    """Update the sources of a binding's trace link to its present connection or pin; `links` are `binding_links`, if known."""
     link = (binding_links(root_of(binding)) if links is None else links).get(id(binding))
     now, before = binding.connection or binding.pin, _source(link)
     if link is None or before is now:

@@ -11,7 +11,7 @@ from robosmi.query import ancestor_of_kind
 
 
 def inside(data: bytes, block: ccode.Located) -> tuple[int, int]:
-    """The range between the braces of a block that is not torn.
+    """The byte range between the braces of a block that is not torn (see `is_torn`).
 
     Args:
         data: the bytes of the block's unit.
@@ -25,18 +25,18 @@ def inside(data: bytes, block: ccode.Located) -> tuple[int, int]:
 
 
 def is_torn(block: ccode.Located) -> bool:
-    """Whether a macro has more behind the brace that begins a block, or beside the one that ends it, than that brace."""
+    """Whether a macro that opens or closes a block contains more than the brace, so that the block's content is no range."""
     opening, closing = _ends(block)
     return not _body(opening).endswith("{") or _body(closing, "}") != "}"
 
 
 def ends_in_brace(statement: ccode.Located) -> bool:
-    """Whether a macro ends a statement, and ends in a brace itself."""
+    """Whether the text of a statement ends in the use of a macro whose body ends in `}`."""
     return _body(_ends(statement)[1], "").endswith("}")
 
 
 def _ends(block: ccode.Located) -> tuple[ccode.MacroUse | None, ccode.MacroUse | None]:
-    """The uses of macros in which a block begins and ends."""
+    """The macro uses that the first and the last byte of a block lie in, None where the brace is written out."""
     unit = ancestor_of_kind(block, ccode.SourceUnit)
     uses = list(unit.macroUses) if unit is not None else []
     opening = (use for use in uses if use.startOffset <= block.startOffset < use.endOffset)
@@ -45,5 +45,5 @@ def _ends(block: ccode.Located) -> tuple[ccode.MacroUse | None, ccode.MacroUse |
 
 
 def _body(use: ccode.MacroUse | None, none: str = "{") -> str:
-    """What the macro of a use stands for; where there is no use, the brace that is written."""
+    """The body of the used macro; `none`, the brace that is written out, if no macro is used."""
     return none if use is None else str(use.macro.body or "").strip() if use.macro is not None else ""

@@ -78,7 +78,7 @@ class BoardNeeds(NamedTuple):
 
     @property
     def stack(self) -> int:
-        """Bytes of stack: at most, where that is read off the compiled program, else as they are estimated."""
+        """Bytes of stack: the upper bound read off the compiled program if there is one, else the estimate from the models."""
         return int(self.build.stackBytes) if self.build is not None and self.build.stackBytes else self.memory.depth
 
     def to_json(self) -> dict[str, Any]:
@@ -151,14 +151,15 @@ def _timers(plan: migration.MigrationPlan) -> Iterable[TimerNeeds]:
 
 
 def _families(timer: str, pieces: list[platform.Adapter]) -> list[str]:
-    """The names of those who take a timer on their own.
+    """Who takes a timer independently of the others: one name for each family of pieces that share it.
 
-    Pieces that take it are written to share it where one of them needs the other, or both need a third that takes it, or both
-    work with one library: they are one family. It is called by its library, else by the first function that needs it.
+    Two pieces are of one family if they are written to share the timer: one depends on the other, both depend on a third one
+    that takes it, or both use the same library. A family is named after its library, else after the first function that needs
+    it.
 
     Args:
-        timer: name of the timer.
-        pieces: all that the program gets, each behind what it needs.
+        timer: the timer's name.
+        pieces: all pieces of the program, each after the pieces it depends on.
     """
     families: list[tuple[set[int], str]] = []
     for piece in pieces:

@@ -1,6 +1,7 @@
-"""A walk from name to name through a program that ends in time: each name is answered once, loops and long chains are bounded.
+"""Memoised evaluation of names that may be defined by each other, with bounds on recursion and on repetition.
 
-What a name stands for, and how that is found, is in `values`; here is only in which order it is asked and when it is given up.
+What a name stands for is computed in `values`; this module decides only in which order names are evaluated and when one is
+given up as unknown.
 """
 
 from __future__ import annotations
@@ -13,9 +14,9 @@ B = TypeVar("B")
 Question = Callable[[], A]
 
 DEEPEST = 60
-"""Names within names in one go; a longer chain is asked from its other end, so that Python's own stack suffices."""
+"""Depth of nested names; a longer chain is restarted from its deepest name, so that Python's own stack suffices."""
 MOST_REPEATS = 1000
-"""How often, within one question, names that depend on themselves may be asked again on other ways through the program."""
+"""How often one question may evaluate names again that depend on themselves and whose answer is therefore not kept."""
 
 
 class _TooDeep(Exception, Generic[A]):
@@ -30,11 +31,10 @@ class _TooOften(Exception):
 
 
 class BoundedWalk(Generic[A]):
-    """Answers to what names mean, where the meaning of one is asked of others.
+    """Evaluates names recursively; a name that is asked for while it is being evaluated is unknown.
 
-    A name that is asked for while it is being answered is unknown there. So an answer may depend on the way on which the name was
-    reached, if the name depends on itself; only such names are asked more than once, and where there are too many ways through
-    them, they are unknown altogether.
+    The answer for a name that depends on itself therefore depends on the path by which it was reached. Only such names are
+    evaluated more than once; where there are too many paths through them, they are unknown altogether.
 
     Args:
         unknown: the answer for what is given up.
@@ -77,12 +77,12 @@ class BoundedWalk(Generic[A]):
                 self._known |= dict.fromkeys(self._looped, self._unknown)
 
     def name(self, guard: Hashable, key: Hashable, answer: Question[A]) -> A:
-        """The answer for a name.
+        """The answer for a name, from memory if it was found before.
 
         Args:
-            guard: while it is active, asking for it again is answered with unknown.
-            key: the same for questions with the same answer.
-            answer: finds it.
+            guard: identifies the evaluation: asked for again while it is active, it is answered with unknown.
+            key: identifies the answer in memory; questions with one key have the same answer.
+            answer: computes it.
         """
         if guard in self._active:
             self._looped.add(key)

@@ -1,6 +1,6 @@
-"""The deepest chain of calls through a program's own functions, where the bytes that each takes are known.
+"""The deepest call chain through a program's own functions, in bytes of stack, given the stack that each function takes.
 
-What a function takes is asked of who knows it: `cooperation` for coroutines, `stack_depth` for what a compiler keeps.
+The callers tell what a function takes: `cooperation` for coroutines, `stack_depth` for what a compiler keeps.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ FRAME = 14
 
 
 class Taken(NamedTuple):
-    """What one function takes.
+    """The stack that one function takes.
 
     Attributes:
-        own: its bytes.
+        own: bytes of its own frame.
         callees: the program's own functions that it calls.
-        others: bytes of the deepest of its other calls.
+        others: bytes of the deepest of its calls of other functions.
     """
 
     own: int
@@ -33,7 +33,7 @@ def deepest_chain(function: ccode.Function, taken_by: Callable[[ccode.Function],
 
     Args:
         function: where the chain begins.
-        taken_by: what a function takes.
+        taken_by: gives the stack that a function takes.
         call: bytes of each call of one of the program's own functions.
     """
     known: dict[int, int] = {}

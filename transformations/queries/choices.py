@@ -22,7 +22,7 @@ NO_LIBRARY = "none"
 
 
 class Choice(Struct, frozen=True):
-    """A choice with its identity: `port:NAME`, `library:ELEMENTID` or `role:ELEMENTID`."""
+    """A decision of the plan under its identity: `port:NAME`, `library:ELEMENTID` or `role:ELEMENTID`."""
 
     id: str
     kind: str
@@ -41,7 +41,7 @@ def choices(plan: migration.MigrationPlan) -> list[Choice]:
 
 
 def the_choice(plan: migration.MigrationPlan, name: str) -> Choice:
-    """The choice of that identity, or the only one whose port, component or `#elementId` has that name.
+    """The choice with this identity, or the only one whose port, component or `#elementId` is called so.
 
     Raises:
         UsageError: there is none, or more than one.
@@ -104,7 +104,7 @@ class OfferedChoice(NamedTuple):
 
 
 def offered_choices(plan: migration.MigrationPlan) -> list[OfferedChoice]:
-    """Every choice that a person may make; roles of components behind ports and libraries."""
+    """Every choice that a person may make: ports, then libraries, then roles of components whose role is unclear."""
     made = [
         OfferedChoice(
             id=choice.id,

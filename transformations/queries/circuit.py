@@ -120,7 +120,7 @@ def pin_label(connection: migration.Connection) -> str:
 
 
 def role_on(connection: migration.Connection) -> str:
-    """What a component is on this pin: its role; a part that may be either is what it is wired as."""
+    """What a component is for the program on this pin: its role; of a part that may be both, as it is wired here."""
     component = connection.component
     if component is None:
         return "Unknown"

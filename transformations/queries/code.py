@@ -88,7 +88,7 @@ class Constructs(Struct):
 
 
 class CodeView:
-    """One pass over a unit, kept for many queries: of a code model that is read and changes no more.
+    """A unit with its elements and calls, collected once for many queries; its code model must not change any more.
 
     Args:
         unit: the unit.

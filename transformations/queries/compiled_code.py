@@ -1,8 +1,8 @@
-"""What a compiler that sees the whole program keeps of a plan's code, in two rounds as it works itself.
+"""What a compiler that sees the whole program keeps of a plan's code, found in two rounds of constant folding.
 
-First each file alone: functions that are still to be written give 0 and do nothing, values of local variables are known. Then all
-files: variables that nothing changes are numbers, variables that nothing reads are left out with what is stored there. What
-comes out is what `memory` counts. Values within the code are `folded_code`'s.
+In the first round, functions whose body is still to be written return 0, and values of local variables are known. In the
+second, global variables that nothing changes count as numbers, and variables that nothing reads are left out with the
+expressions stored in them. `memory` counts the result; values within the code are computed by `folded_code`.
 """
 
 from __future__ import annotations
@@ -26,19 +26,19 @@ from robosmi.transformations.queries.values import Values
 
 _COUNTS = ("++", "--")
 _VALUE = re.compile(r"^(?:const \w+ \w+ =|#define \w+) (?P<number>-?(?:0x[0-9A-Fa-f]+|0|[1-9]\d*))L?;?$")
-"""How a name of the platform is given a number on the target."""
+"""A definition that gives a name of the platform a number on the target."""
 
 
 class CompiledCode(Struct, dict=True):
-    """What is left of a program.
+    """What a compiler keeps of a program.
 
     Attributes:
-        elements: what may be carried out.
-        ignored: identities of expressions of which nothing is made.
-        fixed: variables that nothing changes.
+        elements: the reachable elements of the code model.
+        ignored: `id` of each expression whose value the compiler never needs.
+        fixed: each variable that nothing changes -> its number, None where that is not known.
         unread: variables that nothing reads.
-        answers: identities of calls that do nothing -> what they give.
-        arguments: identities of calls -> the values of their arguments, None for those that are not known.
+        answers: `id` of each call without effect -> what it returns.
+        arguments: `id` of each call -> the values of its arguments, None for an unknown one.
     """
 
     elements: list[Element]
@@ -59,8 +59,8 @@ def compiled_code(plan: migration.MigrationPlan, program: ReadProgram, *, pins: 
 
     Args:
         plan: the plan, complete.
-        program: its program.
-        pins: whether the compiler sees that a pin is none.
+        program: the facts about the plan's program.
+        pins: whether the compiler can see that a port has no pin, and so drops calls for it.
     """
     answers = unwritten_calls(plan) | (calls_at_no_pin(plan) if pins else {})
     ignored = {id(each) for use in plan.adapterUses for each in ignored_arguments(use, answers)} | set(answers)
@@ -98,7 +98,7 @@ def compiled_code(plan: migration.MigrationPlan, program: ReadProgram, *, pins: 
 
 
 def _names(plan: migration.MigrationPlan) -> dict[str, int]:
-    """The values that names of the platform have on the target."""
+    """Names of the platform -> the number that each has on the target; names without a plain number are left out."""
     found = {}
     for use in plan.symbolUses:
         text = str(use.placeholder or "") or (str(use.adapter.text) if use.adapter is not None else "")
@@ -126,11 +126,11 @@ def _is_number(initializer: ccode.Expression) -> bool:
 
 
 def uses_of(elements: Iterable[Element], ignored: set[int]) -> dict[Key, list[ccode.NameReference]]:
-    """Where each variable is named, but for what nothing is made of.
+    """The references to each variable, except those within expressions that are ignored.
 
     Args:
-        elements: what may be carried out.
-        ignored: identities of expressions of which nothing is made.
+        elements: the reachable elements.
+        ignored: `id` of each expression whose value the compiler never needs.
     """
     uses: dict[Key, list[ccode.NameReference]] = {}
     for element in elements:
@@ -142,7 +142,7 @@ def uses_of(elements: Iterable[Element], ignored: set[int]) -> dict[Key, list[cc
 
 
 def _with_unused(code: FoldedCode, ignored: set[int], moved: set[int]) -> set[int]:
-    """Expressions of which nothing is made, those added that only go to local variables and parameters that nothing reads."""
+    """The ignored expressions, with those added whose values go only to local variables and parameters that nothing reads."""
     found = set(ignored)
     locals_ = [e for e in code.elements if isinstance(e, (ccode.Variable, ccode.Parameter)) and not _stays(e, moved)]
     locals_ = [e for e in locals_ if e.valueType is not None and not is_volatile(e)]
@@ -162,7 +162,7 @@ def _stays(declaration: ccode.Variable | ccode.Parameter, moved: set[int]) -> bo
 
 
 def _given(declaration: ccode.Variable | ccode.Parameter, inside: set[int]) -> Iterator[ccode.Expression | None]:
-    """What a local variable or a parameter is given."""
+    """The expressions that are assigned or passed to a local variable or a parameter."""
     if isinstance(declaration, ccode.Variable):
         if declaration.initializer is not None:
             yield declaration.initializer
@@ -194,7 +194,7 @@ def is_volatile(declaration: ccode.Variable | ccode.Parameter) -> bool:
 
 
 def is_ignored(reference: ccode.Expression, ignored: set[int]) -> bool:
-    """Whether an expression stands in one of which nothing is made."""
+    """Whether an expression is only part of an ignored one, with no assignment, counting or impure call in between."""
     element: Element | None = reference
     while isinstance(element, ccode.Expression):
         if id(element) in ignored:
@@ -207,7 +207,9 @@ def is_ignored(reference: ccode.Expression, ignored: set[int]) -> bool:
 
 
 def way(reference: ccode.NameReference) -> str:
-    """What is done at a reference: read, written, both, its address taken, or any element read."""
+    """How a reference uses its variable: "read", "written", "both", "size" (in sizeof), "address" (its address is taken), or
+    "any" (an array element is read whose index is not a literal).
+    """
     element: Element = reference
     indexed = False
     container = element.eContainer()

@@ -48,7 +48,7 @@ class PortWords(Struct, frozen=True):
 
 
 def kinds_of(connection: migration.Connection) -> set[str]:
-    """The kinds that a component may be of, by its words and its connectors."""
+    """The kinds that a component may be of, judged by the words of its names and by the connectors that are wired here."""
     theirs = said(component_texts(connection))
     known = known_roles()
     kinds = {role for role, words in known.roles.items() if theirs & words}
@@ -66,13 +66,13 @@ def is_serial(connection: migration.Connection) -> bool:
 
 
 def said(texts: Iterable[str]) -> set[str]:
-    """The words of several names, lower case, without those that say nothing of the device."""
+    """The words of several names in lower case, without words that say nothing about the device."""
     vocabulary = known_roles().vocabulary
     return {word for text in texts for word in _words_of(text, vocabulary)}
 
 
 def connector_words(texts: Iterable[str]) -> set[str]:
-    """The words of what connectors and parameters are called, single letters too, without `pin`."""
+    """The words of connector and parameter names in lower case, single letters too; also each word without `pin` around it."""
     words = {word.lower() for text in texts for word in matches(_WORDS, str(text))}
     return words | {inner for word in words if (inner := word.removeprefix("pin").removesuffix("pin"))}
 
@@ -87,7 +87,7 @@ def _words_of(name: str, vocabulary: Set[str]) -> set[str]:
 
 
 def _apart(word: str, vocabulary: Set[str]) -> Sequence[str]:
-    """The known words that a word is put together of (`pinbutton`, `redled`), else the word itself."""
+    """The known words that make up a compound (`pinbutton`, `redled`), else the word itself."""
     if word in vocabulary:
         return (word,)
     parts: dict[int, tuple[str, ...]] = {0: ()}

@@ -18,7 +18,7 @@ _MOST_BITS = 128
 
 
 def macro_number(name: str, texts: MacroTexts, known: Callable[[str], int | None]) -> int | None:
-    """The number that a macro without parameters stands for; None where its text does not say one.
+    """The integer that an object-like macro stands for; None where its text is no constant integer expression.
 
     Args:
         name: of the macro.

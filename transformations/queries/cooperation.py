@@ -40,15 +40,15 @@ def giving_way(views: Sequence[CodeView], uses: Iterable[migration.AdapterUse]) 
 
 
 def waits(adapter: platform.Adapter) -> bool:
-    """Whether an adapter, or what it needs, waits in a way that lets others get on."""
+    """Whether the text of an adapter, or of a piece it needs, calls `yield` or `delay`, during which other coroutines run."""
     return any(_WAITS.search(str(piece.text)) for piece in closure([adapter]))
 
 
 class Waiting:
-    """Which statements surely wait, so that others get on.
+    """Tells which statements are certain to wait on every path, so that other coroutines get to run.
 
     Args:
-        waiting: names of functions of the platform that wait and let others get on.
+        waiting: names of the platform's functions that wait and let other coroutines run meanwhile.
     """
 
     def __init__(self, waiting: Collection[str]) -> None:
@@ -56,7 +56,7 @@ class Waiting:
         self._known: dict[int, bool] = {}
 
     def waits(self, statement: ccode.Statement | None) -> bool:
-        """Whether whoever carries out the statement has waited behind it."""
+        """Whether a statement has waited at least once on every path by which it completes."""
         if statement is None:
             return False
         if isinstance(statement, ccode.Block):
@@ -78,7 +78,7 @@ class Waiting:
         return False
 
     def calls(self, element: Element | None) -> bool:
-        """Whether an expression calls what waits."""
+        """Whether an expression contains a call that waits."""
         if element is None:
             return False
         return any(isinstance(e, ccode.Call) and self._call(e) for e in (element, *all_contents(element)))
@@ -95,7 +95,7 @@ class Waiting:
 
 
 def gives_way(loop: ccode.Loop, waiting: Waiting) -> bool:
-    """Whether a loop lets others get on each time, or does not need to: it ends by what it does itself."""
+    """Whether a loop lets other coroutines run in each round, or need not: its own code changes what its condition reads."""
     step = loop.step if isinstance(loop, ccode.For) else None
     if waiting.waits(loop.body) or waiting.calls(loop.condition) or waiting.calls(step):
         return True
@@ -109,7 +109,7 @@ def gives_way(loop: ccode.Loop, waiting: Waiting) -> bool:
 
 
 def _changes(variable: ccode.Declaration, inside: Iterable[Element], changed: Mapping[int, ccode.Declaration]) -> bool:
-    """Whether a loop itself changes what its condition asks."""
+    """Whether the elements of a loop assign, count or take the address of a variable of its condition."""
     if id(variable) in changed:
         return True
     for element in inside:
@@ -122,10 +122,10 @@ def _changes(variable: ccode.Declaration, inside: Iterable[Element], changed: Ma
 
 
 def starts_at_once(calls: Sequence[ccode.Call], ends: Collection[str]) -> tuple[int, list[str]]:
-    """How many of the starts may run beside main at once, and why.
+    """How many started coroutines may run beside main at once, at most `MOST`, and the reasons for the number.
 
     Args:
-        calls: those that start code on another core.
+        calls: the calls that start code on another core.
         ends: names of functions that end such code, or wait for its end.
     """
     total, why = 0, []
@@ -143,7 +143,7 @@ def starts_at_once(calls: Sequence[ccode.Call], ends: Collection[str]) -> tuple[
 
 
 def _ended_before(call: ccode.Call, calls: Sequence[ccode.Call], ends: Collection[str]) -> ccode.Variable | None:
-    """The variable that keeps what a call starts, where each of its starts stands behind an end of what it keeps."""
+    """The variable that keeps what a call starts, if each such start comes after a call that ends what it kept before."""
     kept = _keeper(call)
     if kept is None:
         return None
@@ -155,7 +155,7 @@ def _ended_before(call: ccode.Call, calls: Sequence[ccode.Call], ends: Collectio
 
 
 def _keeper(call: ccode.Call) -> ccode.Variable | None:
-    """The variable that a call's value is assigned to as a statement."""
+    """The variable that a plain assignment stores a call's result in, None for any other call."""
     around = call.eContainer()
     target = around.left if isinstance(around, ccode.Assignment) and around.operator == "=" and around.right is call else None
     variable = target.target if isinstance(target, ccode.NameReference) else None
@@ -163,7 +163,7 @@ def _keeper(call: ccode.Call) -> ccode.Variable | None:
 
 
 def _ends_first(call: ccode.Call, kept: ccode.Variable, ends: Collection[str]) -> bool:
-    """Whether what a variable keeps is ended in the block of a start, before it and behind any other start."""
+    """Whether what a variable keeps is ended earlier in the block of a start, with no other start in between."""
     statement = ancestor_of_kind(call, ccode.ExpressionStatement)
     block = statement.eContainer() if statement is not None else None
     ended = False
@@ -180,7 +180,9 @@ def _ends_first(call: ccode.Call, kept: ccode.Variable, ends: Collection[str]) -
 
 
 def _times(element: Element, ends: Collection[str], above: tuple[int, ...]) -> int:
-    """How often an element may be carried out without an end of what it starts; a loop that also ends some counts once."""
+    """How many unfinished starts one call may leave: the product of the trip counts of its loops times its callers, at most
+    `MOST`. A loop that also ends such code counts once.
+    """
     function = ancestor_of_kind(element, ccode.Function)
     count = 1
     loop = ancestor_of_kind(element, ccode.Loop)

@@ -83,7 +83,7 @@ class Cores:
         }
 
     def way_to(self, variable: ccode.Variable) -> list[ccode.Located]:
-        """The call that first starts code which may change a variable, and what changes it there; none if no code does."""
+        """The call that first starts code which may change a variable, and the element that changes it; else empty."""
         for start in self.starts.values():
             body = self._functions[start.function].body if start.function in self._functions else None
             change = next((e for e in reached([body]) if id(variable) in written([e])), None)
@@ -93,11 +93,11 @@ class Cores:
 
 
 def handed_over(call: ccode.Call, api: ApiIndex) -> tuple[ccode.Expression | None, ccode.Function | None]:
-    """What a function of the platform hands to the code that it starts on another core, and that code; else None twice.
+    """The argument that a platform function passes to the code it starts on another core, and that code; else (None, None).
 
     Args:
-        call: the call of the function.
-        api: the platform's.
+        call: the call of the platform function.
+        api: the platform's API.
     """
     name, arguments = str(call.calleeName or ""), list(call.arguments)
     own = call.callee is not None and call.callee.definition

@@ -1,4 +1,4 @@
-"""RS342: what two files of a program define, which no linker joins, on the source neither."""
+"""RS342: what two files of a program define with external linkage, which no linker accepts, on the source platform neither."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.queries.source_text import is_header
 
 _ONE_OF_MANY = re.compile(rb"\b(?:inline|__inline|__inline__|weak|__weak__)\b")
-"""Words of definitions of which there may be several."""
+"""Words of definitions that a linker accepts several of."""
 
 
 def double_definitions(program: ccode.Program, copies: Mapping[str, bytes], names: Mapping[str, str]) -> Iterator[Finding]:
-    """The functions, and the variables with values, that more than one file defines.
+    """A finding RS342 for each function, and each variable with an initial value, that more than one file defines.
 
     Args:
         program: the program.

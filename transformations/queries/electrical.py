@@ -72,22 +72,22 @@ class Wiring:
                     self._members.setdefault(net, []).append(connector)
 
     def nets(self, component: hardware.Component) -> list[tuple[hardware.Connector, hardware.Net]]:
-        """The connectors of a component that are in a net, each with it."""
+        """The connectors of a component that are in a net, each with its net."""
         return self._nets.get(component, [])
 
     def on(self, net: hardware.Net) -> Iterator[tuple[hardware.Component, hardware.Connector]]:
-        """The components at a net with their connectors, without what only joins, such as breadboards."""
+        """The components at a net with their connectors, without parts that only join connectors, such as breadboards."""
         for connector in self._members.get(net, ()):
             owner = self._owner[connector]
             if owner not in self._joins:
                 yield owner, connector
 
     def is_wired(self, component: hardware.Component, net: hardware.Net) -> bool:
-        """Whether a net of a component leads to another one."""
+        """Whether another component is at a net of a component."""
         return any(owner is not component for owner, _ in self.on(net))
 
     def facts(self, component: hardware.Component) -> DeviceFacts:
-        """What is known of a component."""
+        """The electrical facts about a component, `NOTHING` where none are known."""
         if component not in self._facts:
             self._facts[component] = device_facts(component) or NOTHING
         return self._facts[component]
@@ -118,7 +118,7 @@ class Wiring:
         return next((p for p in model.pins if p.label == label), None) if model is not None else None
 
     def once(self, what: str, net: hardware.Net, find: Callable[[], T]) -> T:
-        """What is found of a net, found once: many devices ask the same of a net that is shared."""
+        """The result of `find` for a net, computed once for each `what`: many devices ask the same of a net that they share."""
         key = (what, net)
         if key not in self._found:
             self._found[key] = find()
@@ -130,7 +130,7 @@ class Wiring:
         return self.once("pins", net, lambda: distinct((o, c.pin) for o, c in self.on(net) if o.role is Role.Board and c.pin))
 
     def is_gpio(self, board: hardware.Component, label: str) -> bool:
-        """Whether a label is that of a pin of the controller, and not of a driver that the board has."""
+        """Whether a label is that of a pin of the microcontroller, not of a driver chip on the board."""
         return bool(_GPIO.fullmatch(label)) or self.pin_model(board, label) is not None
 
     def board_pins(self, component: hardware.Component, through: bool = True) -> list[BoardPin]:
@@ -178,7 +178,7 @@ class Wiring:
         return next((v for o, c in self.sources(net) if (v := stated_volts(c.name)) is not None), None)
 
     def is_ground(self, net: hardware.Net) -> bool:
-        """Whether a net is ground: what boards and supplies say goes before the names of other parts' connectors."""
+        """Whether a net is ground: what boards and supplies say takes precedence over the names of other connectors."""
         sources = self.sources(net)
         return any(c.kind is Kind.ground for _, c in sources) if sources else bool(net.rail) and net.voltage == "GND"
 

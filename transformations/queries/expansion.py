@@ -22,14 +22,14 @@ MOST_TOKENS_OF_A_NUMBER = 2_000
 DEEPEST = 400
 """Macros within macros; a use that needs more is left as it is."""
 _DEEP = 100
-"""Macros within macros from which on a token counts more than once, as its way back takes room."""
+"""Path length above which an expanded token counts more than once against `MOST_TOKENS`, since its path takes memory."""
 
 
 class MacroTexts:
-    """What pieces of a text stand for, by the macros of a program.
+    """The expanded texts of macros, for short texts that need no places in the source.
 
     Args:
-        macros: of the program, by name.
+        macros: the program's macros by name.
     """
 
     def __init__(self, macros: Mapping[str, ccode.Macro]) -> None:
@@ -53,13 +53,13 @@ class MacroTexts:
 
 
 class Expanded:
-    """An expanded text.
+    """A unit's text with its macros expanded, and where each of its tokens is written in the source.
 
     Attributes:
-        data: the text.
-        changed: whether it is another than the file's.
-        whole: whether no use had to stay because it stands for too much.
-        stayed: the uses that had to.
+        data: the expanded text.
+        changed: whether it differs from the file's text.
+        whole: whether every use was expanded; False where one would have become too long or too deep.
+        stayed: the places of the uses that were not expanded.
     """
 
     def __init__(
@@ -111,7 +111,7 @@ class Expanded:
         self._paths.append(path)
 
     def _use(self, plain: Sequence[Token], number: int) -> tuple[list[MacroToken], int, int] | None:
-        """What the use of a macro in the file stands for, the number of the token behind it, and its end; None where it stays."""
+        """The expansion of a macro use in the file, the index of the token after it, and its end; None if it stays as it is."""
         macro = self._meant(plain[number][3], plain[number][1])
         if macro is None:
             return None
@@ -128,7 +128,7 @@ class Expanded:
         return (made, behind, pieces[-1].path[-1].end) if made is not None else None
 
     def _arguments(self, plain: Sequence[Token], number: int, pieces: list[MacroToken]) -> int:
-        """Take the tokens of the file in parentheses; the number behind them, the same one where there are none."""
+        """Append the parenthesised tokens at `number` to `pieces`; the index after them, `number` itself if there are none."""
         if number >= len(plain) or plain[number][3] != "(":
             return number
         found: list[MacroToken] = []
@@ -144,18 +144,18 @@ class Expanded:
         return number
 
     def _takes_more(self, piece: MacroToken, hidden: frozenset[str], offset: int) -> bool:
-        """Whether a token that a macro has made is a macro with arguments, which may stand behind that macro's use."""
+        """Whether a token of an expansion is a function-like macro, whose arguments may follow after the use."""
         macro = self._meant(piece.text, offset) if piece.kind == "name" and piece.text not in hidden else None
         return macro is not None and macro.parameters is not None
 
     def _meant(self, name: str, offset: int) -> Definition | None:
-        """The definition that a name has at an offset of the file, else the one of a header of the program's."""
+        """The definition of a macro that applies at an offset of the file: the last one before it, else one of another file."""
         given = self._macros.get(name, ())
         here = [d for d in given if d.unit == self.unit and d.offset < offset]
         return here[-1] if here else next((d for d in given if d.unit != self.unit), None)
 
     def _expanded(self, pieces: Sequence[MacroToken], hidden: frozenset[str], offset: int) -> list[MacroToken] | None:
-        """Tokens with all macros expanded; None when there are too many, or too many within each other."""
+        """Tokens with all macros expanded; None if they become too many or the macros nest too deeply."""
         if len(hidden) > DEEPEST:
             return None
         out: list[MacroToken] = []
@@ -189,7 +189,7 @@ class Expanded:
 
     @staticmethod
     def _call(pieces: Sequence[MacroToken], number: int, macro: Definition) -> tuple[list[list[MacroToken]], int] | None:
-        """The arguments of a macro's use, and the number of the token behind it; None where it is no use."""
+        """The arguments of a macro use and the index of the token after it; None where the name is not used as a macro."""
         if macro.parameters is None:
             return [], number + 1
         if number + 1 >= len(pieces) or pieces[number + 1].text != "(":
@@ -221,7 +221,7 @@ class Expanded:
     def _substituted(
         self, macro: Definition, arguments: list[list[MacroToken]], prefix: Path, level: int, hidden: frozenset[str], offset: int
     ) -> list[MacroToken] | None:
-        """A macro's body with its arguments."""
+        """A macro's body with its arguments substituted (ISO C 6.10.3.1 to 6.10.3.3); None if it becomes too long."""
         given = dict(paired(macro.parameters or (), arguments))
         out: list[MacroToken] = []
         body = macro.body
@@ -262,7 +262,10 @@ class Expanded:
         return out
 
     def places(self, start: int, end: int) -> tuple[TextPlace, ...]:
-        """Where a range of the expanded text can be changed, the outermost place first; none where it is no whole tokens."""
+        """The source ranges that a range of the expanded text can be changed by, outermost first.
+
+        Empty if the range is no whole tokens, or if no source range stands for exactly it.
+        """
         first = bisect_right(self._starts, start) - 1
         last = bisect_right(self._starts, end - 1) - 1
         if first < 0 or last < first or self._starts[first] != start or self._ends[last] != end:
@@ -285,7 +288,7 @@ class Expanded:
         return tuple(found)
 
     def path(self, start: int) -> Path:
-        """The way to the token that begins at an offset of the expanded text; empty where none does."""
+        """The expansion path of the token that begins at an offset of the expanded text; empty where none begins."""
         at = bisect_left(self._starts, start)
         return self._paths[at] if at < len(self._starts) and self._starts[at] == start else ()
 

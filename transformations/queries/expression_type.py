@@ -1,7 +1,7 @@
-"""The types of expressions, as far as the model says them: what a place expects, what an expression gives.
+"""The types of expressions, as far as the model tells them: what a context requires and what an expression yields.
 
-No arithmetic is computed; an expression whose type cannot be read off its elements has none. What a function of a
-platform takes and gives is passed in, since its adapter decides that and not the model.
+No arithmetic is computed; an expression whose type cannot be read off its elements has none. The types of a platform's
+functions are passed in, since its adapter decides them and not the model.
 """
 
 from __future__ import annotations
@@ -53,10 +53,10 @@ class ValueType(Struct, frozen=True):
         spelling: as it may be written in a cast.
         base: without qualifiers, stars and dimensions; typedefs of the program resolved.
         depth: levels of pointers and arrays.
-        constant: what is pointed to must not be changed.
-        changing: what is pointed to may change on its own (`volatile`).
+        constant: the pointed-to type is `const`.
+        changing: the pointed-to type is `volatile`.
         dimensions: how many of the levels are arrays.
-        declaration: of the base, where the program has it.
+        declaration: the declaration of the base, if the program declares it.
         rows: the sizes of the arrays that it points to, as written: `[8]` of `int (*)[8]` and of `int a[2][8]`.
     """
 
@@ -71,7 +71,7 @@ class ValueType(Struct, frozen=True):
 
     @property
     def array(self) -> bool:
-        """True for an array, which is no pointer."""
+        """True for an array type; False for a pointer."""
         return self.dimensions > 0
 
     @property
@@ -81,20 +81,20 @@ class ValueType(Struct, frozen=True):
 
     @property
     def arithmetic(self) -> bool:
-        """True for numbers of C."""
+        """True for an arithmetic type of C."""
         words = self.base.split()
         return self.depth == 0 and bool(words) and set(words) <= ARITHMETIC
 
 
 class FunctionType(Struct, frozen=True):
-    """What a function takes and gives, as text."""
+    """The return type and the parameter types of a function, as text."""
 
     returns: str
     parameters: tuple[str, ...]
 
 
 def parse(spelling: str, dimensions: str = "") -> ValueType:
-    """A type as written."""
+    """Parse the spelling of a type; `dimensions` are array sizes that are declared after the name."""
     if "(*" in spelling:
         return ValueType(spelling, spelling, 1)
     head, _, inner = spelling.partition("[")
@@ -107,7 +107,7 @@ def parse(spelling: str, dimensions: str = "") -> ValueType:
 
 
 def of_use(use: ccode.TypeUse | None) -> ValueType | None:
-    """The type that a declaration says; typedefs of the program are followed."""
+    """The type of a declaration with typedefs of the program resolved; None where it has none."""
     if use is None or not use.spelling:
         return None
     made = parse(use.spelling, "" if "[" in use.spelling else use.arrayDims or "")  # a cast spells its sizes itself
@@ -160,7 +160,7 @@ def _unnamed(typedef: ccode.Typedef) -> ccode.Declaration | None:
 
 
 def element_type(kind: ValueType | None) -> ValueType | None:
-    """What an element of an array, or what a pointer points to, is."""
+    """The element type of an array, or the type that a pointer points to."""
     if kind is None or kind.depth == 0 or kind.function:
         return None
     spelling, sizes = kind.spelling.removesuffix("*").strip(), max(kind.dimensions - 1, 0)
@@ -216,7 +216,7 @@ def declared_with_others(variable: ccode.Variable) -> bool:
 
 
 def expectations(view: CodeView, functions: Mapping[str, FunctionType]) -> Iterator[tuple[ccode.Expression, ValueType]]:
-    """Each expression whose place says what type it must give, with that type."""
+    """Each expression whose context requires a type (initialiser, assigned value, returned value, argument), with that type."""
     for variable in view.of_kind(ccode.Variable):
         if variable.initializer is not None:
             yield from _initial(variable.initializer, of_use(variable.valueType))
@@ -276,7 +276,10 @@ def _initial(expression: ccode.Expression, kind: ValueType | None) -> Iterator[t
 
 
 def _designated(element: ccode.Expression) -> tuple[str, ccode.Expression | None]:
-    """The member that a value of a list names, empty for none, and the value; no value where it names a part of an element."""
+    """The member that an element of an initialiser list designates, empty for none, and the element's value.
+
+    A nested designator such as `.at.x = 1` gives an empty text and None.
+    """
     if not isinstance(element, ccode.Assignment) or element.left is None:
         return "", element
     if isinstance(element.left, ccode.Member) and element.left.object is not None:
@@ -287,6 +290,6 @@ def _designated(element: ccode.Expression) -> tuple[str, ccode.Expression | None
 
 
 def _without_braces(element: ccode.Expression, wanted: ValueType | None) -> bool:
-    """Whether the values of an array stand in the list around it, so that what follows is no longer one for each field."""
+    """Whether the inner braces of an array member are left out, so that values and fields no longer correspond."""
     text = isinstance(element, (ccode.InitializerList, ccode.StringLiteral))
     return wanted is not None and wanted.array and not text

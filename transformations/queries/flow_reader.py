@@ -1,6 +1,6 @@
-"""Reads what exchanges values with what in a program's text: declarations, assignments, parameters, results, arrays, members.
+"""Collects which declarations, parameters, results, array elements and members of a program can exchange values.
 
-It fills `value_flows`. What a value is used for besides is told by `value_uses`, bodies of macros by `port_macros`.
+It fills `value_flows`. Other uses of a value are collected by `value_uses`, bodies of macros are read by `port_macros`.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ from robosmi.transformations.queries.value_flows import Flows, PinArgument, Port
 from robosmi.typed import class_name, distinct, matches, paired
 
 _WRITTEN = re.compile(rb"[0-9']")
-"""What a number or character begins with that stands in the text itself."""
+"""Matches what a number or character begins with that is written in the text itself, not made by a macro."""
 _DIMENSION = re.compile(r"\[\s*(\d+)\s*\]")
 
 
 class FlowReader:
-    """Reads the flows of one program.
+    """Builds the value flows of one program.
 
     Args:
         views: a view of each unit.
@@ -47,9 +47,9 @@ class FlowReader:
             str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition
         }
         self.given: dict[tuple[str, int, int], list[Hashable]] = {}
-        """Unit, start and end of an argument of a macro -> what takes it."""
+        """(path of the unit, start, end) of an argument of a macro use -> keys of the macro parameters that it is passed to."""
         self.followed: set[tuple[str, int, int]] = set()
-        """Those of them that the parser knows."""
+        """The keys of `given` whose argument the code model has an expression for (filled by `value_uses`)."""
         self._known: set[Hashable] = set()
         self._fields: dict[str, dict[Hashable, None]] = {}
         """Name of a member -> the keys of the members of that name."""
@@ -69,14 +69,14 @@ class FlowReader:
         pointed, own = pointed_functions(views)
         known = {str(reference.name): view for reference, view in pointed} if not own else {}
         self.pointed = {p.position: (name, p) for name, view in known.items() for p in self.pins(name, view)}
-        """Pins of functions of the platform that are called through pointers, where no function of the program is, too."""
+        """Position -> (function, pin parameter) of platform functions called through pointers, if no own one is."""
         for view in views:
             self._macro_arguments(view)
 
     # ---- what things are
 
     def key(self, thing: Element | None) -> Hashable:
-        """The key of a declaration or expression; what is the same thing in two files has one key."""
+        """The key of a declaration or expression in the flows; the same one for a thing that several files declare."""
         if isinstance(thing, (ccode.Variable, ccode.Function)) and isinstance(
             thing.eContainer(), (ccode.SourceUnit, ccode.Program)
         ):
@@ -89,7 +89,7 @@ class FlowReader:
         return ("element", id(thing))
 
     def value(self, expression: ccode.Located | None) -> Hashable:
-        """The key of what an expression gives its value to whom it is passed."""
+        """The key of the thing that an expression takes its value from, such as a variable, a member or a function's result."""
         if expression is None:  # in text that the parser could not read
             self._unread += 1
             return self._once(("unread", self._unread), "it stands in text that could not be read")
@@ -125,7 +125,7 @@ class FlowReader:
         return key
 
     def calculated(self, key: Hashable, expression: ccode.Located) -> None:
-        """The values of an expression that computes something come into a flow."""
+        """Record that computed values enter a flow, so that its numbers cannot be changed in the text."""
         self.flows.keep(key, f"line {expression.line} calculates it")
         unit = ancestor_of_kind(expression, ccode.SourceUnit)
         if unit is not None and not (isinstance(expression, ccode.Unary) and gives_access(expression.operand)):
@@ -158,7 +158,7 @@ class FlowReader:
         return self.value(whole) if whole is not None else self._field(str(member.name), record_of_member(member))
 
     def _field(self, name: str, record: Hashable | None) -> Hashable:
-        """The key of a member of a record; one whose record is not known exchanges values with those of its name in all."""
+        """The key of a record's member; a member of an unknown record is joined with all members of its name."""
         key = ("field", name, record)
         known = self._fields.setdefault(name, {})
         if key not in known:
@@ -170,7 +170,7 @@ class FlowReader:
         return key
 
     def _cast(self, cast: ccode.Cast) -> None:
-        """A record that is taken as another one gives its members to those that have their place there."""
+        """Join the members at equal positions of two records between whose pointers a cast converts."""
         records = records_of_cast(cast)
         for one, other in zip(*(record.fields for record in records), strict=False) if records is not None else ():
             keys = [self._field(str(field.name), record_key(field.eContainer())) for field in (one, other)]
@@ -197,7 +197,7 @@ class FlowReader:
         self, key: Hashable, unit: ccode.SourceUnit, start: int, end: int, value: int, element: ccode.Located, name: str,
         within: str = "",
     ) -> None:  # fmt: skip
-        """A number in the text comes into a flow."""
+        """Record that a number in the text enters the flow of a thing."""
         self.flows.put(key, PortPlace(unit, start, end, value, element, name, within))
 
     def _enumerator(self, literal: ccode.EnumerationLiteral) -> Hashable:
@@ -214,7 +214,7 @@ class FlowReader:
     # ---- what exchanges values with what
 
     def follow(self, view: CodeView) -> None:
-        """Read a unit."""
+        """Add the exchanges of values in a unit to the flows."""
         for element in view.elements:
             if isinstance(element, ccode.NameReference):
                 self._taken(element)
@@ -236,14 +236,14 @@ class FlowReader:
                     self.flows.keep(self.key(declaration), f"line {element.line} goes through a range with it", computed=True)
 
     def _give(self, taker: Hashable, expression: ccode.Expression | None) -> None:
-        """A thing is given the value of an expression."""
+        """Join the flow of a thing with that of an expression which it is given."""
         self.flows.join(taker, self.value(expression))
         unit = ancestor_of_kind(expression, ccode.SourceUnit) if expression is not None else None
         if unit is not None and expression is not None:
             self.flows.of(taker).given.append((unit, expression))
 
     def _taken(self, reference: ccode.NameReference) -> None:
-        """A function of the program that is used as a value gets what anything that is called through a pointer gets."""
+        """Join the parameters of a function that is used as a value with the arguments of all calls through pointers."""
         function = reference.target
         if not isinstance(function, ccode.Function) or not function.definition:
             return
@@ -329,7 +329,7 @@ class FlowReader:
                 self._pin(str(call.calleeName), pin, call, view)
 
     def _pin(self, function: str, pin: PinParameter, call: ccode.Call, view: CodeView) -> None:
-        """An argument of a call is a pin for a function of the platform."""
+        """Let the flow of a call's argument end in a pin parameter of a platform function."""
         text, arguments = self.texts[view.unit.path], list(call.arguments)
         places = text.arguments(text.at(int(call.startOffset)))
         argument = arguments[pin.position]
@@ -340,7 +340,7 @@ class FlowReader:
             self.reach(self.value(argument), PinArgument(view.unit, start, end, function, pin, call, argument))
 
     def _exchanged(self, arguments: Sequence[ccode.Expression]) -> None:
-        """What a function that is not followed may bring from one of its arguments to another, or to a function it is given."""
+        """Join the arguments through which an unknown function may pass values on: pointers, arrays, callbacks."""
         open_ = [a for a in arguments if gives_access(a)]
         for one in open_[1:]:
             self.flows.join(self.value(open_[0]), self.value(one))
@@ -348,7 +348,7 @@ class FlowReader:
             self.flows.join(("through a pointer", 0), self.value(open_[0]))
 
     def reach(self, key: Hashable, pin: PinArgument) -> None:
-        """A flow ends in an argument that is a pin."""
+        """Record that a flow ends in an argument that is a pin."""
         self.flows.of(key).arguments.append(pin)
         if not pin.translated and not pin.unplaced:
             self.flows.keep(key, f"it is the end of a range in '{pin.function}'")
@@ -366,7 +366,7 @@ class FlowReader:
         return facts.parameters if facts is not None else ()
 
     def _macro_arguments(self, view: CodeView) -> None:
-        """Where arguments of macros stand, so that what the body does with them counts, not what the parser made of it."""
+        """Record the places of macro arguments in `given`, since the macro's body decides what becomes of them."""
         text = self.texts[view.unit.path]
         for use in view.unit.macroUses:
             macro = use.macro or self.macros.get(str(use.name))
@@ -395,5 +395,5 @@ class FlowReader:
 
 
 def view_text(data: bytes, start: int, end: int) -> str:
-    """Bytes of a unit as text."""
+    """The text of a byte range of a unit, without white space around it."""
     return data[start:end].decode("utf-8", errors="replace").strip()

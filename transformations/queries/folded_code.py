@@ -1,9 +1,9 @@
-"""What a compiler leaves of a program whose values it partly knows: branches that are never taken are not carried out.
+"""Constant propagation through a program: which code stays reachable where values of its variables are known.
 
-The program is gone through once, statement by statement, with the values that variables surely have: a function that is still
-to be written gives 0, a counter that begins with 0 and is never changed stays 0. Loops are gone through until no value changes.
-What a function that the program calls does to a variable is not followed: then its value is not known. Gotos, text that
-the model does not know and what nests deeper than `DEPTH` count as carried out, whatever their values.
+The program is traversed once, statement by statement, with the values that variables surely have: a function whose body is
+still to be written returns 0, a counter that starts at 0 and never changes stays 0. Loops are iterated to a fixed point. What a
+called function of the program does to a variable is not followed: its value is unknown afterwards. Functions with gotos, text
+that the model does not know and what nests deeper than `DEPTH` count as reachable whatever their values.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from robosmi.transformations.queries.live_code import identity
 from robosmi.typed import class_name, sum_of
 
 _NESTED = 5
-"""Loops that stand in so many others are gone through once, with nothing known where they begin: rounds multiply."""
+"""Nesting of loops above which a loop is traversed once, with no values known at its head: nested rounds multiply."""
 _ROUNDS = 4
-"""So often a loop is gone through until nothing is taken to be known where it begins."""
+"""Rounds of a loop after which no values are taken to be known at its head, if there is no fixed point before."""
 
 
 class FoldedCode(FoldedValues):
-    """What is carried out of a program; see `FoldedValues`."""
+    """The statements of a program that are reachable where some values are known; see `FoldedValues`."""
 
     def __init__(
         self,
@@ -57,10 +57,10 @@ class FoldedCode(FoldedValues):
     # ---- statements
 
     def _run(self, statement: ccode.Statement | None, state: State) -> State | None:
-        """Carry out a statement.
+        """Evaluate a statement.
 
         Returns:
-            The values behind it; None where nothing gets there.
+            The values after it; None if control never leaves it at its end.
         """
         if statement is None:  # what the reader could not tell
             return state
@@ -143,7 +143,7 @@ class FoldedCode(FoldedValues):
         return leaving
 
     def _once(self, loop: ccode.Loop, state: State) -> tuple[State | None, State | None]:
-        """Carry out a loop once: the values behind it, and those at its next round."""
+        """Evaluate one round of a loop: the values where the loop is left, and those with which its next round begins."""
         self._breaks.append([])
         self._continues.append([])
         exits: list[State | None] = []
@@ -161,14 +161,19 @@ class FoldedCode(FoldedValues):
         return join([*exits, *self._breaks.pop()]), after
 
     def _asked(self, loop: ccode.Loop, state: State, exits: list[State | None]) -> State | None:
-        """Ask the condition of a loop: the values with which it goes on; those with which it ends are added."""
+        """Evaluate a loop's condition.
+
+        Returns:
+            The state in which the body is entered, None if it never is; the state in which the loop may end is added to
+                `exits`.
+        """
         value = self.value(loop.condition, state) if loop.condition is not None else 1
         if not value:
             exits.append(dict(state))
         return None if value == 0 and value is not None else state
 
     def _at_head(self, loop: ccode.Loop, state: State) -> State:
-        """What is known each time round a loop begins: nothing of memory that it, or what it calls, may change."""
+        """The state at a loop's head, valid in all rounds: without variables in memory that may change in the loop."""
         changed: set[Key] = set()
         for each in all_contents(loop):
             if isinstance(each, ccode.Call) and not self.harmless(each):
@@ -230,7 +235,7 @@ _STATEMENTS: dict[str, Callable[[FoldedCode, Any, State], State | None]] = {
 
 
 def _labels(statement: ccode.Statement | None) -> list[ccode.Case | ccode.Default]:
-    """The cases that a statement begins with, one within the other."""
+    """The case labels that a statement begins with, outermost first."""
     found: list[ccode.Case | ccode.Default] = []
     while isinstance(statement, (ccode.Case, ccode.Default)):
         found.append(statement)

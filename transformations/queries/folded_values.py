@@ -1,7 +1,7 @@
-"""What expressions of a program give and change where the values of its variables are partly known.
+"""Constant folding of expressions where values of a program's variables are partly known.
 
-What a function that the program calls does to a variable is not followed: then its value is not known. What is carried out is
-kept as it is met. Statements, and what a compiler leaves of a program, are `folded_code`'s.
+What a called function of the program does to a variable is not followed: its value is unknown afterwards. The reachable
+elements are collected on the way. Statements, and what a compiler keeps of a program, are handled in `folded_code`.
 """
 
 from __future__ import annotations
@@ -19,31 +19,33 @@ from robosmi.typed import class_name, paired
 
 Key = int | str
 State = dict[Key, int | None]
-"""Variables whose value is at hand: the number where it is known, None where it is not but need not be read from memory."""
+"""The variables whose values a compiler has at hand (in a register or as a constant) at a point of the program: the number,
+None if unknown. A variable that is not in it has to be read from memory.
+"""
 Answer = Callable[[ccode.Call], int | None]
-"""What a call gives and changes nothing else; None where that is not known."""
+"""What a call returns if it is known to change nothing; None for any other call."""
 
 DEPTH = 120
-"""What nests deeper counts as carried out, whatever its values."""
+"""Nesting depth below which code counts as reachable, whatever its values."""
 _OCTET = 8
 PURE = frozenset([
     "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "sqrt", "pow", "exp", "log", "log10", "floor",
     "ceil", "fabs", "fmod", "abs", "labs", "hypot", "round", "strlen", "strcmp", "strncmp", "strchr", "strrchr", "strstr",
     "memcmp", "isdigit", "isalpha", "isspace", "toupper", "tolower", "atoi", "atof", "atol",
 ])  # fmt: skip
-"""Functions of the C library that change no variable."""
+"""Functions of the C library without side effects on variables."""
 
 
 class ReadProgram:
-    """What is found out of a program once, however often it is gone through.
+    """Facts about a program that do not depend on values, computed once for several rounds of folding.
 
     Args:
-        units: of the program.
+        units: the program's units.
 
     Attributes:
-        defined: name -> the function with that body, or the variable that several files may declare.
-        beginnings: what is carried out or named whatever else is.
-        values: those that its text gives; None for no program.
+        defined: name -> the function definition, or the global variable without static storage.
+        beginnings: the roots of reachability: main, and the variables that macros name.
+        values: the values that the text itself gives; None if there is no program.
     """
 
     def __init__(self, units: Sequence[ccode.SourceUnit]) -> None:
@@ -55,19 +57,19 @@ class ReadProgram:
 
 
 class FoldedValues:
-    """Expressions of a program, the values that they have, and what of them is carried out and reads memory.
+    """Evaluates expressions with the known values; collects the reachable elements and the names that are read from memory.
 
     Args:
-        program: the program.
-        answers: what calls give, where that is known.
-        known: values of variables that never change, by `live_code.identity`; None for one that is no whole number.
-        lasting: identities of local variables that last as long as the program.
-        names: values of names of the platform.
+        program: the facts about the program.
+        answers: what calls return that change nothing.
+        known: values of variables that never change, by `live_code.identity`; None for one that is no integer.
+        lasting: `id` of each local variable that lives as long as the program.
+        names: numbers that names of the platform have on the target.
 
     Attributes:
-        elements: what may be carried out, in no order.
-        loads: identities of the names whose values are read from memory.
-        arguments: identity of a call -> the values of its arguments, None for those that are not known.
+        elements: the reachable elements, in no particular order.
+        loads: `id` of each name whose value is read from memory.
+        arguments: `id` of each call -> the values of its arguments, None for an unknown one.
     """
 
     def __init__(
@@ -92,7 +94,7 @@ class FoldedValues:
         self._values = program.values
 
     def see(self, element: Element) -> None:
-        """Something may be carried out; so may what it leads to."""
+        """Mark an element as reachable and put the functions and global variables that it names on the work list."""
         if id(element) in self.seen:
             return
         self.seen.add(id(element))
@@ -103,7 +105,7 @@ class FoldedValues:
                 self.pending.append(led)
 
     def whatever(self, element: Element, state: State | None = None) -> None:
-        """All in an element may be carried out, in any order."""
+        """Mark all of an element as reachable, its names as read, in unknown order; `state` forgets all values."""
         for each in (element, *all_contents(element)):
             self.see(each)
             if isinstance(each, ccode.NameReference):
@@ -114,7 +116,7 @@ class FoldedValues:
     # ---- expressions
 
     def value(self, expression: ccode.Expression | None, state: State) -> int | None:
-        """Evaluate an expression: its value where that is known."""
+        """Evaluate an expression in a state, which is updated by its side effects: its value, None if unknown."""
         if expression is None:
             return None
         if self.depth > DEPTH:
@@ -128,7 +130,7 @@ class FoldedValues:
         return result
 
     def _parts(self, expression: ccode.Expression, state: State) -> int | None:
-        """Evaluate all that stands in an expression of which no value is asked."""
+        """Evaluate the operands of an expression whose own value is not computed; always None."""
         for part in expression.eContents:
             if isinstance(part, ccode.Expression):
                 self.value(part, state)
@@ -159,7 +161,7 @@ class FoldedValues:
         return None
 
     def _text(self, reference: ccode.NameReference) -> int | None:
-        """The value that the text gives a name."""
+        """The number that the text gives a name (a constant, enumerator or macro); None if it gives none or several."""
         found = self._values.of(reference) if self._values is not None else []
         return found[0].number if len(found) == 1 else None
 
@@ -175,7 +177,7 @@ class FoldedValues:
         return self._store(assignment.left, value, state)
 
     def _place(self, expression: ccode.Expression | None, state: State) -> None:
-        """Find out where something lies, without reading it."""
+        """Evaluate an lvalue without reading it: only the indices and pointers that its address depends on."""
         if expression is None:  # what the reader could not tell
             return
         if self.depth > DEPTH:
@@ -205,7 +207,7 @@ class FoldedValues:
         return None
 
     def set_(self, variable: ccode.Variable, value: int | None, state: State) -> int | None:
-        """Give a variable a value, and tell what it has then."""
+        """Assign a variable in `state` if it is tracked; the value that it then has, None if unknown."""
         if self._tracked(variable):
             value = _fitting(value, variable.valueType)
             state[identity(variable)] = value
@@ -270,7 +272,7 @@ class FoldedValues:
         return answer
 
     def harmless(self, call: ccode.Call) -> bool:
-        """Whether a call changes no variable."""
+        """Whether a call changes no variable of the program."""
         return self._answers(call) is not None or (
             str(call.calleeName) in PURE and (call.callee is None or call.callee.body is None)
         )
@@ -278,15 +280,15 @@ class FoldedValues:
     # ---- variables
 
     def lasts(self, variable: ccode.Variable) -> bool:
-        """Whether a variable lasts as long as the program."""
+        """Whether a variable lives as long as the generated program: a global, a `static` or one moved out of main."""
         return is_global(variable) or variable.storage.name == "staticStorage" or identity(variable) in self._lasting
 
     def in_memory(self, key: Key) -> bool:
-        """Whether a variable is one that functions which are called may change."""
+        """Whether a called function may change a tracked variable: a global, or a local moved out of main."""
         return isinstance(key, str) or key in self._lasting
 
     def _tracked(self, variable: ccode.Variable) -> bool:
-        """Whether the value of a variable is followed: a number or a pointer whose address nothing takes."""
+        """Whether a variable's value is tracked: a number or pointer, not static or volatile, whose address is not taken."""
         found = self._trackable.get(id(variable))
         if found is None:
             found = self._trackable[id(variable)] = self._is_tracked(variable)
@@ -300,7 +302,7 @@ class FoldedValues:
         return number and not any(self._addressed(reference) for reference in variable.references)
 
     def _addressed(self, reference: ccode.NameReference) -> bool:
-        """Whether the address of a variable is taken, for more than a call that does nothing with it."""
+        """Whether a reference takes the address of its variable, other than as an argument of a call without effect."""
         element: Element = reference
         container = element.eContainer()
         while isinstance(container, (ccode.Member, ccode.Index, ccode.Cast)):
@@ -334,7 +336,9 @@ _EXPRESSIONS: dict[str, Callable[[FoldedValues, Any, State], int | None]] = {
 
 
 def join(states: Iterable[State | None]) -> State | None:
-    """What holds on all ways that meet; None where there is none."""
+    """Lattice join where control-flow paths meet: keeps the variables that all reached paths have, with None for the value of
+    one on which they differ. A path of None is not reached; the result is None if no path is.
+    """
     there = [state for state in states if state is not None]
     if not there:
         return None
@@ -353,7 +357,7 @@ def _calculated(operator: str, left: int | None, right: int | None) -> int | Non
 
 
 def _fitting(value: int | None, use: ccode.TypeUse | None) -> int | None:
-    """A value that a type holds; None where it may become another."""
+    """The value if the type, 16 bits wide where its width is not known, holds it as a signed number; None if it may wrap."""
     bits = int(use.bits) if use is not None and use.bits and not use.pointerDepth else 2 * _OCTET
     return value if value is not None and -(1 << bits - 1) <= value < 1 << bits - 1 else None
 

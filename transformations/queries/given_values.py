@@ -1,7 +1,7 @@
-"""Which expressions give a thing of a program its values: what is assigned, passed, returned, stored in arrays and members.
+"""Which expressions give the variables, parameters, results and members of a program their values.
 
-Read from the code model alone, in any order and for all of the program at once: a thing may have any value that it is given
-anywhere. A pointer and what it points to are one thing, as are the elements of an array. What the values are, others tell.
+Read from the code model alone, without regard to order: a thing may have any value that it is given anywhere in the program. A
+pointer and what it points to count as one thing, as do the elements of an array. The values themselves are computed elsewhere.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class MemberKey(Struct, frozen=True):
 
 
 class GivenValues:
-    """What the things of a program are given.
+    """Maps each thing of a program (variable, parameter, result, member, register) to the expressions that give it a value.
 
     Args:
         views: a view of each of its units.
@@ -43,9 +43,9 @@ class GivenValues:
         self._views = views
         self._given: dict[Hashable, list[ccode.Located]] = {}
         self._members: dict[str, dict[Hashable | None, list[ccode.Located]]] = {}
-        """Name of a member -> record, None where the text does not say it -> what it is given."""
+        """Name of a member -> key of its record, None where the text does not tell it -> the expressions that it is given."""
         self._casts: dict[Hashable, set[Hashable]] = {}
-        """A record -> the records that a cast makes of it, and those that it is made of."""
+        """Key of a record -> keys of the records that a cast converts to or from it."""
         self._registers = {name for v in views for name in v.api.settings.get("ports", {}).get("registers", {})}
         self._functions = {
             str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition
@@ -61,7 +61,7 @@ class GivenValues:
                 self._read(element, view)
 
     def of(self, key: Hashable) -> list[ccode.Located]:
-        """The expressions that give a thing its values; an assignment that calculates stands for itself."""
+        """The expressions that give a thing its values; a compound assignment, `++` and `--` are listed themselves."""
         if not isinstance(key, MemberKey):
             return self._given.get(key, [])
         records = self._members.get(key.name, {})
@@ -69,7 +69,7 @@ class GivenValues:
         return [one for record, given in records.items() if record in alike for one in given]
 
     def _alike(self, record: Hashable) -> set[Hashable]:
-        """A record with all that casts make of it or it of them."""
+        """A record with all records that casts connect it with, directly or through others."""
         found, pending = {record}, [record]
         while pending:
             new = self._casts.get(pending.pop(), set()) - found
@@ -78,7 +78,7 @@ class GivenValues:
         return found
 
     def key(self, expression: Element | None) -> Hashable | None:
-        """The thing that an expression is the value of, None of an expression that calculates or stands for itself."""
+        """The key of the thing whose value an expression is; None for a literal or a computation."""
         if isinstance(expression, ccode.Cast):
             return self.key(expression.operand)
         if isinstance(expression, ccode.Index):
@@ -103,7 +103,7 @@ class GivenValues:
         return ("register", str(expression.name)) if expression.name in self._registers else None
 
     def _declared(self, thing: ccode.Variable | ccode.Parameter) -> Hashable:
-        """The key of a declaration: of what all files share, its name."""
+        """The key of a declaration: the name of what all files share, else the identity of the element."""
         if isinstance(thing, ccode.Parameter):
             function = thing.eContainer()
             if isinstance(function, ccode.Function):

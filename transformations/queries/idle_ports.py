@@ -1,4 +1,4 @@
-"""Conventional ports that a person bound and nothing uses on the target: encoders of a drive that is steered without them."""
+"""Ports that the source uses by convention, that a person bound, and that no adapter uses, such as encoders of a drive."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from robosmi.metamodels import migration
 
 
 def is_idle(plan: migration.MigrationPlan, binding: migration.PortBinding) -> bool:
-    """Whether a port that a convention of the source has is bound, while all functions with it have adapters that use it not."""
+    """Whether a bound port of a source convention is used by no adapter, while every function of that convention has one."""
     if binding.origin != "convention" or binding.conventionalPort is not None or binding.pin is None:
         return False
     functions = [use for use in plan.adapterUses if use.function is not None]

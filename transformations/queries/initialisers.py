@@ -11,11 +11,11 @@ from robosmi.typed import paired
 
 _DIMENSION = re.compile(r"\[[^\]]*\]")
 _NAMES = 20
-"""So many names of names of types are followed, at most."""
+"""Number of nested typedefs that are followed at most."""
 
 
 def record_of(use: ccode.TypeUse | None) -> ccode.Record | None:
-    """The structure that a type is, by whatever name, or that elements of an array are."""
+    """The structure that a type, or the element type of an array, denotes, through typedefs; None for any other type."""
     for _ in range(_NAMES):
         declaration = use.declaration if use is not None and not use.pointerDepth else None
         if not isinstance(declaration, ccode.Typedef):
@@ -28,7 +28,7 @@ def record_of(use: ccode.TypeUse | None) -> ccode.Record | None:
 
 
 def _without_name(definition: ccode.Typedef) -> ccode.Record | None:
-    """The structure without a name of its own that a `typedef struct { ... } Name` defines: it begins within that."""
+    """The anonymous structure that a `typedef struct { ... } Name` defines, found by its place within that typedef."""
     unit = definition.eContainer()
     start, end = definition.startOffset, definition.endOffset
     declared = unit.declarations if isinstance(unit, ccode.SourceUnit) else ()
@@ -37,13 +37,13 @@ def _without_name(definition: ccode.Typedef) -> ccode.Record | None:
 
 
 def says_where(element: ccode.Located) -> bool:
-    """Whether an element of an initialiser says its member or place: `.name = value`, `[index] = value`."""
+    """Whether an element of an initialiser list is designated: `.name = value`, `[index] = value`."""
     left = element.left if isinstance(element, ccode.Assignment) else None
     return isinstance(left, ccode.Member) or (isinstance(left, ccode.Index) and left.array is None)
 
 
 def value_in(element: ccode.Expression | None) -> ccode.Expression | None:
-    """The value of an element of an initialiser, whether it says its member or not."""
+    """The value of an element of an initialiser list, without its designator."""
     return element.right if isinstance(element, ccode.Assignment) and says_where(element) else element
 
 

@@ -1,6 +1,6 @@
-"""How interrupts come upon each other on the stack, where the bytes that each takes are known.
+"""How much stack nested interrupt handlers take together, given the bytes that each takes.
 
-What one takes is measured (adapter files) or read off machine code (`verification.machine_stack`).
+A handler's bytes are measured (adapter files) or read off machine code (`verification.machine_stack`).
 """
 
 from __future__ import annotations
@@ -12,11 +12,12 @@ from robosmi.typed import sum_of
 
 
 class HandlerBytes(NamedTuple):
-    """What an interrupt's handler takes.
+    """The stack that an interrupt handler takes.
 
     Attributes:
-        most: its bytes, with the address that it returns to.
-        open: the same where it lets other interrupts in; below 0 where it does not.
+        most: bytes at its deepest point, return address included.
+        open: bytes at its deepest point with interrupts enabled, where another handler may interrupt it; negative if it never
+            enables them.
     """
 
     most: int
@@ -24,10 +25,13 @@ class HandlerBytes(NamedTuple):
 
 
 def upon_each_other(handlers: Iterable[HandlerBytes]) -> int:
-    """Bytes that interrupts take at most: upon those that let others in, each as deep as it does, the deepest of all.
+    """Upper bound of the stack in bytes that nested interrupt handlers take together.
+
+    Every handler that enables interrupts may be suspended at its `open` depth, each once; on top of them comes the handler that
+    needs the most beyond its own.
 
     Args:
-        handlers: of different interrupts; none comes upon itself.
+        handlers: of different interrupts; no handler interrupts itself.
     """
     sizes = list(handlers)
     below = sum_of(each.open for each in sizes if each.open >= 0)

@@ -1,6 +1,7 @@
-"""Which component ties a pin to a supply by what it joins inside: a button that is wired across one contact.
+"""Which component short-circuits a pin to a supply by its own internal contact, as a button wired across one contact does.
 
-Told by the wires as they are drawn; a drawing whose wires are not known says nothing here. Nets are the reader's affair.
+It is judged by the wires as they are drawn; a drawing whose wires are not known gives no answer. Nets are computed by the
+readers.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""The variables of a plan's program that take data memory as long as it runs.
+"""The variables of a plan's program that occupy data memory as long as it runs.
 
-A compiler keeps what changes and is read; numbers that never change it puts into the code, what nothing reads it leaves out
-(`compiled_code`). How many bytes a type takes is `type_sizes`' business.
+A compiler keeps variables that change and are read; it puts numbers that never change into the code and leaves out what nothing
+reads (`compiled_code`). Sizes of types are computed by `type_sizes`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from robosmi.transformations.queries.type_sizes import TypeSizes
 
 
 class Share(Struct, frozen=True):
-    """What takes part of the memory: its name, its bytes, and the line of the source where it is declared, 0 for none."""
+    """A part of the data memory: the name of what takes it, its bytes, and its line in the source, 0 if it has none."""
 
     name: str
     bytes: int
@@ -27,12 +27,12 @@ class Share(Struct, frozen=True):
 
 
 def lasting_variables(plan: migration.MigrationPlan, code: CompiledCode, sizes: TypeSizes) -> tuple[list[Share], list[str]]:
-    """The variables that take memory, and the names of those whose size the models do not tell.
+    """The variables that occupy memory, with their sizes, and the names of those whose size the models do not tell.
 
     Args:
         plan: the plan.
-        code: what is left of its program.
-        sizes: of types on the target.
+        code: what a compiler keeps of its program.
+        sizes: the sizes of types on the target.
     """
     uses = uses_of(code.elements, code.ignored)
     shares, unknown, seen = [], [], set[int | str]()
@@ -54,7 +54,7 @@ def lasting_variables(plan: migration.MigrationPlan, code: CompiledCode, sizes: 
 
 
 def lasting(plan: migration.MigrationPlan, live: Sequence[Element]) -> Iterator[ccode.Variable]:
-    """The variables that last: of files, static ones, and those that are moved out of main."""
+    """The variables with static storage duration: globals, `static` locals, and locals that are moved out of main."""
     moved = {id(v) for d in plan.dispositions if d.hoisted is not None for v in declared_in(d.element)}
     for element in live:
         if not isinstance(element, ccode.Variable):
@@ -64,7 +64,7 @@ def lasting(plan: migration.MigrationPlan, live: Sequence[Element]) -> Iterator[
 
 
 def _volatile(units: Sequence[ccode.SourceUnit]) -> Iterator[ccode.Variable]:
-    """The variables that are kept even where nothing that runs names them: each access to them counts."""
+    """The volatile variables, which a compiler keeps even if no reachable code names them."""
     for unit in units:
         for variable in all_of_kind(unit, ccode.Variable):
             lasts = is_global(variable) or variable.storage.name == "staticStorage"
@@ -73,7 +73,7 @@ def _volatile(units: Sequence[ccode.SourceUnit]) -> Iterator[ccode.Variable]:
 
 
 def _kept(variable: ccode.Variable, references: Sequence[ccode.NameReference], code: CompiledCode) -> bool:
-    """Whether a compiler has to keep a variable: it changes and is read, or it is an array of which any element may be asked."""
+    """Whether a compiler keeps a variable: it changes and is read, or is an array that is read at an index not known before."""
     ways = {way(each) for each in references} - {"size"}
     if identity(variable) in code.unread and "address" not in ways:
         return False

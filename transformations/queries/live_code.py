@@ -1,7 +1,7 @@
-"""What of a program may be carried out at all: all that main leads to, by calls, names of functions, and values of variables.
+"""Reachability: which code of a program may be executed at all, following calls, names of functions and initial values.
 
-What a compiler leaves out of a program because nothing leads there is left out here, too, and what stands behind what never ends.
-Which calls happen in fact, and in which order, is not asked.
+Code after what never returns is left out, too, as a compiler does. Which calls happen in fact, and in which order, does not
+matter.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from robosmi.typed import matches
 
 
 def live_in(units: Sequence[ccode.SourceUnit]) -> list[Element]:
-    """What may be carried out: all in main, in the functions that it leads to, and in initial values of variables used there.
+    """The reachable elements: all in main, in the functions that it reaches, and in initial values of variables used there.
 
     Args:
         units: of a program.
@@ -43,14 +43,14 @@ def live_in(units: Sequence[ccode.SourceUnit]) -> list[Element]:
 
 
 def beginnings(units: Sequence[ccode.SourceUnit]) -> list[Element]:
-    """What is carried out or named whatever else is: main, and variables that macros name."""
+    """The roots of reachability: every main, and the variables that bodies of used macros name."""
     words = in_macros(units)
     pending: list[Element] = [main for unit in units if (main := main_of(unit)) is not None]
     return pending + [d for unit in units for d in unit.declarations if isinstance(d, ccode.Variable) and d.name in words]
 
 
 def what_is_defined(units: Iterable[ccode.SourceUnit]) -> dict[str, ccode.Declaration]:
-    """Name -> the function with that body, or the variable that several files may declare."""
+    """Name -> the function definition, or the global variable that is neither static nor extern."""
     declared = [d for unit in units for d in unit.declarations]
     defined: dict[str, ccode.Declaration]
     defined = {str(d.name): d for d in declared if isinstance(d, ccode.Function) and d.body is not None}
@@ -72,7 +72,7 @@ def leads_to(element: Element, defined: Mapping[str, ccode.Declaration]) -> Iter
 
 
 def identity(variable: ccode.Variable) -> int | str:
-    """What tells a variable apart: one that several files may declare is one by its name."""
+    """The key of a variable: its name if several files may share it, else the `id` of its declaration."""
     return str(variable.name) if is_global(variable) and variable.storage.name != "staticStorage" else id(variable)
 
 
@@ -82,6 +82,6 @@ def is_global(variable: ccode.Variable) -> bool:
 
 
 def in_macros(units: Iterable[ccode.SourceUnit]) -> set[str]:
-    """The words in bodies of macros that are used: what they name is used there, which the model does not follow."""
+    """The words in the bodies of used macros: the model does not have the uses of what they name."""
     macros = [macro for unit in units for macro in unit.macros]
     return {word for macro in macros if macro.uses for word in matches(r"\w+", str(macro.body or ""))}

@@ -23,13 +23,13 @@ from robosmi.transformations.queries.values import Values
 from robosmi.typed import class_name, distinct, paired, sum_of
 
 TICKS_A_SECOND = "clock ticks a second"
-"""What a name of the source means that stands for the rate of its clock."""
+"""The meaning of a symbol of the source platform that stands for its clock rate."""
 UP_TO = "rxTime"
-"""Functions whose names end so wait for something no longer than they are told."""
+"""Functions whose names end so wait for an event, at most as long as their argument says."""
 TICKS = 80
 """Ticks of the source's clock in a microsecond, where its platform names none."""
 _LEVELS = 20
-"""Calls within calls in one stack; each takes frames for all statements that it stands in."""
+"""Nesting of calls per thread; each nested call takes a Python frame for every statement around it."""
 _UNITS = {platform.Meaning.milliseconds: 1000.0, platform.Meaning.microseconds: 1.0}
 
 
@@ -38,14 +38,14 @@ _LABELS = (ccode.Case, ccode.Default)
 
 
 class Wait(Struct, frozen=True):
-    """A wait that nothing bounds: what waits, and its line."""
+    """A wait without an upper bound: what waits (a function, a loop), and its line."""
 
     what: str
     line: int
 
 
 class Time(Struct, frozen=True):
-    """Between which times something waits.
+    """The least and the greatest time that a piece of code waits.
 
     Attributes:
         low, high: microseconds; `high` counts bounded waits only.
@@ -57,15 +57,15 @@ class Time(Struct, frozen=True):
     unbounded: tuple[Wait, ...] = ()
 
     def then(self, other: Time) -> Time:
-        """One after the other."""
+        """The time of two pieces of code one after the other."""
         return Time(self.low + other.low, self.high + other.high, _once(self.unbounded, other.unbounded))
 
     def either(self, other: Time) -> Time:
-        """One or the other."""
+        """The time of two alternatives."""
         return Time(min(self.low, other.low), max(self.high, other.high), _once(self.unbounded, other.unbounded))
 
     def times(self, low: int, high: int) -> Time:
-        """So many times, one after the other."""
+        """The time of a repetition, at least `low` and at most `high` times."""
         return Time(self.low * low, self.high * high, self.unbounded)
 
 
@@ -86,11 +86,11 @@ def loop_time(plan: migration.MigrationPlan) -> Time | None:
 
 
 class LoopTimes:
-    """Times of statements and expressions of one program.
+    """Computes the waiting times of statements and expressions of one program.
 
     Args:
-        plan: its plan.
-        unit: whose macros hold.
+        plan: the plan of the program.
+        unit: the unit whose macros apply.
     """
 
     def __init__(self, plan: migration.MigrationPlan, unit: ccode.SourceUnit) -> None:
@@ -134,7 +134,7 @@ class LoopTimes:
         return self._inside(element)
 
     def _sequence(self, statements: Iterable[Element]) -> Time:
-        """Statements one after the other, as far as nothing leaves them; what may leave makes the rest optional."""
+        """The time of a sequence up to a statement that always leaves it; after one that may leave, the rest is optional."""
         reached = []
         for statement in statements:
             reached.append(statement)
@@ -146,7 +146,7 @@ class LoopTimes:
         return time
 
     def _before(self, statement: Element, rest: Time) -> Time:
-        """A statement, and what comes behind it where it is not left."""
+        """The time of a statement and of `rest`, the code after it, on the paths on which the statement does not leave."""
         if isinstance(statement, (*_LABELS, ccode.Label)) and statement.statement is not None:
             return self._before(statement.statement, rest)
         if not isinstance(statement, ccode.If) or _stays(statement):
@@ -158,7 +158,7 @@ class LoopTimes:
         return self.of(statement.condition).then(branches[0].either(branches[1]))
 
     def _switch(self, switch: ccode.Switch) -> Time:
-        """The body of a switch from one of its labels to where that is left, or nothing of it where no label has the value."""
+        """The time of a switch: from any of its labels on, or nothing where no label need match."""
         body = switch.body
         statements = list(body.statements) if isinstance(body, ccode.Block) else [body] if body is not None else []
         labels = [at for at, each in enumerate(statements) if isinstance(each, _LABELS)]
@@ -171,7 +171,7 @@ class LoopTimes:
         return reduce(Time.either, times) if times else NOTHING
 
     def _inside(self, element: Element | None) -> Time:
-        """What stands directly within an element, one after the other."""
+        """The time of the direct children of an element, one after the other."""
         time = NOTHING
         for part in element.eContents if element is not None else ():
             if isinstance(part, (ccode.Statement, ccode.Expression, ccode.Declaration)):
@@ -193,12 +193,12 @@ class LoopTimes:
         return first.then(Time(once.low * least, once.high, (Wait(_name(loop), int(loop.line)), *once.unbounded)))
 
     def _outside(self, loop: ccode.Loop) -> bool:
-        """Whether a loop ends by what a function of the platform says."""
+        """Whether a loop's condition calls a function of the platform, so that the outside world decides when it ends."""
         condition = [loop.condition, *all_contents(loop.condition)] if loop.condition is not None else []
         return any(isinstance(e, ccode.Call) and str(e.calleeName) in self._platform for e in condition)
 
     def _trips(self, loop: ccode.For) -> int | None:
-        """How often a loop with a counter and bounds that the text gives is carried out."""
+        """The trip count of a for loop whose counter takes only values that the text gives; None for any other loop."""
         condition = loop.condition
         if not isinstance(condition, ccode.Binary) or not isinstance(condition.left, ccode.NameReference):
             return None
@@ -225,7 +225,7 @@ class LoopTimes:
         return self._platform_call(call, function) if function is not None and _waits(function) else NOTHING
 
     def _function(self, callee: ccode.Function, call: ccode.Call) -> Time:
-        """The time of a function of the program that a call reaches."""
+        """The time of a called function of the program, computed once."""
         known = self._functions.get(id(callee))
         if known is None:
             again = Wait(str(callee.name), int(call.line))
@@ -239,7 +239,7 @@ class LoopTimes:
         return known
 
     def _platform_call(self, call: ccode.Call, function: platform.ApiFunction) -> Time:
-        """The time that a function of the platform waits: what its argument asks for, or the longest that it takes."""
+        """The time that a platform function waits: what its argument says, else up to its longest time, else unbounded."""
         for argument, parameter in paired(call.arguments, function.parameters, strict=False):
             factor = _UNITS.get(parameter.meaning, 1.0 / TICKS if parameter.meaning is platform.Meaning.ticks else 0.0)
             if factor:
@@ -253,7 +253,10 @@ class LoopTimes:
         return Time(0.0, 0.0, (Wait(_call_name(call), int(call.line)),))
 
     def _numbers(self, argument: ccode.Expression | None, *, ticks: bool) -> list[int]:
-        """The values of an argument, empty where the text does not give them all; a time from now on counts from now on."""
+        """The values of an argument, empty where the text does not give them all.
+
+        With `ticks`, an absolute time such as `CNT + n` counts as the n ticks from now.
+        """
         values = self._values.of(argument)
         if all(v.number is not None for v in values):
             return [v.number for v in values if v.number is not None]
@@ -266,7 +269,7 @@ class LoopTimes:
         return []
 
     def _of_rate(self, expression: ccode.Expression | None) -> int | None:
-        """The number that an expression of the clock's rate is, `CLKFREQ / 1000 * 5` for example; None for any other."""
+        """The value of an expression of the clock rate, such as `CLKFREQ / 1000 * 5`; None for any other expression."""
         if isinstance(expression, ccode.NameReference) and str(expression.name) in self._rates:
             return TICKS * 1_000_000
         if isinstance(expression, ccode.Cast):
@@ -279,7 +282,7 @@ class LoopTimes:
 
 
 def _leaves(statement: Element | None) -> bool:
-    """Whether what stands behind a statement is never come to from it."""
+    """Whether control never continues after a statement: each path through it ends in break, continue, return or goto."""
     if isinstance(statement, ccode.Block):
         return any(_leaves(each) for each in statement.statements)
     if isinstance(statement, (*_LABELS, ccode.Label)):
@@ -290,7 +293,7 @@ def _leaves(statement: Element | None) -> bool:
 
 
 def _stays(statement: Element | None) -> bool:
-    """Whether nothing in a statement may leave it."""
+    """Whether a statement contains no break, continue, return or goto."""
     return statement is None or not any(isinstance(each, _WAYS_OUT) for each in (statement, *all_contents(statement)))
 
 
@@ -306,7 +309,7 @@ def _within_switch(body: Element | None) -> Iterator[Element]:
 
 
 def _is_first_label(label: Element) -> bool:
-    """Whether a label does not stand right behind another one, as the second of `case 1: case 2:` does."""
+    """Whether a label is the first of consecutive ones: false for the second of `case 1: case 2:`."""
     return not isinstance(label.eContainer(), _LABELS)
 
 
@@ -323,7 +326,7 @@ def _call_name(call: ccode.Call) -> str:
 
 
 def _pointer_name(call: ccode.Call) -> str:
-    """Words for a call through a pointer of which nothing tells what it reaches."""
+    """What a report calls a call through a pointer whose functions are not known."""
     pointer = call.calleeExpression
     while isinstance(pointer, (ccode.Unary, ccode.Cast, ccode.Index)):
         pointer = pointer.array if isinstance(pointer, ccode.Index) else pointer.operand

@@ -15,7 +15,7 @@ from robosmi.typed import paired
 
 
 class MacroCalls:
-    """The calls out of bodies of macros in a plan's program.
+    """The calls that bodies of macros make in a plan's program.
 
     Args:
         plan: the plan.
@@ -37,11 +37,11 @@ class MacroCalls:
         return found
 
     def of(self, use: migration.AdapterUse) -> list[ccode.Call]:
-        """The calls of a use's function that macros make, one for each place where a macro is used."""
+        """The calls of an adapter's function that macros make, one for each place where such a macro is used."""
         return self._made.get(str(use.name), [])
 
     def ports(self, use: migration.AdapterUse, call: ccode.Call) -> list[migration.PortBinding] | None:
-        """The ports that such a call reaches; None where the call alone does not say them, or is given none."""
+        """The ports that such a call reaches; None if its arguments have values unknown here, or none of them is a port."""
         found: dict[int, migration.PortBinding] = {}
         parameters = [*use.function.parameters] if use.function is not None else []
         given = [(a, int(p.span)) for a, p in paired(call.arguments, parameters, strict=False) if p.isPort]

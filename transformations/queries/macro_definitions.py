@@ -1,4 +1,4 @@
-"""Definitions of macros as they stand in a text, and the tokens that come of them with the places they are from."""
+"""Definitions of macros as they are written in a text, and tokens of their expansions with the places they come from."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, tokens
 
 REST = "__VA_ARGS__"
-"""What stands for the arguments that a macro with `...` is given besides the named ones."""
+"""The name in a variadic macro's body that stands for the arguments passed for `...`."""
 
 
 class TextPlace(Struct, frozen=True):
@@ -19,7 +19,7 @@ class TextPlace(Struct, frozen=True):
     Attributes:
         unit: path of the unit.
         start, end: byte offsets.
-        body: it lies in the body of a macro, so that each use of the macro has it.
+        body: whether it lies in the body of a macro, so that changing it changes every use of the macro.
     """
 
     unit: str
@@ -29,7 +29,7 @@ class TextPlace(Struct, frozen=True):
 
 
 class Frame(Struct, frozen=True):
-    """Where a token, or the use of a macro that it comes out of, is written: unit, range, and whether in a macro's body."""
+    """A step of an expansion path: where a token or a macro use is written, and whether that is in a macro's body."""
 
     unit: str
     start: int
@@ -38,11 +38,11 @@ class Frame(Struct, frozen=True):
 
 
 Path = tuple[Frame, ...]
-"""The use in the file, the place in its macro's body, the place in the argument for it, and so on to the token itself."""
+"""Where an expanded token comes from: the macro use in the file, the place in that macro's body, and so on to the token."""
 
 
 class MacroToken(Struct, frozen=True):
-    """A token with its way back."""
+    """A token of an expansion with its path."""
 
     kind: str
     text: str

@@ -1,6 +1,6 @@
-"""The calls of the platform's functions that macros make where they are used, told by the macro in whose body they are written.
+"""The calls of platform functions that come out of macro expansion, found by the macro whose body contains them.
 
-The body of a macro is no syntax, so a pin in it is known as a range of text only; which numbers come there is read from the calls
+A macro's body is not parsed, so a pin in it is known as a range of text only. Which numbers it receives is read from the calls
 that the parser makes of the macro's uses, in the program's text or in bodies of further macros.
 """
 
@@ -41,9 +41,9 @@ class MadeCalls:
                     self._calls.setdefault(str(call.calleeName), []).append((view, call))
 
     def of(self, argument: PinArgument) -> list[tuple[CodeView, ccode.Call]]:
-        """The calls that a pin in the body of a macro becomes, each with the view of its unit, in the program's order.
+        """The calls that a pin argument in a macro's body expands to, each with the view of its unit, in the program's order.
 
-        A call whose use is not known counts for every macro that calls the function.
+        A call whose macro use is not known counts for every macro that calls the function.
         """
         if argument.made:
             return [(self._views[id(ancestor_of_kind(call, ccode.SourceUnit))], call) for call in argument.made]
@@ -63,12 +63,12 @@ class MadeCalls:
 
     @cached_property
     def used(self) -> frozenset[str]:
-        """The macros that the program uses, in text that could not be read too, and those of their bodies."""
+        """The macros that the program uses, also in text that could not be parsed, and those that their bodies use."""
         names = {str(use.name) for uses in self._uses.values() for _, use in uses}
         return self._macros.with_bodies([*names, *self._unread])
 
     def _names_at(self, place: _Place) -> frozenset[str]:
-        """The macros that are used at a place and in their arguments, and those of their bodies; none where none is known."""
+        """The macros used at a place and in their arguments, and those that their bodies use; empty where none is known."""
         if place not in self._reached:
             uses = self._uses.get(place[0], [])
             first = bisect_left(uses, place[1], key=lambda each: each[0])

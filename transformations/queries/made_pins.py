@@ -1,8 +1,9 @@
-"""Pins of calls that macros make, held against the expanded text: each is looked up where it is written, or known not to be.
+"""Pins of calls that come out of macro expansion: where each is written in the source, found through the expanded text.
 
-Bodies of macros are read by `port_macros`, which sees what stands there in plain words. What it cannot see has its place found
-here: arguments for `...`, of functions whose name is pasted, numbers behind such a name. A place counts only where each of its
-uses is a pin, so that no other function is given one. What has no such place is a pin that nobody looks up: it is never ready.
+`port_macros` reads the bodies of macros and finds the pins that they name plainly. This module finds the others: arguments for
+`...`, arguments of functions whose name is pasted together, numbers behind such a name. A place in the source counts only if
+everything that it expands to is a pin, so that no other argument is changed. A pin without such a place cannot be looked up:
+its call stays without a pin.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from robosmi.transformations.queries.value_flows import PinArgument
 
 
 class _Text(Struct, frozen=True):
-    """A unit's text with its macros expanded, and the tokens of it."""
+    """The text of a unit with its macros expanded, and its tokens."""
 
     view: CodeView
     expanded: Expanded
@@ -33,14 +34,14 @@ class _Text(Struct, frozen=True):
 
 
 class _MadePin(Struct, frozen=True):
-    """A pin of a call that a macro makes.
+    """A pin argument of a call that a macro makes.
 
     Attributes:
-        text: where it is.
-        first, behind: index of its first token there, and of the one behind its last.
-        function, pin: what takes it.
-        places: where it is written, the outermost first.
-        use: where the macro is used that makes the call: start and end in the unit.
+        text: the expanded text that contains it.
+        first, behind: index of its first token there, and of the token after its last.
+        function, pin: the function and the parameter that take it.
+        places: the source ranges that it is written in, the outermost first.
+        use: start and end of the macro use in the unit that makes the call.
     """
 
     text: _Text
@@ -53,7 +54,7 @@ class _MadePin(Struct, frozen=True):
 
 
 def follow_made(reader: FlowReader) -> None:
-    """Find the pins of made calls that the bodies of macros do not show; the bodies are read before.
+    """Find the pins in expanded calls that the bodies of macros do not show; `follow_macros` has to run before.
 
     Args:
         reader: the program's flows.
@@ -81,16 +82,16 @@ class _MadePins:
             self.texts.append(_Text(view, expanded, TokenText(expanded.data)))
         self.pins = [pin for text in self.texts for pin in self._found(text)]
         self.at: dict[TextPlace, set[tuple[int, int]]] = {}
-        """Place -> the text and first token of each pin that is written there and that an adapter takes."""
+        """Source range -> (`id` of the text, index of the first token) of each pin argument written there."""
         for one in self.pins:
             for place in one.places if _translated(one.pin) else ():
                 self.at.setdefault(place, set()).add((id(one.text), one.first))
 
     def follow(self, made: Sequence[tuple[CodeView, ccode.Call, PinParameter]]) -> None:
-        """Give each pin of made calls that no body shows its place.
+        """Let the flows of the pins that no macro body shows end at their places in the source.
 
         Args:
-            made: the calls, as the parser has them, with each of their pins.
+            made: each pin argument of a call that comes out of a macro: the view, the parsed call, the parameter.
         """
         shown = {(a.unit.path, a.start, a.end) for flow in self.reader.flows.all() for a in flow.arguments}
         seen = [one for one in self.pins if any((p.unit, p.start, p.end) in shown for p in one.places)]
@@ -114,7 +115,7 @@ class _MadePins:
             self._close(one, next(key for p in one.places if (key := keys.get((p.unit, p.start, p.end))) is not None))
 
     def _found(self, text: _Text) -> Iterator[_MadePin]:
-        """The pins of the calls in an expanded text whose function is named by a macro."""
+        """The pin arguments in an expanded text of calls whose function name comes out of a macro."""
         for index, token in enumerate(text.tokens.tokens):
             way = text.expanded.path(token[1]) if token[0] == "name" else ()
             pins = self.reader.pins(token[3], text.view) if len(way) > 1 else ()
@@ -128,7 +129,7 @@ class _MadePins:
                     yield _MadePin(text, *range_, token[3], pin, places, (way[0].start, way[0].end))
 
     def _is_pin_everywhere(self, place: TextPlace) -> bool:
-        """Whether all that a place stands for in the program is a pin that an adapter takes."""
+        """Whether everything that a source range expands to is a pin that an adapter takes."""
         return place in self.at and self.at[place] >= self._written.of(place)
 
     @cached_property
@@ -136,7 +137,7 @@ class _MadePins:
         return _Written(self.texts)
 
     def _close(self, one: _MadePin, key: Hashable) -> None:
-        """See to it that what comes to a pin is in its flow, by whatever way macros have passed it on."""
+        """Join the sources of a pin's value with the flow of the pin, by whatever macros they were passed on."""
         reader, flows = self.reader, self.reader.flows
         argument = bare(one.text.tokens.tokens[one.first : one.behind])
         way = one.text.expanded.path(argument[0][1])
@@ -160,7 +161,7 @@ class _MadePins:
         flows.keep(key, "macros pass it on", computed=not others)
 
     def _reach(self, place: TextPlace, function: str, pin: PinParameter, calls: Sequence[ccode.Call]) -> None:
-        """A pin of calls is written at a place."""
+        """Record that a source range is the pin argument of some calls."""
         reader, unit = self.reader, self.units[place.unit]
         key = ("made", place.unit, place.start)
         reader.reach(
@@ -179,7 +180,7 @@ class _MadePins:
             reader.flows.join(key, taker)
 
     def _keep(self, view: CodeView, call: ccode.Call, pin: PinParameter) -> None:
-        """No text can look up a pin of a call."""
+        """Record that a call's pin has no source range by which it could be looked up."""
         function, argument = str(call.calleeName), list(call.arguments)[pin.position]
         start, end = int(argument.startOffset), int(argument.endOffset)
         if view_text(self.reader.sources[view.unit.path], start, end) in pin.none:
@@ -190,10 +191,10 @@ class _MadePins:
 
 
 class _Uses:
-    """The calls that macros make, by the places of the macros' uses.
+    """The parsed calls that macros make, found by the macro use.
 
     Args:
-        made: the calls with each of their pins.
+        made: each of their pin arguments: the view, the call, the parameter.
     """
 
     def __init__(self, made: Sequence[tuple[CodeView, ccode.Call, PinParameter]]) -> None:
@@ -202,17 +203,17 @@ class _Uses:
             self._calls.setdefault((id(view), str(call.calleeName), pin.position), []).append(call)
 
     def calls(self, one: _MadePin) -> list[ccode.Call]:
-        """The calls of the function that the same use of a macro makes."""
+        """The calls of a pin's function that the same macro use makes."""
         known = self._calls.get((id(one.text.view), one.function, one.pin.position), [])
         first, behind = (bisect_left(known, at, key=lambda call: int(call.startOffset)) for at in one.use)
         return known[first:behind]
 
 
 class _Written:
-    """Where the texts of a program with their macros expanded come from.
+    """Finds the copies of a source range in the expanded texts.
 
     Args:
-        texts: the texts.
+        texts: the expanded texts.
     """
 
     def __init__(self, texts: Sequence[_Text]) -> None:
@@ -226,7 +227,7 @@ class _Written:
             found.sort(key=lambda each: each[0])
 
     def of(self, place: TextPlace) -> set[tuple[int, int]]:
-        """Where a place of the source stands in texts with expanded macros: (text, index of its first token) of each copy."""
+        """The copies of a source range in the expanded texts: (`id` of the text, index of the copy's first token)."""
         starts = self._starts.get((place.unit, place.body), [])
         first, behind = (bisect_left(starts, at, key=lambda each: each[0]) for at in (place.start, place.end))
         here = {(text, index): around for _, text, index, around in starts[first:behind]}
@@ -234,5 +235,5 @@ class _Written:
 
 
 def _translated(pin: PinParameter) -> bool:
-    """Whether an adapter takes a pin of the target: the ends of a range stay numbers of the source."""
+    """Whether an adapter takes this parameter as a pin of the target; the ends of a range of pins stay source numbers."""
     return pin.range_with is None and pin.span == 1

@@ -25,7 +25,7 @@ from robosmi.transformations.queries.main_program import MainStructure, main_str
 
 
 class Division(Struct, frozen=True):
-    """How main is divided.
+    """How `main` is divided into a setup function, a loop function and what comes after.
 
     Attributes:
         main: the function.
@@ -37,9 +37,9 @@ class Division(Struct, frozen=True):
         continues: `continue` statements of that loop.
         breaks: `break` statements of that loop.
         returns: `return` statements of main.
-        after_name: what the function is called that `after` runs in, empty without these.
-        end_name: what the function is called in which the program stays when main has ended, empty where main does not end.
-        reason: why it is so, one sentence.
+        after_name: name of the generated function that contains `after`, empty if there are none.
+        end_name: name of the generated function in which the program stays when main has ended, empty if main does not end.
+        reason: why main is divided like this, or not at all, in one sentence.
     """
 
     main: ccode.Function
@@ -103,7 +103,7 @@ def divide(main: ccode.Function, reserved: Collection[str] = (), words: Collecti
 
 
 def _used_in(element: ccode.Located, statements: Collection[ccode.Statement]) -> bool:
-    """Whether a variable is used in these statements, or another element stands in them."""
+    """Whether a variable is referenced in these statements, or another element lies in them."""
     places = element.references if isinstance(element, ccode.Variable) else (element,)
     return any(s.startOffset <= place.startOffset < s.endOffset for place in places for s in statements)
 

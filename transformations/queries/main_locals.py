@@ -16,7 +16,7 @@ from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.queries.tokens import names_in
 
 AUTOMATIC = ("staticStorage", "externStorage")
-"""Storage of locals that live as long as the program anyway, so that their declaration is carried out once."""
+"""Storage classes of locals that live as long as the program, so that they are initialised only once."""
 
 
 class MovedDeclaration(Struct, frozen=True):
@@ -25,7 +25,7 @@ class MovedDeclaration(Struct, frozen=True):
     Attributes:
         statement: the declaration.
         variables: all that it declares, in their order.
-        assigned: those whose initial value stays in main, as an assignment where they were declared.
+        assigned: those whose initial value stays in main, as an assignment at the place of the declaration.
         renamed: new names of those whose name stands for something else at file scope, by old name.
     """
 
@@ -36,7 +36,7 @@ class MovedDeclaration(Struct, frozen=True):
 
 
 class Surroundings(Struct, frozen=True):
-    """What a local that moves must agree with.
+    """The surroundings of a local that moves to file scope, which restrict its name and its initial value.
 
     Attributes:
         main: the function.
@@ -62,7 +62,7 @@ class Surroundings(Struct, frozen=True):
 
 
 def _linked(declared: ccode.Declaration) -> bool:
-    """Whether other files may name a thing that a file declares."""
+    """Whether a declaration has external linkage."""
     return isinstance(declared, (ccode.Function, ccode.Variable)) and declared.storage.name != "staticStorage"
 
 
@@ -73,7 +73,7 @@ def locals_of(statements: Iterable[ccode.Statement]) -> list[ccode.Variable]:
 
 
 def outlives(variable: ccode.Variable) -> bool:
-    """Whether something may point to the variable when setup is over: its address is taken, or it is an array handed on."""
+    """Whether a pointer to the variable may outlive setup: its address is taken, or it is an array that is passed on."""
     if variable.storage.name == "staticStorage":
         return False
     array = variable.valueType is not None and bool(variable.valueType.arrayDims)
@@ -125,14 +125,14 @@ def moved_declarations(hoisted: Sequence[ccode.Variable], around: Surroundings) 
 
 
 def free_name(wanted: str, taken: Collection[str]) -> str:
-    """The name, with as many underscores behind it as it takes to be a new one."""
+    """The name, with underscores appended until it is not taken."""
     while wanted in taken:
         wanted += "_"
     return wanted
 
 
 def _assigned(variable: ccode.Variable, around: Surroundings) -> bool:
-    """Whether the initial value stays in main."""
+    """Whether the initial value has to stay in main as an assignment."""
     if variable.initializer is None or variable.storage.name in AUTOMATIC:
         return False
     return around.again or not is_constant(variable.initializer)

@@ -35,7 +35,10 @@ def record_key(record: Element | None) -> Hashable | None:
 
 
 def whole_of_member(member: ccode.Member) -> ccode.Expression | None:
-    """What holds a member of a record that is defined within another one and has no name; the model does not have its members."""
+    """The object that a member of an anonymous nested record belongs to; None for any other member.
+
+    The code model does not have the members of an anonymous nested record, so the whole nested record stands for them.
+    """
     held = member.object.array if isinstance(member.object, ccode.Index) else member.object
     kind = type_of(held, {}) if isinstance(held, ccode.Member) else None
     nameless = kind is not None and kind.declaration is None and not kind.base and not kind.function
@@ -50,7 +53,7 @@ def records_of_cast(cast: ccode.Cast) -> tuple[ccode.Record, ccode.Record] | Non
 
 
 def _object_type(expression: ccode.Expression | None) -> ValueType | None:
-    """The type of what a member is taken of, or of a pointer to it."""
+    """The type of the object or pointer that a member is accessed through."""
     if isinstance(expression, ccode.ConditionalExpression):
         return _object_type(expression.whenTrue) or _object_type(expression.whenFalse)
     if isinstance(expression, ccode.Assignment):

@@ -27,28 +27,28 @@ from robosmi.transformations.queries.type_sizes import on_target
 from robosmi.typed import matches, paired, remembered, sum_of
 
 _SERIAL = "Serial"
-"""The part of the core that has a serial line."""
+"""Name of the core library's part that drives the serial line."""
 _LISTED = 5
-"""So many of the largest variables are named."""
+"""How many of the largest variables a report names."""
 _COUNTS = ("++", "--")
 _GIVES = frozenset(["=", "+=", "-=", "*=", "/=", "%=", "|=", "&=", "^=", "<<=", ">>=", "["])
 _DEFINED = re.compile(r"^inline [\w ]*?[ *](\w+)\([^;{]*\) \{", re.MULTILINE)
 """The functions that the text of a piece defines."""
 _LOOK_UPS = frozenset(["port", "ports"])
-"""The pieces that ports are looked up with while the program runs."""
+"""Names of the pieces that look up a port's pin at run time."""
 _NUMBER = re.compile(r"static (?:struct \{[^{}]*\}|[^;{(]*?[\w\]]*?) ?(\w+)(?:\[\w*\])*(?: = [^;]*)?;(?:\s*//.*)?")
-"""The text of a piece that is one variable."""
+"""Matches the text of a piece that declares one variable and nothing else."""
 
 
 class Memory(Struct, frozen=True):
-    """The memory that a program takes for as long as it runs.
+    """The estimated data memory (RAM) of a program.
 
     Attributes:
-        variables: of the program, the largest first.
+        variables: shares of the program's own variables, the largest first.
         texts: bytes of the program's texts.
-        adapters: of the pieces that it gets, and of the core and the libraries that these use, the largest first.
-        stacks: bytes of the stacks of what ran on other cores.
-        depth: bytes of stack that main takes at most, beside all these.
+        adapters: shares of its adapter pieces and of the core and libraries that these use, the largest first.
+        stacks: bytes of the coroutines' stacks, for code that ran on other cores of the source.
+        depth: bytes of main's stack at most, in addition to all these.
         unknown: names of variables whose size the models do not tell.
         limit: bytes that the board has, 0 where that is not known.
         unfollowed: lines of calls through pointers that `depth` does not contain, since nothing tells what they reach.
@@ -75,7 +75,7 @@ class Memory(Struct, frozen=True):
 
     @property
     def total(self) -> int:
-        """All bytes."""
+        """The estimated RAM of the program in bytes: variables, texts, adapters and stacks of coroutines."""
         return self.of_variables + self.texts + self.of_adapters + self.stacks
 
     def to_json(self) -> dict[str, Any]:
@@ -89,7 +89,7 @@ class Memory(Struct, frozen=True):
 
 
 def memory(plan: migration.MigrationPlan) -> Memory:
-    """The memory that a plan's program takes.
+    """Estimate the data memory of a plan's program.
 
     Args:
         plan: the plan, complete.
@@ -119,7 +119,7 @@ def memory(plan: migration.MigrationPlan) -> Memory:
 
 
 def _pieces(plan: migration.MigrationPlan, code: CompiledCode) -> list[platform.Adapter]:
-    """The pieces that what runs or an interrupt makes use of, with those that they need."""
+    """The adapter pieces that reachable code or an interrupt uses, with the pieces they depend on."""
     calls = {id(each) for each in code.elements if isinstance(each, ccode.Call)}
     working = calls - code.answers.keys()
     named = {str(each.name) for each in code.elements if isinstance(each, ccode.NameReference)}
@@ -132,7 +132,10 @@ def _pieces(plan: migration.MigrationPlan, code: CompiledCode) -> list[platform.
 
 
 def _shared_access(plan: migration.MigrationPlan, code: CompiledCode, pieces: Sequence[platform.Adapter]) -> bool:
-    """Whether others use what calls without a pin go through, too: then that is one function, which asks at each call."""
+    """Whether pieces that check a port at each call are needed both by calls without a pin and by others.
+
+    A compiler then keeps one function for both, which asks at run time, so it cannot drop the calls without a pin.
+    """
     there = {id(piece) for piece in pieces}
     silent = [u.adapter for u in plan.adapterUses if u.adapter is not None and any(id(c) in code.answers for c in u.calls)]
     needed = [each for piece in silent for each in closure([piece]) if each is not piece and "wired()" in str(each.text)]
@@ -140,14 +143,14 @@ def _shared_access(plan: migration.MigrationPlan, code: CompiledCode, pieces: Se
 
 
 def _looked_up(flow: migration.PortFlow, calls: Set[int], code: CompiledCode) -> Iterator[str]:
-    """What looks up the ports of a flow while the program runs: nothing where all are numbers that the text gives."""
+    """Names of the pieces that look up a flow's ports at run time; empty where the text gives all its port numbers."""
     unknown = any(None in code.arguments.get(id(call), [None]) for call in flow.calls if id(call) in calls)
     for change in flow.changes if unknown else ():
         yield change.replacement.partition("(")[0]
 
 
 def _always_there(pieces: Sequence[platform.Adapter]) -> list[platform.Adapter]:
-    """The pieces that are there whatever runs: interrupts with what they call, objects of libraries (before main)."""
+    """The pieces that are linked in any case: interrupt handlers with what they call, and global objects of libraries."""
     found = {id(piece): piece for piece in pieces if piece.vectors or (piece.libraries and piece.ramBytes)}
     waiting = list(found.values())
     while waiting:
@@ -189,7 +192,7 @@ def _words(text: str) -> tuple[str, ...]:
 
 
 def _changed(words: Sequence[str]) -> Iterator[str]:
-    """The names that a text gives values, counts, or takes the address of."""
+    """The names that a text assigns, increments, or takes the address of."""
     for number, word in enumerate(words):
         behind, before = words[number + 1 : number + 2], words[number - 1 : number]
         if (behind and (behind[0] in _GIVES or behind[0] in _COUNTS)) or (before and before[0] in (*_COUNTS, "&")):

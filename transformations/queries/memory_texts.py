@@ -1,6 +1,6 @@
-"""The texts of a plan's program that stay in data memory, those of its adapters too, and what local arrays begin with.
+"""The string literals of a plan's program and adapters that occupy data memory, and the initial values of local arrays.
 
-On a processor with separate memories, a text that is read like a variable is copied into data memory before main begins.
+On a processor with separate memories, a string that is read like a variable is copied into data memory before main begins.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from robosmi.transformations.queries.type_sizes import TypeSizes, text_of, unesc
 from robosmi.typed import paired, remembered, sum_of
 
 _COPIED = 3
-"""Initial values of local arrays with more bytes are copied from data memory; fewer are in the code."""
+"""Initial values of a local array with more bytes than this are copied from data memory; fewer are in the code."""
 _IN_FLASH = (["PSTR"], ["F"])
 _COMPILER = frozenset(["asm", "__asm__", "volatile", "__attribute__", "alignas", "static_assert", "section"])
 
 
 def bytes_of_texts(code: CompiledCode, pieces: Sequence[platform.Adapter]) -> int:
-    """Bytes of the texts of program and pieces that stay in data memory: each once, none that another ends with."""
+    """Bytes of the strings in data memory; equal strings, and one that another ends with, are stored once."""
     said = {text for piece in pieces for text in kept_texts(str(piece.text))}
     for element in code.elements:
         if isinstance(element, ccode.StringLiteral) and not _elsewhere(element, code.ignored):
@@ -34,7 +34,7 @@ def bytes_of_texts(code: CompiledCode, pieces: Sequence[platform.Adapter]) -> in
 
 
 def _elsewhere(literal: ccode.StringLiteral, ignored: set[int]) -> bool:
-    """Whether a text is no text of its own: what an array begins with, or an argument of which nothing is made."""
+    """Whether a string literal is not stored as a string: it initialises an array, is in a sizeof, or is ignored."""
     container = literal.eContainer()
     if isinstance(container, ccode.InitializerList) and len(container.elements) == 1:
         container = container.eContainer()
@@ -44,7 +44,7 @@ def _elsewhere(literal: ccode.StringLiteral, ignored: set[int]) -> bool:
 
 
 def bytes_of_initial_values(plan: migration.MigrationPlan, code: CompiledCode, sizes: TypeSizes) -> int:
-    """Bytes of what local arrays begin with, which are copied from data memory each time."""
+    """Bytes of the initial values of local arrays, which are copied out of data memory whenever their block is entered."""
     others = {id(each) for each in lasting(plan, code.elements)}
     total = 0
     for element in code.elements:
@@ -57,7 +57,7 @@ def bytes_of_initial_values(plan: migration.MigrationPlan, code: CompiledCode, s
 
 
 def _copied(variable: ccode.Variable, ignored: set[int]) -> bool:
-    """Whether more is asked of a local array than elements of which the text says which."""
+    """Whether a local array is used otherwise than by elements with literal indices, so that a compiler has to store it."""
     return any(way(each) not in ("read", "written", "size") and not is_ignored(each, ignored) for each in variable.references)
 
 
@@ -67,7 +67,7 @@ def _constant(initializer: ccode.Expression) -> bool:
 
 @remembered(512)  # each report asks it of the same pieces
 def kept_texts(text: str) -> tuple[str, ...]:
-    """The texts in a piece that stay in data memory: none that is told to lie in flash, or that is for the compiler."""
+    """The string literals of a piece that occupy data memory: not those placed in flash or read only by the compiler."""
     return tuple(_kept_texts(text))
 
 
@@ -80,7 +80,7 @@ def _kept_texts(text: str) -> Iterator[str]:
 
 
 def _for_compiler(before: Sequence[Token]) -> bool:
-    """Whether what follows stands in an `asm` statement or an attribute."""
+    """Whether the next token is inside an `asm` statement or an attribute."""
     depth = 0
     for *_, word in reversed(before):
         depth += (word == ")") - (word == "(")

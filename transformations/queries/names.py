@@ -14,7 +14,7 @@ _NAMED = (
 
 
 def name_of(element: Element | None) -> str:
-    """The name that an element of a program declares or uses; empty where it has none."""
+    """The name that an element declares or refers to; empty where it has none."""
     return str(element.name or "") if isinstance(element, _NAMED) else ""
 
 

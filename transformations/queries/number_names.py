@@ -1,6 +1,6 @@
-"""Under which name a number stands in a program's text: the constant, the element or the member that it is the value of.
+"""The name that a program gives a number: of the constant, array element or member whose initial value it is.
 
-A name counts only while nothing writes to it. What the number is for, others tell.
+A name counts only while nothing writes to it. What the number means is judged elsewhere.
 """
 
 from __future__ import annotations
@@ -21,7 +21,10 @@ def _written(reference: ccode.Expression) -> bool:
 
 
 def holder_of(literal: ccode.IntegerLiteral) -> tuple[str, str, ccode.Located]:
-    """Name of the constant that a literal is the value of, the function that the name belongs to, and the constant itself."""
+    """The constant that a literal initialises: its name, the function that declares it, the element that holds the value.
+
+    The names are empty, and the element is the literal, where the literal initialises no constant.
+    """
     inner, outer = literal, literal.eContainer()
     index = None
     while isinstance(outer, (ccode.Cast, ccode.InitializerList)):

@@ -1,8 +1,8 @@
-"""In what type another machine computes an expression: widths and signedness of C's numbers there, by C's own conversions.
+"""In which integer type another machine computes an expression: C's conversions with that machine's widths and signedness.
 
-A `Machine` is a platform's integer model; `Numbers` reads a program as that machine's compiler does. Nothing is executed; an
-expression whose type the model does not say has none. Which values there are is in `ranges`. Source: ISO/IEC 9899:1999, 6.3.1,
-6.4.4.1; widths are data of the platforms.
+A `Machine` is a platform's integer model; `Numbers` types a program as that machine's compiler does. Nothing is executed; an
+expression whose type the model does not tell has none. Ranges of values are computed in `ranges`. Source: ISO/IEC 9899:1999,
+6.3.1, 6.4.4.1; widths are data of the platforms.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _TRUTHS = COMPARISONS | {"&&", "||"}
 
 
 class Number(Struct, frozen=True):
-    """A type of numbers: its bits, whether it is signed, whether it is a floating one, whether its width is the same anywhere."""
+    """An arithmetic type: its bits, whether it is signed, a floating type (`real`), of one width on all platforms (`fixed`)."""
 
     bits: int
     signed: bool
@@ -45,7 +45,7 @@ class Number(Struct, frozen=True):
 
 
 class Machine(Struct, frozen=True):
-    """What a platform computes in: bits of int, long and pointers, and whether plain char is signed."""
+    """The integer model of a platform: bits of int, long and pointers, and whether plain char is signed."""
 
     int_bits: int
     long_bits: int
@@ -63,11 +63,11 @@ class Machine(Struct, frozen=True):
         return Number(self.int_bits, True)
 
     def number(self, base: str) -> Number | None:
-        """The number type that a type's name means, None for any other type."""
+        """The arithmetic type of that name, such as `unsigned long` or `uint8_t`; None for any other name."""
         return _number(self, base)
 
     def promoted(self, number: Number) -> Number:
-        """What arithmetic makes of one operand."""
+        """The type of an operand after integer promotion (C99 6.3.1.1)."""
         return self.integer if not number.real and number.bits < self.int_bits else number
 
     def constant(self, value: int, suffix: str, *, decimal: bool) -> Number:
@@ -83,7 +83,7 @@ class Machine(Struct, frozen=True):
         return Number(64, False)
 
     def common(self, left: Number, right: Number) -> Number:
-        """The type in which arithmetic on two operands is done."""
+        """The common type of two operands after the usual arithmetic conversions (C99 6.3.1.8)."""
         if left.real or right.real:
             return max((x for x in (left, right) if x.real), key=lambda x: x.bits)
         left, right = self.promoted(left), self.promoted(right)
@@ -118,13 +118,13 @@ def _number(machine: Machine, base: str) -> Number | None:
 
 
 class Numbers:
-    """The types of a program's expressions on a machine.
+    """Computes the types of a program's expressions on a machine.
 
     Args:
         machine: the machine.
-        functions: what functions that the program does not define give and take there.
-        symbols: name that the program does not declare -> its type there.
-        macros: macro of the program without parameters -> its text.
+        functions: the types of functions that the program does not define, by name.
+        symbols: name that the program does not declare -> its type on the machine.
+        macros: name of an object-like macro of the program -> its text.
     """
 
     def __init__(
@@ -141,7 +141,7 @@ class Numbers:
         self._known: dict[int, Number | None] = {}
 
     def of(self, expression: ccode.Expression | None) -> Number | None:
-        """The type of an expression, None where the model does not say it or where it is no number."""
+        """The arithmetic type of an expression; None where the model does not tell it or where it is none."""
         pending = [expression]
         while pending:  # operands first; no recursion, for expressions nest
             one = pending[-1]
@@ -162,7 +162,7 @@ class Numbers:
         return self._given(assignment.left)
 
     def typed(self, kind: ValueType | None) -> Number | None:
-        """The number that a type is on this machine; an enumeration is an int."""
+        """The arithmetic type that a type is on this machine, an enumeration being an int; None for any other type."""
         if kind is None or kind.depth or kind.function:
             return None
         if isinstance(kind.declaration, ccode.Enumeration):
@@ -170,7 +170,7 @@ class Numbers:
         return self.machine.number(kind.base)
 
     def declared(self, use: ccode.TypeUse | None) -> Number | None:
-        """The number that a declaration says, of an array its elements'."""
+        """The arithmetic type of a declaration, or of the elements of a declared array; None for any other."""
         kind = of_use(use)
         return self.machine.number(kind.base) if kind is not None and (kind.array or not kind.depth) else None
 
@@ -235,7 +235,7 @@ class Numbers:
 
 
 def _operands(expression: ccode.Expression | None) -> tuple[ccode.Expression | None, ...]:
-    """What an expression's type depends on."""
+    """The operands that an expression's type is computed from."""
     if isinstance(expression, ccode.Binary):
         return (expression.left, expression.right)
     if isinstance(expression, ccode.Unary):

@@ -52,7 +52,7 @@ def all_includes(unit: ccode.SourceUnit) -> tuple[str, ...]:
 
 
 def _met(units: Iterable[ccode.SourceUnit]) -> Iterator[tuple[ccode.Include, ccode.SourceUnit | None]]:
-    """The includes of units as a preprocessor meets them, each with the program's own header that it is the first to bring in."""
+    """The includes of units in preprocessing order, each with the own header that it includes first, or None."""
     seen: set[int] = set()
     for unit in units:
         pending = list(reversed(unit.includes))

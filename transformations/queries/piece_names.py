@@ -1,4 +1,4 @@
-"""The names that pieces of adapter text and their libraries declare at file scope, which a program cannot have beside them."""
+"""The names that adapter pieces and their libraries declare at file scope, which a program therefore cannot declare too."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ _OPENING, _CLOSING = frozenset("([{"), frozenset(")]}")
 
 
 def declared_names(pieces: Iterable[platform.Adapter], among: AbstractSet[str]) -> tuple[frozenset[str], frozenset[str]]:
-    """What pieces declare, and the macros that they define, of the names that a program has.
+    """The names of `among` that pieces declare at file scope, and those that they define as macros.
 
     Args:
         pieces: the pieces.
-        among: the names that are asked for; texts without any of them are not looked into.
+        among: the names in question, such as a program's; texts without any of them are skipped.
     """
     declared: set[str] = set()
     macros: set[str] = set()
@@ -44,12 +44,12 @@ def declared_names(pieces: Iterable[platform.Adapter], among: AbstractSet[str]) 
 
 
 def library_names(pieces: Iterable[platform.Adapter], index: str, among: AbstractSet[str]) -> frozenset[str]:
-    """What the libraries that pieces include declare, of the names that a program has.
+    """The names of `among` that the libraries which pieces include declare.
 
     Args:
         pieces: the pieces.
         index: the platform whose index of libraries the target uses, empty for none.
-        among: the names that are asked for.
+        among: the names in question, such as a program's.
     """
     found: set[str] = set()
     for library in sorted({str(name) for piece in pieces for name in piece.libraries}) if index else ():

@@ -58,7 +58,7 @@ _HALF = 1 << 31
 
 
 def pin_number(value: int) -> int:
-    """What a parameter for a pin, of 32 bits, makes of a value that is passed for it."""
+    """The value of a 32-bit signed pin parameter that is given a number."""
     return (value + _HALF) % (2 * _HALF) - _HALF
 
 
@@ -98,7 +98,7 @@ def pin_uses_of(view: CodeView, views: Iterable[CodeView]) -> list[PinUse]:
 
 
 def made_uses_of(view: CodeView) -> list[PinUse]:
-    """The pins used by calls that come of a unit's uses of macros, in text order.
+    """The pins used by calls that a unit's macro uses expand to, in text order.
 
     Args:
         view: the unit.
@@ -113,9 +113,9 @@ def made_uses_of(view: CodeView) -> list[PinUse]:
 
 
 def negative_uses_of(view: CodeView) -> list[PinUse]:
-    """The calls of a unit that are given a negative number for their only pin, in text order; those of macros are among them.
+    """The uses of a negative pin number by functions with a single pin parameter, macro calls included, in text order.
 
-    A function of several pins may take one for a pin that is not used, such as the line of a serial port that nobody hears.
+    A function of several pins may take a negative number for a pin that is not used, such as one line of a serial port.
 
     Args:
         view: the unit.
@@ -131,11 +131,11 @@ def negative_uses_of(view: CodeView) -> list[PinUse]:
 
 
 def says_its_ports(call: ccode.Call, view: CodeView) -> bool:
-    """Whether the text says which pins a call is given, wherever else its values may go.
+    """Whether the text gives the pins of a call, whatever other flows its arguments belong to.
 
     Args:
-        call: of a function of the platform.
-        view: of its unit.
+        call: a call of a platform function.
+        view: the unit that contains it.
     """
     function = view.called().get(str(call.calleeName))
     facts = view.api.pins(function.name, function.header) if function is not None else None
@@ -146,7 +146,7 @@ def says_its_ports(call: ccode.Call, view: CodeView) -> bool:
 
 
 def _argument_uses(function: CalledFunction, call: ccode.Call, parameter: PinParameter, values: Values) -> Iterator[PinUse]:
-    """The uses of the pins that an argument of a call means; a negative number means none."""
+    """The pins that an argument of a call uses; a negative number stands for no pin."""
     return (use for use in _all_argument_uses(function, call, parameter, values) if use.pin is None or use.pin >= 0)
 
 

@@ -42,7 +42,7 @@ def platform_of(plan: migration.MigrationPlan) -> platform.Platform:
 
 
 RUN_IN_SETUP = "run-in-setup"
-"""The rule of dispositions of functions that run before main on the source: setup calls them first."""
+"""The rule of functions that run before main on the source: the generated setup calls them first."""
 
 
 def keeps_main(plan: migration.MigrationPlan) -> bool:
@@ -51,7 +51,7 @@ def keeps_main(plan: migration.MigrationPlan) -> bool:
 
 
 def called(plan: migration.MigrationPlan) -> str:
-    """What people call a program of the plan's target: a sketch where it begins with setup and loop, else a program."""
+    """What users call a program of the plan's target: a sketch if it consists of setup and loop, else a program."""
     made_for = plan.targetDescription
     return "program" if made_for is not None and made_for.structure is platform.EntryStructure.mainFunction else "sketch"
 
@@ -69,7 +69,10 @@ def header_name(adapter: migration.AdapterUse) -> str:
 
 
 def call_sites(plan: migration.MigrationPlan) -> dict[str, Any]:
-    """Calls to platform functions, those of macros where they are used: in all, with a body, still to do; by header."""
+    """How many calls of platform functions there are: in total, with a body, still to do; also by header.
+
+    A call in a macro counts at each place where the macro is used.
+    """
     by_header: dict[str, dict[str, int]] = {}
     of_macros = MacroCalls(plan)
     for adapter in plan.adapterUses:
@@ -83,7 +86,7 @@ def call_sites(plan: migration.MigrationPlan) -> dict[str, Any]:
 
 
 def needs_own_types(adapter: migration.AdapterUse) -> bool:
-    """Whether the adapter's signature has types of the program, so that it can only stand behind their declarations.
+    """Whether a placeholder's signature has types of the program, so that it must come after their declarations.
 
     False for a function that the program itself declares, which gets its body there.
     """
@@ -96,7 +99,7 @@ def needs_own_types(adapter: migration.AdapterUse) -> bool:
 
 
 def beside_its_declaration(adapter: migration.AdapterUse) -> bool:
-    """Whether a body that is still to be written stands where the program itself declares the function."""
+    """Whether the placeholder of a function is put where the program itself declares that function."""
     return adapter.signatureSource is migration.SignatureSource.program and adapter.adapter is None
 
 
@@ -221,7 +224,7 @@ def ports_by_pin(plan: migration.MigrationPlan) -> dict[str, list[str]]:
 
 
 def said(entries: Q[migration.PlanTask], places: dict[str, str]) -> list[Finding]:
-    """Plan tasks or findings as the report's values.
+    """Plan tasks or plan findings as findings of a report.
 
     Args:
         entries: the plan's elements.

@@ -9,7 +9,7 @@ from robosmi.typed import distinct
 
 
 def closure(adapters: Iterable[platform.Adapter]) -> list[platform.Adapter]:
-    """The pieces and all that they need, each once and behind what it needs."""
+    """The transitive closure of what pieces need, each piece once and after the pieces it depends on."""
     found: dict[platform.Adapter, None] = {}
 
     def add(piece: platform.Adapter, above: tuple[platform.Adapter, ...]) -> None:
@@ -25,7 +25,7 @@ def closure(adapters: Iterable[platform.Adapter]) -> list[platform.Adapter]:
 
 
 def emitted(plan: migration.MigrationPlan) -> list[platform.Adapter]:
-    """The pieces that a plan's program gets: of names, of functions, of its changed text, and what these need."""
+    """The adapter pieces of a plan's program for its functions, symbols and changed text, with their dependencies."""
     symbols = [use.adapter for use in plan.symbolUses]
     functions = [use.adapter for use in plan.adapterUses]
     return closure(piece for piece in (*symbols, *functions, *plan.helpers) if piece is not None)
@@ -37,11 +37,11 @@ def setup_statements(plan: migration.MigrationPlan) -> list[str]:
 
 
 def rest_levels(plan: migration.MigrationPlan) -> list[migration.Connection]:
-    """The connections whose pins get a level before all else, one for each pin."""
+    """One connection for each pin that is driven to a rest level before anything else runs."""
     return list({c.pin: c for c in reversed(list(plan.connections)) if c.restLevel and c.pin is not None}.values())[::-1]
 
 
 def limits(use: migration.AdapterUse) -> list[str]:
-    """What the adapter of a use, with all that it needs, does not do."""
+    """The limits of a use's adapter and of the pieces it depends on: what they do not do, as sentences."""
     pieces = closure([use.adapter]) if use.adapter is not None else []
     return distinct(str(limit) for piece in reversed(pieces) for limit in piece.limits)

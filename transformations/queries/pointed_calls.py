@@ -1,8 +1,8 @@
-"""Which functions of a program its calls through pointers may reach: those whose names come to where the pointer is kept.
+"""Which functions of a program each call through a pointer may reach: a points-to analysis, insensitive to control flow.
 
-Pointers are followed from where a function is named, through initial values, assignments, arguments and values of functions, to
-variables, parameters and members of that name. Where a pointer comes from elsewhere too, any function that takes as many
-arguments and that the program names as a value may be meant.
+Functions are followed from where they are named through initial values, assignments, arguments and results to variables,
+parameters and members; members are told apart by name only. A pointer with a source that is not followed may reach any function
+that the program uses as a value and that has as many parameters as the call has arguments.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from robosmi.transformations.queries.live_code import identity
 
 
 def is_pointed(call: ccode.Call) -> bool:
-    """Whether a call goes through a pointer."""
+    """Whether a call goes through a function pointer."""
     named = _named(call.calleeExpression)
     return call.calleeExpression is not None and not isinstance(named, (ccode.Function, ccode.ExternalSymbol))
 
@@ -27,10 +27,10 @@ def _named(expression: ccode.Expression | None) -> ccode.Declaration | None:
 
 
 def pointed_calls(elements: Sequence[Element]) -> dict[int, list[ccode.Function]]:
-    """The functions that each call through a pointer may reach, by the identity of the call; empty where none is known.
+    """The functions that each call through a pointer may reach, by the `id` of the call; empty where none is known.
 
     Args:
-        elements: what of the program may be carried out.
+        elements: the reachable elements of the program.
     """
     calls = [each for each in elements if isinstance(each, ccode.Call) and is_pointed(each)]
     if not calls:
@@ -40,7 +40,7 @@ def pointed_calls(elements: Sequence[Element]) -> dict[int, list[ccode.Function]
 
 
 class _Flows:
-    """What comes to each place of a program where functions are kept."""
+    """Points-to sets: for each variable, parameter, member and result, the functions that may be stored in it."""
 
     def __init__(self, elements: Sequence[Element]) -> None:
         self._kept: dict[Hashable, list[ccode.Function]] = {}
@@ -60,7 +60,7 @@ class _Flows:
                 self._from.setdefault(place, set()).add(_place(each))
 
     def reached(self, call: ccode.Call) -> list[ccode.Function]:
-        """The functions that a call through a pointer may reach, those with a body."""
+        """The functions with a body that a call through a pointer may reach."""
         found: list[ccode.Function] = []
         pending, seen = [_place(call.calleeExpression)], set[Hashable]()
         while pending:
@@ -77,7 +77,7 @@ class _Flows:
 
 
 def _given(element: Element) -> Iterator[tuple[Hashable, ccode.Expression | None]]:
-    """The places that an element gives a value, each with the value."""
+    """The keys of the places that an element stores a value in, each with the value."""
     if isinstance(element, ccode.Variable) and element.initializer is not None:
         given = element.initializer
         if isinstance(given, ccode.InitializerList) and record_of(element.valueType) is not None:
@@ -97,7 +97,7 @@ def _given(element: Element) -> Iterator[tuple[Hashable, ccode.Expression | None
 
 
 def _values(value: ccode.Expression | None) -> Iterable[ccode.Expression]:
-    """What an expression may be, without signs and conversions."""
+    """The expressions that a value may come from: branches and list elements, without casts and address operators."""
     if isinstance(value, ccode.InitializerList):
         return [each for element in value.elements for each in _values(element)]
     if isinstance(value, ccode.ConditionalExpression):
@@ -112,7 +112,7 @@ def _values(value: ccode.Expression | None) -> Iterable[ccode.Expression]:
 
 
 def _place(expression: ccode.Expression | None) -> Hashable:
-    """What tells the place apart that an expression stands for; None for what is not followed."""
+    """The key of the place that an expression denotes; None for one that is not followed."""
     if isinstance(expression, ccode.NameReference):
         target = expression.target
         if isinstance(target, ccode.Variable):

@@ -1,4 +1,4 @@
-"""What a program does through pointers, as far as flows of values need it: functions taken as values, arrays walked through."""
+"""What the flows of values need to know about pointers: functions used as values, pointers into arrays."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from robosmi.transformations.queries.signature_text import split
 def pointed_functions(
     views: Sequence[CodeView],
 ) -> tuple[list[tuple[ccode.NameReference, CodeView]], list[tuple[ccode.NameReference, CodeView]]]:
-    """The uses as a value of functions with pins: the platform's, and the program's own with a parameter that may be one."""
+    """The uses of functions as values: of the platform's with pins, and of own ones with a parameter that may be a pin."""
     platform, own = [], []
     for view in views:
         for reference in view.of_kind(ccode.NameReference):
@@ -33,13 +33,13 @@ def pointed_functions(
 
 
 def _is_number(parameter: ccode.Parameter) -> bool:
-    """Whether a parameter may be a pin: `void *` of a cog's code or a callback is none."""
+    """Whether a parameter may be a pin number: no pointer or array, as `void *` of a callback is."""
     use = parameter.valueType
     return use is None or not (use.pointerDepth or use.arrayDims)
 
 
 def takes_number(call: ccode.Call, position: int) -> bool:
-    """Whether what a call calls through a pointer may take a number at a place; True where nothing says what it takes."""
+    """Whether a call through a pointer may pass a number at a position; True if the pointer's type says nothing."""
     called = call.calleeExpression
     while isinstance(called, ccode.Index) or (isinstance(called, ccode.Unary) and str(called.operator) == "*"):
         called = called.array if isinstance(called, ccode.Index) else called.operand
@@ -50,7 +50,7 @@ def takes_number(call: ccode.Call, position: int) -> bool:
 
 
 def gives_access(expression: Element | None) -> bool:
-    """Whether a function that takes an expression as argument can change a variable by it: an address, an array, a pointer."""
+    """Whether a called function can change a variable by this argument: an address, an array or a pointer."""
     if isinstance(expression, ccode.Unary):
         return str(expression.operator) == "&"
     use = named_type(expression)

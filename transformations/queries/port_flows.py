@@ -1,11 +1,10 @@
-"""Flows of port numbers: which constants, variables, parameters and calls of a program can exchange a number of a port.
+"""Flows of port numbers: which constants, variables, parameters and calls of a program can exchange the number of a port.
 
-A flow ends in the arguments that are pins for functions of the platform. It is told whether its numbers may be changed where
-they stand: not when something in it is printed, calculated with, compared, kept in a structure or in a table that is filled
-at run time, comes from a function of the platform, is the end of a range, or is used in any other way that is not followed
-here. What is not followed is kept as it is: an assumption in the other direction could move a wrong wire.
-
-What a port is called and becomes, others tell.
+A flow ends in the arguments that are pins for functions of the platform. Each flow tells whether its numbers may be changed
+where they are written: not when something in it is printed, calculated with, compared, kept in a structure or in a table that
+is filled at run time, comes from a function of the platform, is the end of a range, or is used in any other way that is not
+followed here. Numbers of such a flow stay as they are: an assumption in the other direction could move a wrong wire. Names and
+pins of ports are decided elsewhere.
 """
 
 from __future__ import annotations

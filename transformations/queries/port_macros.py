@@ -22,11 +22,11 @@ from robosmi.transformations.queries.value_flows import PinArgument
 
 _INTEGER = re.compile(r"(0[xX][0-9a-fA-F]+|0[bB][01]+|[0-9]+)[uUlL]*\Z")
 MOST_FOR_DOTS = 16
-"""How many arguments for the `...` of a macro are followed each by itself."""
+"""Number of arguments for a macro's `...` that are followed separately."""
 
 
 def follow_macros(reader: FlowReader) -> None:
-    """Read the bodies of all macros of a program."""
+    """Add the exchanges of values in the bodies of all macros of a program to its flows."""
     bodies: dict[str, set[str]] = {}
     for view in reader.views:
         for macro in view.unit.macros:
@@ -45,7 +45,7 @@ def follow_macros(reader: FlowReader) -> None:
 
 
 def _directive(text: str, reader: FlowReader, bodies: dict[str, set[str]]) -> None:
-    """What directives say of macros: other definitions, which may stand in text that is not compiled, and tests."""
+    """Read other definitions of a macro, also in text that is not compiled, and keep the flows of macros that `#if` tests."""
     match = re.match(r"#\s*(define|if|elif)\b(.*)", text, re.DOTALL)
     if match is None:
         return
@@ -63,7 +63,7 @@ def _directive(text: str, reader: FlowReader, bodies: dict[str, set[str]]) -> No
 
 
 def _plain_arguments(reader: FlowReader, view: CodeView, use: ccode.MacroUse) -> None:
-    """The arguments of a macro that the parser made nothing of, or that are numbers."""
+    """Follow the arguments of a macro use that the code model has no expressions for."""
     macro = use.macro or reader.macros.get(str(use.name))
     if macro is None or not macro.functionLike:
         return
@@ -78,15 +78,15 @@ def _plain_arguments(reader: FlowReader, view: CodeView, use: ccode.MacroUse) ->
 def follow_argument(
     reader: FlowReader, unit: ccode.SourceUnit, argument: Sequence[Token], taker: Hashable, own: Sequence[str], macro: str = ""
 ) -> None:
-    """Follow what is passed, as tokens, to something.
+    """Join the flow of an argument, given as tokens, with that of what it is passed to.
 
     Args:
         reader: the program's flows.
-        unit: where the tokens are.
+        unit: the unit that contains the tokens.
         argument: the tokens.
-        taker: the key of what it is passed to.
-        own: parameters of the macro in whose body they stand, `__VA_ARGS__` last where it has it.
-        macro: the name of that macro; empty in the program's text.
+        taker: the key of what the argument is passed to.
+        own: parameters of the macro whose body contains the tokens, `__VA_ARGS__` last if it is variadic.
+        macro: the name of that macro; empty for tokens in the program's text.
     """
     tokens = bare(argument)
     if len(tokens) == 1 and tokens[0][0] == "number" and (number := _INTEGER.match(tokens[0][3])):
@@ -113,22 +113,22 @@ def follow_argument(
 
 
 def _element(reader: FlowReader, unit: ccode.SourceUnit, token: Token) -> ccode.Located:
-    """The element that a number in the text belongs to: a literal, a macro, a use of one."""
+    """The element of the code model that contains a number in a macro: the macro's definition or a use of it."""
     return reader.holders[unit.path].at(token[1]) or unit.macroUses[0]
 
 
 def body_names(macro: ccode.Macro) -> list[str]:
-    """The names by which the body of a macro has its arguments; the one of `...` stands for all that come there."""
+    """The names of a macro's parameters in its body; the last one stands for all arguments passed for `...`."""
     return [str(p).removesuffix("...").strip() or REST for p in macro.parameters]
 
 
 def keys_of(reader: FlowReader, name: str, own: Sequence[str], macro: str) -> list[Hashable]:
-    """What a name in the body of a macro means: a parameter of the macro, another macro, anything declared."""
+    """The keys of what a name in a macro's body denotes: a parameter of the macro, another macro, any declaration."""
     return [("macro parameter", macro, list(own).index(name))] if name in own else reader.named(name)
 
 
 class _MacroBody:
-    """The body of one macro.
+    """Follows the values that pass through the body of one macro.
 
     Args:
         reader: the program's flows.
@@ -154,7 +154,7 @@ class _MacroBody:
         return next(closing, len(self.text.tokens)) + 1
 
     def follow(self) -> None:
-        """Follow what the body passes on, and keep what it uses otherwise."""
+        """Join the flows of what the body passes on; keep the numbers of what it uses in any other way."""
         flows, key = self.reader.flows, ("macro", self.name)
         body = bare(self.text.tokens[self.begin :])
         if not self.macro.functionLike and len(body) == 1 and body[0][0] in ("number", "name"):
@@ -191,7 +191,7 @@ class _MacroBody:
             self.reader.flows.keep(key, f"'{self.name}' is no whole number", computed=True)
 
     def _call(self, name: str, arguments: list[list[Token]]) -> None:
-        """What a call in the body passes on."""
+        """Follow the arguments of a call in the body."""
         reader = self.reader
         takers: dict[int, Hashable] = {}
         other = reader.macros.get(name)
@@ -221,11 +221,11 @@ class _MacroBody:
                 follow_argument(reader, self.view.unit, argument, takers[position], self.own, self.name)
 
     def _is_rest(self, argument: Sequence[Token]) -> bool:
-        """Whether an argument is all those for `...`, of which there may be any number."""
+        """Whether an argument is `__VA_ARGS__`, which stands for any number of arguments."""
         return bool(self.rest) and [token[3] for token in argument if token[3] != "##"] == [self.rest]
 
     def _pass_on(self, position: int, takers: Mapping[int, Hashable], name: str) -> None:
-        """Let the arguments for `...` flow to the parameters that take them: the one at that position and those behind it."""
+        """Join each argument passed for `...` with the parameter that takes it, from `position` on."""
         for behind in range(MOST_FOR_DOTS):
             given = ("macro parameter", self.name, len(self.own) - 1 + behind)
             if position + behind in takers:

@@ -1,8 +1,7 @@
-"""Which bits an expression may have: the masks that a program makes of numbers of ports, `1 << pins[i]`, `mask |= ...`.
+"""Upper bounds of bit masks: which bits of an expression such as `1 << pins[i]` or `mask |= ...` may be set.
 
-A bound from above, as `reached_values` is for numbers: of a mask that is put together, kept, passed and returned, all bits that
-any of it may have. None where a part comes from outside or where nothing bounds it. Which bits a register's use then touches is
-told by `register_bits`.
+The bound of a mask that is put together, stored, passed and returned is the union of all its sources. None where a source comes
+from outside or where nothing bounds it. Which bits of a register a use touches is computed by `register_bits`.
 """
 
 from __future__ import annotations
@@ -24,12 +23,12 @@ WORD = 32
 """Bits of a register."""
 _ALL = (1 << WORD) - 1
 _DEEP = 12
-"""So many things that are given one to the other are followed, at most."""
+"""Depth to which the sources of a stored mask are followed."""
 _TRUTHS = frozenset(["==", "!=", "<", ">", "<=", ">=", "&&", "||"])
 
 
 class PortMasks:
-    """The masks of one program.
+    """Bounds the masks of one program.
 
     Args:
         views: a view of each of its units.
@@ -42,14 +41,14 @@ class PortMasks:
         self._assumed: dict[Hashable, int] = {}
         self._active: set[Hashable] = set()
         self._again = False
-        """Whether the numbers that were read last depend on themselves."""
+        """Whether the numbers that were computed last depend on themselves."""
 
     def values(self, expression: Element | None) -> list[Value]:
         """The values of an expression as `Values` reads them in its unit."""
         return self._values[_unit(expression)].of(expression)
 
     def numbers(self, expression: Element | None) -> set[int] | None:
-        """The numbers that an expression may be, None where the text does not say them."""
+        """The values of an expression as `Values` computes them in its unit."""
         reached = self._reached[_unit(expression)]
         for known in (self.values(expression), reached.of(expression)):
             found = {value.number for value in known}
@@ -77,7 +76,7 @@ class PortMasks:
             self._active.discard(key)
 
     def bits(self, expression: Element | None) -> int | None:
-        """The bits that an expression may have, None where the text does not say them."""
+        """The bits that may be set in an expression's value; None where the text does not bound them."""
         numbers = [value.number for value in self.values(expression)]
         if None not in numbers:
             return union(numbers)
@@ -88,14 +87,14 @@ class PortMasks:
         return None if key is None else self._kept(key)
 
     def _thing(self, expression: Element | None) -> Hashable | None:
-        """What an expression is the value of; a member that nothing is given to is a part of what has it."""
+        """The key of the thing whose value an expression is; for a member that nothing is assigned to, of its record."""
         key = self.given.key(expression)
         if isinstance(expression, ccode.Member) and not self.given.of(key):
             return self.given.key(expression.object)
         return key
 
     def _kept(self, key: Hashable) -> int | None:
-        """The bits of what is given to a thing: the least that holds, where it is put together from itself."""
+        """The bits that the values of a thing may have: the least fixed point if it is computed from itself."""
         if key in self._assumed or len(self._assumed) > _DEEP:
             return self._assumed.get(key)
         given = self.given.of(key)
@@ -116,7 +115,7 @@ class PortMasks:
             self._assumed.pop(key, None)
 
     def cleared(self, expression: Element | None, whole: int) -> int | None:
-        """The bits that an expression may not have, of those of `whole`; None where the text does not say them."""
+        """The bits of `whole` that may be clear in an expression's value; None where the text does not bound them."""
         numbers = [value.number for value in self.values(expression)]
         if None not in numbers:
             return union(~number & whole for number in numbers if number is not None)
@@ -145,7 +144,7 @@ class PortMasks:
         return self.bits(assignment.right) if operator == "=" else self._combined(assignment, operator.removesuffix("="))
 
     def _combined(self, sides: ccode.Binary | ccode.Assignment, operator: str) -> int | None:
-        """The bits of an operator's result, in an expression or in an assignment."""
+        """The bits that may be set in an operator's result, in an expression or a compound assignment."""
         if operator in _TRUTHS:
             return 1
         if operator == ",":
@@ -174,7 +173,7 @@ class PortMasks:
         return found & _ALL
 
     def _bounded(self, stepped: ccode.Expression | None, found: int) -> int | None:
-        """The bits of a mask that is shifted again and again, up to what it is compared with."""
+        """The bits of a mask that is shifted repeatedly, limited by the numbers that it is compared with."""
         target = stepped.target if isinstance(stepped, ccode.NameReference) else None
         compared = self._reached[_unit(stepped)].bounds(target) if target is not None else ()
         bounds = [n - (o in ("<", "!=")) for o, n, _ in compared if o not in (">", ">=") and n > 0]
@@ -211,7 +210,7 @@ def _unit(expression: Element | None) -> int:
 
 
 def union(parts: Iterable[int | None]) -> int | None:
-    """All bits of some masks, None where one is not known."""
+    """The union of some masks; None if one of them is unknown."""
     found = 0
     for part in parts:
         if part is None:

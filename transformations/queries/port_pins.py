@@ -1,4 +1,4 @@
-"""What ports of the source are called on the target: the texts that stand for their pins in what is generated."""
+"""How generated text refers to the pins of the source's ports."""
 
 from __future__ import annotations
 
@@ -7,23 +7,23 @@ from robosmi.transformations.queries.circuit import pin_literal
 from robosmi.transformations.queries.plan_adapters import emitted
 
 NOT_WIRED = "none"
-"""The choice of a port that is on no pin, by a person's word."""
+"""The recorded choice of a port that a person declared not to be wired."""
 UNBOUND = "255"
-"""A number that is no pin of any target: what adapters are given for a port that is on none."""
+"""The argument that adapters are given for a port without a pin: a number that is no pin of any target."""
 
 NO_PIN = "no-pin-in-macro"
-"""Id of the rule that gives no pin to calls of macros whose ports no text can look up."""
+"""The rule by which calls in macros get no pin, because no text could look up their ports."""
 
 
 def port_text(binding: migration.PortBinding) -> str | None:
-    """What a port is called on the target: its connection's name, its pin's literal, or None where it is on no pin."""
+    """The text for a port on the target: its connection's name, else its pin's literal; None if it has no pin."""
     if binding.connection is not None:
         return str(binding.connection.name)
     return pin_literal(binding.pin) if binding.pin is not None else None
 
 
 def text_in_place(binding: migration.PortBinding) -> str:
-    """What takes the place of the port's number in the text: its pin, or no pin with a remark that says which port it is."""
+    """The replacement for a port's number in the text: its pin, or `UNBOUND` with a comment that names the port."""
     text = port_text(binding)
     if text is not None:
         return text
@@ -32,7 +32,7 @@ def text_in_place(binding: migration.PortBinding) -> str:
 
 
 def measures(pin: platform.Pin, binding: migration.PortBinding) -> bool:
-    """Whether a pin has the converter that a conventional port needs; True for a port that needs none."""
+    """Whether a pin has the analog input that a conventional port needs, or the port needs none."""
     port = binding.conventionalPort
     return port is None or port.capability is not platform.PinCapability.analog or "analog_in" in pin.abilities
 
@@ -64,7 +64,7 @@ def _pin(binding: migration.PortBinding) -> platform.Pin | None:
 
 
 def looks_up_ports(plan: migration.MigrationPlan) -> bool:
-    """Whether the changed text of the program asks for the pin of a port (`port(x)`)."""
+    """Whether the changed text of the program looks up pins of ports at run time (`port(x)`)."""
     return any(change.rule != NO_PIN for flow in plan.portFlows for change in flow.changes)
 
 
@@ -74,6 +74,6 @@ def table_is_declared(plan: migration.MigrationPlan) -> bool:
 
 
 def of_own_serial_port(binding: migration.PortBinding) -> bool:
-    """Whether a port is a line of the serial port that the board itself has (its console), bound there by its number."""
+    """Whether a port is a line of the board's own serial port (its console), bound there by a rule."""
     by_rule = binding.chosenBy is migration.ChosenBy.rule and binding.connection is None
     return by_rule and binding.pin is not None and "uart" in binding.pin.abilities

@@ -61,8 +61,8 @@ class FlowPorts(Struct):
         flow: the flow.
         numbers: the ports that the text can send through it.
         anything: whether a number may come that the text does not say.
-        values: of each of the flow's arguments, in their order; empty in the body of a macro.
-        made: of each of the flow's arguments in the body of a macro, by its place, the calls that the macro makes where it is
+        values: the values of each of the flow's arguments, in their order; empty in the body of a macro.
+        made: position of an argument in a macro's body -> the calls that the macro expands to where it is
             used, with the numbers that they may pass.
     """
 
@@ -74,13 +74,13 @@ class FlowPorts(Struct):
 
     @property
     def calls(self) -> Iterator[ccode.Call]:
-        """The calls that it reaches, those that macros make behind the others."""
+        """The calls that the flow reaches, first those in the text, then those that macros expand to."""
         yield from (argument.call for argument in self.flow.arguments if argument.call is not None)
         yield from (call for calls in self.made.values() for call, _ in calls)
 
     @property
     def moved(self) -> bool:
-        """Whether its numbers can be changed to pins of the target where they stand."""
+        """Whether the numbers of the flow can be changed, where they are written, to pins of the target."""
         return not self.flow.kept and not self.flow.computed
 
 
@@ -125,11 +125,11 @@ def program_ports(views: Sequence[CodeView], flows: Sequence[Flow]) -> ProgramPo
 
 
 def give_numbers(own: Sequence[Port], conventional: Sequence[Port]) -> list[Port]:
-    """The conventional ports, each with its number as a further name while nothing else of the program uses the number.
+    """Add its number as a further name to each conventional port whose number nothing else of the program uses.
 
     Args:
-        own: the ports whose numbers stand in the text.
-        conventional: those of conventions.
+        own: the ports whose numbers are written in the text.
+        conventional: the ports of conventions, which are returned.
     """
     numbers = [port.pin for port in (*own, *conventional)]
     for port in conventional:
@@ -169,7 +169,7 @@ def _flow_ports(
 
 
 def _given_by(call: ccode.Call, parameter: PinParameter, values: Values) -> set[int | None]:
-    """The numbers that a call of a macro may give for a pin, None among them where the text does not say it."""
+    """The numbers that an expanded call may have for a pin; None is among them if the text does not give all."""
     arguments = list(call.arguments)
     given = arguments[parameter.position] if parameter.position < len(arguments) else None
     known = pin_values(parameter, arguments, given, values)
@@ -177,7 +177,7 @@ def _given_by(call: ccode.Call, parameter: PinParameter, values: Values) -> set[
 
 
 def _result(expression: ccode.Located) -> ccode.Located | None:
-    """What has the value that an expression computes: of one that steps a variable, the variable."""
+    """The expression that has the computed value: the assigned or counted variable, else the expression itself."""
     if isinstance(expression, ccode.Assignment):
         return expression.left
     if isinstance(expression, ccode.Unary) and expression.operator in ("++", "--"):
@@ -186,7 +186,7 @@ def _result(expression: ccode.Located) -> ccode.Located | None:
 
 
 def _reached(through: Sequence[FlowPorts], bits: Sequence[PinUse]) -> Iterator[tuple[int, ccode.Located]]:
-    """Every number with where it is first, flows in text order, then bits of registers."""
+    """Each port number with the element that holds it first, from the flows in text order, then from bits of registers."""
     for each in through:
         for number in each.numbers:
             yield number, _where(each, number)
@@ -194,7 +194,7 @@ def _reached(through: Sequence[FlowPorts], bits: Sequence[PinUse]) -> Iterator[t
 
 
 def _where(each: FlowPorts, number: int) -> ccode.Located:
-    """What holds a number in a flow, else the first call that it reaches, else any call or any of its places."""
+    """The element that holds a number in a flow, else a call that it reaches, else any call or place of the flow."""
     holders: list[ccode.Located] = [place.element for place in each.flow.places if place.value == number]
     made = [(call, numbers) for calls in each.made.values() for call, numbers in calls]
     reached: list[ccode.Located] = [call for call, numbers in made if number in numbers]
@@ -202,7 +202,7 @@ def _where(each: FlowPorts, number: int) -> ccode.Located:
 
 
 def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> None:
-    """Call ports as the program does; a name that several ports have is said with its function."""
+    """Name the ports as the program does; a name of several ports is qualified with its function."""
     places = [place for each in through for place in each.flow.places if place.value in found]
     meant: dict[str, set[int]] = {}
     for place in places:
@@ -230,7 +230,7 @@ def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> None:
 
 
 def _constant(argument: ccode.Expression | None) -> tuple[str, ccode.Located] | None:
-    """The macro or constant that is given for a pin and whose value has no place of its own in the text."""
+    """The macro or constant whose name is given for a pin; its value may not be written as a number anywhere."""
     if not isinstance(argument, ccode.NameReference):
         return None
     target: ccode.Declaration | None = argument.target
@@ -251,7 +251,7 @@ def _full_name(place: PortPlace, meant: Mapping[str, set[int]]) -> str:
 
 
 def _use(found: Mapping[int, Port], uses: Sequence[PinUse], through: Sequence[FlowPorts]) -> None:
-    """Give each port its uses; a use of which only the running program knows the pin belongs to all of its flow."""
+    """Add its uses to each port; a use with an unknown pin is added to all ports of its flow."""
     flows = {id(a.argument): each for each in through for a in each.flow.arguments if a.argument is not None}
     for use in uses:
         if use.origin == "convention":
@@ -264,7 +264,7 @@ def _use(found: Mapping[int, Port], uses: Sequence[PinUse], through: Sequence[Fl
 
 
 def _in_macros(through: Sequence[FlowPorts]) -> Iterator[PinUse]:
-    """The uses in bodies of macros: each of the numbers of their flow, in a call that reaches it where one is known."""
+    """The uses of pins in bodies of macros: one for each number of the flow, with a call that it reaches if one is known."""
     for each in through:
         for position, argument in enumerate(each.flow.arguments):
             if argument.call is None:
@@ -276,7 +276,7 @@ def _in_macros(through: Sequence[FlowPorts]) -> Iterator[PinUse]:
 
 
 def _conventional(views: Sequence[CodeView]) -> list[Port]:
-    """The ports that functions use without being told, one for each role."""
+    """The ports that functions use by convention, without an argument: one for each role."""
     found: dict[str, Port] = {}
     for use in pin_uses(views):
         if use.origin != "convention":
@@ -288,7 +288,7 @@ def _conventional(views: Sequence[CodeView]) -> list[Port]:
 
 
 def role_name(use: PinUse, views: Sequence[CodeView]) -> str:
-    """How a person calls the port of a convention: `abdrive.left_servo`."""
+    """The name of a convention's port for users, such as `abdrive.left_servo`."""
     for view in views:
         known = str(view.api.settings.get("ports", {}).get("names", {}).get(use.expression, ""))
         if known:

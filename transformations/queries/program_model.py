@@ -1,4 +1,4 @@
-"""A program that was read as a model for rules: its extents are those that the views have already, so nothing is walked again."""
+"""A parsed program as a model for rules; its extents are those that the views have collected already."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from robosmi.transformations.queries.code import CodeView
 
 
 class ProgramModel(Model):
-    """A code model that changes no more.
+    """A model over a code model that must not change any more.
 
     Args:
         views: a view of each of its units.
@@ -35,7 +35,7 @@ class ProgramModel(Model):
         return ((f"ccode::{kind.name}", kind) for kind in ccode.eClass.eClassifiers)
 
     def all_contents(self) -> Iterator[Element]:
-        """The program, its units with all they contain, and what it uses and does not declare."""
+        """The program, its units with all their contents, and the externals that it uses."""
         yield self.program
         for view in self._views:
             yield from view.elements
@@ -55,7 +55,7 @@ class ProgramModel(Model):
         return [x for x in self.all_of_kind(wanted) if x.__class__ is wanted]
 
     def element(self, identity: str) -> Any:
-        """The element of a fragment, or None."""
+        """The element with this fragment, or None."""
         return resolve(identity, [self.program])
 
     def id_of(self, element: Node) -> str:

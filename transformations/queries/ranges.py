@@ -1,7 +1,7 @@
-"""Between which values an expression of a program lies, as far as the text says it: constants, counters, remainders, masks.
+"""Value ranges of a program's expressions, as far as the text bounds them: constants, counters, remainders, masks.
 
-A range is that of the values which the program itself gives (`given`), or only what a type can hold. Values that come from
-outside (a sensor, a person, an unknown function) have no range. What machines make of them is in `numbers`.
+A range bounds the values that the program itself gives (`given`), or only those that a type can hold. Values that come from
+outside (a sensor, a person, an unknown function) have no range. `numbers` tells what machines make of them.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from robosmi.transformations.queries.values import Values, passed_arguments
 from robosmi.typed import class_name
 
 DEEP = 40
-"""How many names and operators lie between an expression and the values that it stands for, at most."""
+"""Depth of names and operators to which the values of an expression are followed."""
 
 
 class Range(NamedTuple):
-    """The least and the greatest value, and whether the text gives them, not only a type."""
+    """The least and the greatest value, and whether the program's text gives both (`given`) or only a type bounds them."""
 
     low: int
     high: int
@@ -30,20 +30,20 @@ class Range(NamedTuple):
 
     @property
     def single(self) -> bool:
-        """Whether it is one value."""
+        """Whether the range is a single value."""
         return self.low == self.high
 
     def within(self, low: int, high: int) -> bool:
-        """Whether no value is outside of these."""
+        """Whether the range lies between these bounds, inclusive."""
         return low <= self.low and self.high <= high
 
 
 class Ranges:
-    """Ranges in a program.
+    """Computes the ranges of expressions in a program.
 
     Args:
-        numbers: the program as its own machine reads it: what narrow types can hold.
-        values: what the program's macros stand for.
+        numbers: the types of the program's expressions on its own machine.
+        values: the values of the program's macros.
         program: the program.
     """
 
@@ -137,7 +137,7 @@ class Ranges:
         return None
 
     def _variable(self, variable: ccode.Variable | ccode.Parameter) -> Range | None:
-        """What is assigned to a variable anywhere; None where something else may write it."""
+        """The union of the ranges of all values that a variable is given; None where something unknown may write it."""
         use = variable.valueType
         if use is None or use.arrayDims or use.pointerDepth:
             return None
@@ -171,7 +171,7 @@ class Ranges:
         return self.of(assignment.right) if assignment.operator == "=" else None
 
     def _seen_elsewhere(self, variable: ccode.Variable | ccode.Parameter) -> bool:
-        """Whether another file may write a variable, by a declaration of its own."""
+        """Whether another file may write a variable, through a declaration of its own."""
         if not isinstance(variable, ccode.Variable) or not isinstance(variable.eContainer(), ccode.SourceUnit):
             return False
         if variable.storage is ccode.Storage.staticStorage:
@@ -179,7 +179,7 @@ class Ranges:
         return variable.storage is ccode.Storage.externStorage or variable.name in self._shared
 
     def _counted(self, step: ccode.Unary, variable: ccode.Declaration) -> Range | None:
-        """Where a for loop lets its counter come to: the bound of its condition."""
+        """The range of a for loop's counter, up to the bound of its condition; None for any other `++`, `--` or `&`."""
         loop = step.eContainer()
         up = step.operator == "++"
         if not isinstance(loop, ccode.For) or loop.step is not step:
@@ -197,7 +197,7 @@ class Ranges:
         return Range(bound.low, bound.high + past) if up else Range(bound.low - past, bound.high)
 
     def _index(self, index: ccode.Index) -> Range | None:
-        """The elements of an array with its values in the text, of which none is written."""
+        """The range of all elements of an array that is initialised with known values and never written."""
         array = index.array
         target = array.target if isinstance(array, ccode.NameReference) else None
         if not isinstance(target, ccode.Variable) or not isinstance(target.initializer, ccode.InitializerList):

@@ -1,8 +1,7 @@
-"""Which values an expression may have while the program runs, also where the text gives a name more than one: a bound from above.
+"""Upper bounds: all values that an expression may have at run time, also of names that the text gives several values.
 
-`values` asks for the one value that a name has. Here all values count that are assigned to it, and where it is stepped (`pin++`,
-`pin += 2`, a function that calls itself with `pin + 1`) all numbers up to those that it is compared with. What comes from outside
-stays unknown.
+`values` finds the one value that a name has. Here all values count that are assigned to it, and if it is stepped (`pin++`, `pin
++= 2`, a recursive call with `pin + 1`) all numbers up to those that it is compared with. Values from outside stay unknown.
 """
 
 from __future__ import annotations
@@ -15,13 +14,13 @@ from robosmi.transformations.queries.values import LIMIT, RUNTIME, Value, Values
 from robosmi.typed import paired
 
 _UP = {"<": -1, "<=": 0, ">": 0, ">=": -1, "!=": -1, "==": 0}
-"""Comparison of a rising number with a bound -> how far above the bound it gets at most."""
+"""Comparison of a rising number with a bound -> how far above the bound the number may get."""
 _DOWN = {">": 1, ">=": 0, "<": 0, "<=": 1, "!=": 1, "==": 0}
-"""The same of a falling one: how far above the bound it ends."""
+"""Comparison of a falling number with a bound -> how far above the bound the number may end."""
 
 
 class ReachedValues(Values):
-    """Values that expressions of one program may have."""
+    """Computes all values that expressions of one program may have."""
 
     def _counter(self, reference: ccode.NameReference, variable: ccode.Variable) -> list[Value] | None:
         found = super()._counter(reference, variable)
@@ -39,11 +38,11 @@ class ReachedValues(Values):
         return self._all_given(parameter, passed_arguments(parameter))
 
     def _all_given(self, target: ccode.Declaration, given: Sequence[Element | None]) -> list[Value]:
-        """The values that a variable or parameter may have.
+        """All values that a variable or parameter may have.
 
         Args:
             target: the variable or parameter.
-            given: what it is given where it is declared, or by callers.
+            given: its initial value, or the arguments that callers pass.
         """
         steps: list[int | None] = []
         for reference in target.references:
@@ -68,13 +67,13 @@ class ReachedValues(Values):
         return self._stepped(target, known, steps) if known and len(known) == len(numbers) else [RUNTIME]
 
     def _step_of(self, expression: ccode.Expression | None, operator: str) -> int | None:
-        """By how much an assignment steps, None where the text does not say it."""
+        """The step of a compound assignment, negative for `-=`; None where the text does not give it."""
         values = self.of(expression)
         number = values[0].number if len(values) == 1 else None
         return None if number is None or operator not in ("+=", "-=") else number if operator == "+=" else -number
 
     def _stepped(self, target: ccode.Declaration, first: list[int], steps: list[int | None]) -> list[Value]:
-        """All numbers between the first ones and those that a stepped name is compared with."""
+        """All numbers between the initial ones and those that a stepped name is compared with; unknown if nothing bounds it."""
         if None in steps:
             return [RUNTIME]
         low, high = min(first), max(first)
@@ -92,7 +91,7 @@ class ReachedValues(Values):
         return [Value(number, "constant") for number in range(low, high + 1)] if high - low < LIMIT else [RUNTIME]
 
     def bounds(self, target: ccode.Declaration) -> Iterator[tuple[str, int, int]]:
-        """The comparisons of a name with known numbers: operator, number, and 1 where it is stepped behind the comparison."""
+        """The comparisons of a name with known numbers: (operator, number, 1 if it is stepped afterwards else 0)."""
         for reference in target.references:
             side: ccode.Expression = reference
             parent = side.eContainer()
@@ -113,7 +112,7 @@ _TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "!=": "!=", "==": "=="}
 
 
 def _own_step(expression: Element | None, target: ccode.Declaration) -> tuple[str, ccode.Expression | None] | None:
-    """Operator and step of an expression such as `pin + 1` that is given to the name in it."""
+    """Operator and step if a name is given an expression of itself, such as `pin + 1`; None for any other expression."""
     if not isinstance(expression, ccode.Binary) or str(expression.operator) not in ("+", "-"):
         return None
     left = expression.left

@@ -15,7 +15,7 @@ from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import type_of
 
 Tree: TypeAlias = "dict[str, Tree]"
-"""A member's name -> the members that are used of it."""
+"""A member's name -> the members of it that are used, in the same form."""
 
 
 def outside_members(views: Iterable[CodeView]) -> set[str]:
@@ -31,7 +31,7 @@ def outside_members(views: Iterable[CodeView]) -> set[str]:
 
 
 def record_values(views: Iterable[CodeView], sources: Mapping[str, bytes]) -> dict[str, str]:
-    """Member that is given a whole record somewhere -> the type of that record, which the program does not declare either."""
+    """Member that is assigned a whole record -> the type of that record, if the program does not declare it either."""
     found: dict[str, str] = {}
     for view in views:
         for given in view.of_kind(ccode.Assignment):
@@ -44,7 +44,7 @@ def record_values(views: Iterable[CodeView], sources: Mapping[str, bytes]) -> di
 
 
 def members(type_names: Collection[str], views: Iterable[CodeView], sources: Mapping[str, bytes]) -> list[str]:
-    """Declarators of the members that are used, `int32_t x`, sorted by name."""
+    """Declarators (`int32_t x`) of the members that a program uses of undeclared record types, sorted by name."""
     views = list(views)
     tree: Tree = {}
     for view in views:
@@ -73,7 +73,7 @@ def members(type_names: Collection[str], views: Iterable[CodeView], sources: Map
 
 
 def _chain(words: list[str], i: int, tree: Tree) -> None:
-    """Follow `[..].a[..].b` from a place behind a name."""
+    """Add the members that `[..].a[..].b` uses, from the token after a variable's name on, to the tree."""
     i = _behind_brackets(words, i)
     if words[i : i + 2] == ["=", "{"]:
         depth = 0

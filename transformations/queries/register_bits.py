@@ -21,15 +21,14 @@ _WRITES = ("=", "|=", "^=", "&=")
 
 
 def register_bits(view: CodeView, masks: PortMasks) -> list[PinUse]:
-    """The uses of ports as bits of registers and of masks, in text order.
+    """The ports that a program uses as bits of registers, in text order.
 
-    Where the text does not tell which bit is meant, the use has no pin.
-
-    A bit that no port has, because the mask is wider than the register, is a use of that number.
+    Where the text does not tell the bit, the use has no pin. A bit without a port, because the register has fewer bits than the
+    mask, is a use of that number.
 
     Args:
-        view: of the unit.
-        masks: those of the program.
+        view: the unit.
+        masks: the masks of the program.
     """
     registers: dict[str, str] = view.api.settings.get("ports", {}).get("registers", {})
     whole = (1 << view.api.ports) - 1
@@ -60,7 +59,7 @@ def _add(
 
 
 def _bits(reference: ccode.NameReference, masks: PortMasks, whole: int) -> int | None:
-    """The bits that one use of a register changes or looks at."""
+    """The bits that one use of a register changes or reads; None if they are not known."""
     parent = reference.eContainer()
     if not isinstance(parent, ccode.Assignment) or parent.left is not reference:
         return _looked_at(reference, masks, 0, set())
@@ -70,13 +69,13 @@ def _bits(reference: ccode.NameReference, masks: PortMasks, whole: int) -> int |
 
 
 def _looked_at(value: Element | None, masks: PortMasks, shifted: int, seen: set[int]) -> int | None:
-    """The bits of a register that are looked at where its value goes: at once, or by the names that keep it.
+    """The bits of a register that are read where its value goes, directly or through variables that keep it.
 
     Args:
         value: the expression with the register's value.
-        masks: those of the program.
-        shifted: by how much the value was shifted to the right.
-        seen: what was followed before.
+        masks: the masks of the program.
+        shifted: how many bits the value was shifted to the right.
+        seen: `id` of each place that was followed before.
     """
     parent = value.eContainer() if value is not None else None
     operator = str(parent.operator) if isinstance(parent, (ccode.Binary, ccode.Unary)) else ""
@@ -99,7 +98,7 @@ def _looked_at(value: Element | None, masks: PortMasks, shifted: int, seen: set[
 
 
 def _takers(value: Element | None, parent: Element | None, masks: PortMasks) -> list[Element]:
-    """The expressions that have a value later on: uses of the variable or parameter that keeps it, calls that return it."""
+    """The expressions that read a value later: references to what it is stored in, calls that return it."""
     if isinstance(parent, ccode.Variable) and not (parent.valueType is not None and parent.valueType.arrayDims):
         return [reference for reference in parent.references if not _is_written(reference)]
     if isinstance(parent, ccode.Assignment) and str(parent.operator) == "=" and isinstance(parent.left, ccode.NameReference):
@@ -121,7 +120,7 @@ def _is_written(reference: ccode.NameReference) -> bool:
 
 
 def _put_back(reference: ccode.NameReference) -> bool:
-    """Whether a use of a register only gives back to the same register the bits that an assignment leaves alone."""
+    """Whether a register is only read to write its other bits back to the same register."""
     inner: Element = reference
     outer = reference.eContainer()
     while isinstance(outer, (ccode.Binary, ccode.Cast, ccode.Unary, ccode.ConditionalExpression)):
@@ -133,7 +132,7 @@ def _put_back(reference: ccode.NameReference) -> bool:
 def _changed(
     masks: PortMasks, expression: ccode.Expression | None, register: ccode.NameReference, cleared: int = 0
 ) -> int | None:
-    """The bits that an assignment changes: of what is put back with `|`, `&` or `^`, those of the other side."""
+    """The bits that an assignment changes: of `register | x`, `register & x` and `register ^ x`, those of x only."""
     if isinstance(expression, ccode.ConditionalExpression):
         return union(_changed(masks, way, register, cleared) for way in (expression.whenTrue, expression.whenFalse))
     if isinstance(expression, ccode.Binary) and (operator := str(expression.operator)) in ("|", "^", "&") and not cleared:
@@ -148,5 +147,5 @@ def _changed(
 
 
 def _mask(masks: PortMasks, expression: Element | None, cleared: int = 0) -> int | None:
-    """All bits of the values of an expression; with `cleared`, those of its complement. None where a value is not known."""
+    """The bits that may be set in an expression, or with `cleared` those that may be clear; None if they are not known."""
     return masks.cleared(expression, cleared) if cleared else masks.bits(expression)

@@ -1,7 +1,7 @@
-"""Signatures as text, taken apart: name, what the function returns, its parameters' types and names.
+"""Parses signatures given as text: the return type, the name, and the types and names of the parameters.
 
-Only declarators as this project writes them are read; C at large is the reader's business. What a plan has of an adapter's
-signature is typed (`queries.adapter_signature`).
+Only declarators as this project writes them are read; the code model's parser reads C at large. Adapters' signatures in a plan
+are typed (`queries.adapter_signature`).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _HEAD = re.compile(r"^(?P<returns>.*?[\s*])(?P<name>[A-Za-z_]\w*)\((?P<rest>.*)\
 
 
 def split(parameters: str) -> list[str]:
-    """The parameters of a list, without the empty one and without `...`."""
+    """The parameters of a parameter list, without `void` and `...`."""
     parts, depth = [""], 0
     for character in parameters:
         depth += (character in "([") - (character in ")]")
@@ -30,7 +30,7 @@ def split(parameters: str) -> list[str]:
 
 
 def taken_apart(signature: str) -> tuple[str, str, list[str]]:
-    """What a function returns, its name, its parameters with names; empty texts where it is no signature."""
+    """Return type, name and parameters of a signature; empty if the text is no signature."""
     found = _HEAD.match(signature.strip())
     return (found["returns"].strip(), found["name"], split(found["rest"])) if found else ("", "", [])
 
@@ -68,7 +68,7 @@ def type_names(spelling: str) -> list[str]:
 
 
 def declare(spelling: str, name: str) -> str:
-    """A declaration of a name with a type: `int *` and `p` give `int *p`, `int [4]` gives `int p[4]`."""
+    """Declare a name with a type: `int *` and `p` give `int *p`, `int [4]` and `p` give `int p[4]`."""
     spelling = spelling.strip()
     if "(*" in spelling:
         place = spelling.index("(*") + 2
@@ -83,13 +83,13 @@ def declare(spelling: str, name: str) -> str:
 
 
 def function_type(signature: str) -> FunctionType:
-    """What a function takes and gives."""
+    """The return type and the parameter types of a signature."""
     returns, _, parameters = taken_apart(signature)
     return FunctionType(returns, tuple(parameter_type(p) for p in parameters))
 
 
 def nothing(returned: str) -> str:
-    """What a body without a result gives back; empty for void."""
+    """The expression that a placeholder returns for a return type (`0`, `{}`); empty for void."""
     words = returned.replace("const ", "").replace("volatile ", "").split()
     if returned.strip() == "void" or not words:
         return ""

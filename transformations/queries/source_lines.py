@@ -11,10 +11,10 @@ _LONGEST = 120
 
 
 def line_of(element: ccode.Located | None, sources: Mapping[str, bytes]) -> str:
-    """How the line of an element reads, with its number in front; empty for what has no line in a stored source.
+    """The source line of an element with its number in front; empty if the source is not stored.
 
     Args:
-        element: of the code model.
+        element: an element of the code model.
         sources: path of a unit -> its bytes.
     """
     unit = ancestor_of_kind(element, ccode.SourceUnit) if element is not None else None

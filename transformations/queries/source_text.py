@@ -27,12 +27,12 @@ INCLUDED = (*HEADERS, ".c", ".cc", ".cpp")
 
 
 def is_header(unit: ccode.SourceUnit) -> bool:
-    """Whether a unit is a header of the program's own: by its name, or as another unit includes it."""
+    """Whether a unit is a header of the program: by its file name, or because another unit includes it."""
     return unit.path.lower().endswith(HEADERS) or _is_included(unit)
 
 
 def _is_included(unit: ccode.SourceUnit) -> bool:
-    """Whether another unit of the program includes this one, which has no main."""
+    """Whether another unit of the program includes this one, and it defines no main."""
     others = [u for u in unit.program.units if u is not unit] if unit.program is not None else []
     name = unit.path.rpartition("/")[2]
     includes = (i for u in others for i in u.includes)
@@ -42,9 +42,9 @@ def _is_included(unit: ccode.SourceUnit) -> bool:
 
 
 def meant_unit(include: ccode.Include) -> ccode.SourceUnit | None:
-    """The file of the program that an include means: the one that was found for it, else one of its name.
+    """The program's file that an include refers to: the resolved one, else the first with the same file name.
 
-    Files of one name may lie in several folders; only where nothing was found, the name alone has to do.
+    Several folders may have files of one name, so the file name alone counts only if the include was not resolved.
     """
     unit = include.eContainer()
     program = unit.program if isinstance(unit, ccode.SourceUnit) else None
@@ -61,7 +61,7 @@ def _file_name(include: ccode.Include) -> str:
 
 
 def header_file(name: str) -> str:
-    """What a header of the program's own is called in a sketch, whose compiler takes each `.c` file there for itself."""
+    """The name of a program's own header in a sketch, where each `.c` file would be compiled by itself."""
     return name if name.lower().endswith(HEADERS) else f"{name.replace('.', '_')}.h"
 
 
@@ -192,7 +192,7 @@ class SourceText:
 
 
 def _placed(changes: Iterable[migration.TextChange]) -> list[tuple[int, int, str, migration.TextChange]]:
-    """Changes behind where they begin and end, and what they put there."""
+    """Each change as (start, end, replacement, change)."""
     return [(change.startOffset, change.endOffset, change.replacement, change) for change in changes]
 
 
@@ -200,14 +200,14 @@ _LABEL = re.compile(r"\s*(?!default\b)[A-Za-z_]\w*\s*:(?!:)")
 
 
 def reindent(texts: Sequence[str], continued: bool = False) -> list[str]:
-    """Texts that stand together, with their common indentation taken away and two blanks given instead.
+    """Replace the common indentation of texts that are put together by two blanks.
 
-    Directives and what continues a line (after a backslash) are left as they are, since blanks in them may matter. Labels
-    stand further left than what they belong to, so they do not count for the common indentation.
+    Directives and continuation lines (after a backslash) are left as they are, since blanks in them may matter. Labels are
+    indented less than what they label, so they do not count for the common indentation.
 
     Args:
-        texts: that stand one behind the other.
-        continued: the first one goes on with a line before it, which ends in a backslash.
+        texts: the texts in their order.
+        continued: whether the first one continues a line before it, which ends in a backslash.
     """
     shown = [list(_lines(text, continued and not number)) for number, text in enumerate(texts)]
     lines = [line.expandtabs(4) for text in shown for line, kept in text if line.strip() and not kept]
@@ -220,7 +220,7 @@ _LINES = re.compile(r"[^\n]*\n|[^\n]+")  # a form feed ends no line of C, nor do
 
 
 def _lines(text: str, continued: bool = False) -> Iterator[tuple[str, bool]]:
-    """The lines of a text, and whether each has to stay as it is; the first may continue a line."""
+    """The lines of a text, each with whether it has to stay as it is; `continued` if the first one continues a line."""
     directive = False
     for line in matches(_LINES, text):
         if not continued:

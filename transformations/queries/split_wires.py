@@ -1,6 +1,7 @@
-"""Components with a wire for each direction where the source has one for both, such as a ranger with trigger and echo.
+"""Components with one wire per direction where the source uses one for both, such as a ranger with trigger and echo.
 
-Which functions can serve them is data of their adapters (`split` of a pin); which port is on such a component is the plan's.
+Which functions can serve them is data of their adapters (`split` of a pin); which port such a component has is decided in the
+plan.
 """
 
 from __future__ import annotations
@@ -11,12 +12,12 @@ from robosmi.metamodels import migration, platform
 
 
 def split_functions(uses: Iterable[migration.AdapterUse]) -> frozenset[str]:
-    """The functions whose adapters can serve a component with a wire for each direction."""
+    """Names of the functions whose adapters can use separate wires for the two directions."""
     return frozenset(str(use.name) for use in uses if use.adapter is not None and any(pin.split for pin in use.adapter.pins))
 
 
 def wires_of(component: object, connections: Sequence[migration.Connection]) -> dict[str, migration.Connection]:
-    """The connection by which a component is asked (`write`), and by which it answers (`read`), where it has each once."""
+    """The one connection of a component that the board writes (`write`) and the one it reads (`read`); else empty."""
     mine = [c for c in connections if c.component is component and c.pin is not None]
     asked = [c for c in mine if c.signal is migration.Signal.write]
     heard = [c for c in mine if c.signal is migration.Signal.read]
@@ -26,11 +27,11 @@ def wires_of(component: object, connections: Sequence[migration.Connection]) -> 
 
 
 def asking_pin(binding: migration.PortBinding, connections: Sequence[migration.Connection]) -> platform.Pin | None:
-    """The pin that asks of a port whose component has a wire for each direction; None for any other."""
+    """The pin that the board writes for a port whose component has a wire per direction; None for any other port."""
     wires = wires_of(binding.answer.component, connections) if binding.answer is not None else {}
     return wires["write"].pin if wires else None
 
 
 def answering_pin(binding: migration.PortBinding) -> platform.Pin | None:
-    """The pin that answers of such a port; None for any other."""
+    """The pin that the board reads for a port whose component has a wire per direction; None for any other port."""
     return binding.answer.pin if binding.answer is not None else None

@@ -1,8 +1,8 @@
-"""How deep the stack of a plan's program may grow, estimated before it is compiled: the deepest calls, interrupts upon them.
+"""Estimates how deep the stack of a plan's program may grow before it is compiled: deepest call chain plus interrupts.
 
-What calls of adapters take, and the interrupts that come with them, is measured and stands in their files; the program's own
-functions are estimated. What a compiler leaves out does not count. Once the program is compiled, its stack is read off its code
-(`verification.machine_stack`). Stacks of what ran on other cores are memory of their own (`memory`).
+The stack of adapter calls and of their interrupts is measured and stored in the adapter files; that of the program's own
+functions is estimated. Code that a compiler leaves out does not count. Once the program is compiled, its stack is read off its
+code (`verification.machine_stack`). Stacks of code that ran on other cores are memory of their own (`memory`).
 """
 
 from __future__ import annotations
@@ -21,27 +21,27 @@ from robosmi.transformations.queries.plan_adapters import closure, emitted
 from robosmi.typed import distinct
 
 START = 2
-"""Bytes of stack that lead to main: the address that it would return to."""
+"""Bytes of stack at the start of main: its return address."""
 ARGUMENT = 6
-"""Bytes of each argument of a function that takes any number of them: its value and its kind."""
+"""Bytes that each variable argument takes on the stack: its value and its kind."""
 MEASURED_ARGUMENTS = 3
-"""So many arguments such a function was given where it was measured, a format and two values."""
+"""Number of arguments that variadic functions were measured with: a format and two values."""
 IDLE = 80
-"""Bytes of stack that a coroutine needs that does nothing: interrupts of the core, and what it leaves while others get on."""
+"""Bytes of stack of a coroutine that does nothing: interrupts of the core, and what it saves while others run."""
 CORE_INTERRUPT, SERIAL_INTERRUPT = 11, 19
-"""Bytes that interrupts of the core take: of its clock, which each program has, and the larger one of its serial line."""
+"""Bytes that the core's interrupts take: of its clock, which each program has; of its serial line, which takes more."""
 REGISTERS = 16
-"""Bytes of a function's variables that are in registers, which the bytes of its call count."""
+"""Bytes of a function's local variables that fit into registers, whose saving `FRAME` includes."""
 CALL = 12
-"""Bytes of a call of an adapter that nobody has measured."""
+"""Assumed bytes of a call of an adapter that was not measured."""
 _NO_CODE = (platform.PieceKind.constant, platform.PieceKind.dataType)
-"""Kinds of pieces that are no code, so that naming one takes nothing."""
+"""Kinds of pieces that contain no code."""
 YIELD = "yield"
-"""The piece with which a coroutine lets others get on."""
+"""The piece by which a coroutine lets others run."""
 
 
 class _Program:
-    """What calls of the platform take in one program.
+    """The stack that functions of one program take.
 
     Args:
         plan: the plan, complete.
@@ -59,7 +59,7 @@ class _Program:
         self.turns = max((_bytes(piece, 1) for piece in giving), default=0)
 
     def taken_by(self, function: ccode.Function) -> Taken:
-        """What a function takes."""
+        """The stack that one of the program's functions takes."""
         assert function.body is not None  # only functions with one are followed
         calls = [call for call in all_of_kind(function.body, ccode.Call) if id(call) in self._live]
         names = [each for each in all_of_kind(function.body, ccode.NameReference) if id(each) in self._live]
@@ -71,7 +71,7 @@ class _Program:
         return Taken(_frame(variables), own, max(others, default=0))
 
     def _call(self, call: ccode.Call) -> int:
-        """Bytes of a call of the platform."""
+        """Bytes of stack of a call of a platform function."""
         name = str(call.calleeName)
         more = ARGUMENT * (len(call.arguments) - MEASURED_ARGUMENTS) if name in self._variadic else 0
         return max(0, self._use(name, self._places[name]) + more)
@@ -85,7 +85,7 @@ class _Program:
 
 
 def _frame(variables: Iterable[ccode.Variable]) -> int:
-    """Bytes of local variables on the stack: arrays, records and what has an address; others beyond the registers."""
+    """Bytes of local variables on the stack: arrays, records, addressed ones, and others that exceed the registers."""
     lying, others = list[ccode.Variable](), list[ccode.Variable]()
     for variable in variables:
         use = variable.valueType
@@ -95,13 +95,13 @@ def _frame(variables: Iterable[ccode.Variable]) -> int:
 
 
 def depth(plan: migration.MigrationPlan, code: CompiledCode, pieces: Iterable[platform.Adapter], *, serial: bool) -> int:
-    """Bytes of stack that the program takes at most, as far as the models tell.
+    """Bytes of stack that the program takes at most, as far as the models tell: deepest call chain plus interrupts.
 
     Args:
         plan: the plan, complete.
         code: what a compiler keeps of its program.
-        pieces: the pieces of adapters that are there.
-        serial: whether the serial line of the core is there.
+        pieces: the adapter pieces of the program.
+        serial: whether the program uses the core's serial line.
     """
     program = _Program(plan, code)
     mains = [main for unit in (plan.program.units if plan.program is not None else ()) if (main := main_of(unit)) is not None]
@@ -110,20 +110,20 @@ def depth(plan: migration.MigrationPlan, code: CompiledCode, pieces: Iterable[pl
 
 
 def unfollowed(code: CompiledCode) -> tuple[int, ...]:
-    """The lines of calls through pointers of which the models do not tell what they reach, so that `depth` has none of it."""
+    """Lines of the calls through pointers whose functions are not known, which `depth` therefore does not contain."""
     calls = [each for each in code.elements if isinstance(each, ccode.Call) and not code.pointed.get(id(each), [each])]
     return tuple(distinct(int(call.line) for call in calls))
 
 
 def _bytes(piece: platform.Adapter, places: int) -> int:
-    """Bytes of stack that a piece takes which the program uses at so many places: measured, or a call for each on the way."""
+    """Bytes of stack of a piece that is called at so many places (inlined at one): measured, else per nested call."""
     if piece.stackBytes < 0:
         return CALL * (1 + max((len(closure([each])) for each in piece.needs), default=0))
     return int(piece.inlinedStackBytes if places == 1 else piece.stackBytes)
 
 
 def measured_stacks(filled: Iterable[tuple[str, list[platform.Adapter]]]) -> dict[str, int]:
-    """Name of a platform's function -> bytes of stack that a call of its adapter takes, where that is measured.
+    """Name of a platform's function -> measured bytes of stack of a call of its adapter; functions not measured are left out.
 
     Args:
         filled: names with the pieces that each needs, its own last.
@@ -132,11 +132,11 @@ def measured_stacks(filled: Iterable[tuple[str, list[platform.Adapter]]]) -> dic
 
 
 def interrupt_bytes(pieces: Iterable[platform.Adapter], *, serial: bool = False) -> int:
-    """Bytes that interrupts take on the stack in use: the core's, and those that come with the pieces.
+    """Bytes that nested interrupts take on the current stack: the core's, and those of the pieces.
 
     Args:
         pieces: pieces of adapter files, each as often as you like.
-        serial: whether the serial line of the core is there, whoever uses it.
+        serial: whether the program contains the driver of the core's serial line.
     """
     found: dict[str, HandlerBytes] = {"": HandlerBytes(SERIAL_INTERRUPT if serial else CORE_INTERRUPT, -1)}
     for each in (interrupt for piece in pieces for interrupt in piece.interrupts):

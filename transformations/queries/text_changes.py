@@ -1,4 +1,4 @@
-"""Changes of text in a plan: whose they are, and which of them count where several want the same place.
+"""Changes of text in a plan: which decision each belongs to, and which take effect where several overlap.
 
 The changes are made when planning (`m2m.text_changes`) and applied by `source_text`.
 """
@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from robosmi.metamodels import migration
 
 CARRIED_OVER = frozenset({"own-macro", "own-function", "own-declaration", "main-once", "main-repeated"})
-"""Rules whose elements are carried over as they are, but for the ports in them."""
+"""Rules whose elements are carried over unchanged except for their ports."""
 
 
 def decision_of(change: migration.TextChange) -> migration.Decision | None:
@@ -20,7 +20,7 @@ def decision_of(change: migration.TextChange) -> migration.Decision | None:
 
 
 def all_changes(plan: migration.MigrationPlan) -> list[migration.TextChange]:
-    """Every change of a plan, in the order that says which of two with the same range counts: edits of persons come first."""
+    """Every change of a plan in order of precedence among changes of the same range; persons' edits come first."""
     decisions: tuple[migration.Decision, ...] = (
         *plan.portBindings,
         *plan.portFlows,
@@ -33,10 +33,10 @@ def all_changes(plan: migration.MigrationPlan) -> list[migration.TextChange]:
 
 
 def effective(changes: Iterable[migration.TextChange]) -> list[migration.TextChange]:
-    """The changes in text order without those that lie in what another one takes away; of equal ones the first counts.
+    """The changes that take effect, in text order: not those within a range that another change replaces.
 
-    Of insertions at one place the first stand outside: what opens a parenthesis comes in the order given, what closes one
-    (a text that begins with it) in the reverse order and before all others.
+    Of changes with equal ranges the first wins. Of insertions at one place, those that begin with `)` come first in reverse
+    order, then the others in the order given, so that earlier changes enclose later ones.
     """
     kept: list[_Placed] = []
     reach, unit = -1, ""
@@ -59,7 +59,7 @@ def effective(changes: Iterable[migration.TextChange]) -> list[migration.TextCha
 
 
 _Placed = tuple[str, int, int, int, migration.TextChange]
-"""A change behind the path of its unit, where it begins, minus where it ends, and its number."""
+"""A sort key before its change: path of the unit, start, negated end, number in the order given."""
 
 
 def _in_order(changes: Iterable[migration.TextChange]) -> list[_Placed]:
@@ -76,7 +76,7 @@ def _in_order(changes: Iterable[migration.TextChange]) -> list[_Placed]:
 
 
 def _outside(inserted: list[_Placed], kept: list[_Placed]) -> list[_Placed]:
-    """Insertions that do not stand inside a range that is replaced; both in text order."""
+    """The insertions that do not lie inside a replaced range; both lists are in text order."""
     found: list[_Placed] = []
     ranges = iter(kept)
     current = next(ranges, None)

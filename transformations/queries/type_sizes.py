@@ -1,7 +1,7 @@
-"""How many bytes declared types take on the source and on the target, and what a text says.
+"""The sizes in bytes of declared types on the source and on the target, and the contents of string literals.
 
 Sizes follow from the platforms' models: widths of int, long, double and pointers, types that keep the width of the source. On a
-processor that reads bytes, members of structures lie behind each other without gaps. What expressions take is not asked here.
+processor that reads bytes, members of structures have no gaps between them. Sizes of expressions are not computed here.
 """
 
 from __future__ import annotations
@@ -20,28 +20,28 @@ _ESCAPE = re.compile(r"\\(?:x[0-9A-Fa-f]+|[0-7]{1,3}|.)", re.DOTALL)
 _TEXT = re.compile(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)
 _OCTET = 8
 _READS_WORDS = 32
-"""A processor whose int has so many bits reads words, and puts values at multiples of their size."""
+"""Width of int from which on a processor reads words and aligns values to multiples of their size."""
 _LONG_DOUBLE = 8
-"""Bytes that GCC gives a long double at least where it computes in words, even if a double has 4; else it is a double."""
+"""Least size of GCC's long double on a word processor, even if double has 4 bytes; elsewhere it equals double."""
 _FIXED = {
     "char": 1, "signed char": 1, "unsigned char": 1, "bool": 1, "short": 2, "unsigned short": 2, "short int": 2, "float": 4,
     "long long": 8, "unsigned long long": 8, "long long int": 8,
 }  # fmt: skip
-"""Bytes of the types that are the same on all the platforms that there are."""
+"""Bytes of the types that have one size on all supported platforms."""
 
 
 class TypeSizes:
-    """Sizes on a platform.
+    """Sizes of types on a platform.
 
     Args:
         model: the platform.
-        integer: bytes of an int, where it is written otherwise than the platform has it; 0 for the platform's own.
-        aligned: bytes that the processor reads at once: members lie at multiples of their size up to so many; 1 for no gaps.
+        integer: bytes of types written `int` if they are replaced by another width, 0 for the platform's own.
+        aligned: greatest alignment in bytes (the word that the processor reads); 1 for no gaps between members.
 
     Attributes:
-        plain: bytes of the types of the language.
+        plain: name of a type of the language -> its bytes.
         pointer: bytes of a pointer.
-        declared: bytes of types that the program does not declare itself.
+        declared: name of a type that the program does not declare itself -> its bytes.
     """
 
     def __init__(self, model: platform.Platform, integer: int = 0, aligned: int = 1) -> None:
@@ -69,7 +69,7 @@ class TypeSizes:
         return None if one is None else count * one
 
     def element(self, use: ccode.TypeUse) -> int | None:
-        """The bytes of one element of an array, of anything else as it is."""
+        """The bytes of one element of an array type, of any other type itself; None where the model does not tell."""
         if use.pointerDepth or "(*" in str(use.spelling or ""):
             return self.pointer
         record = record_of(use)
@@ -88,7 +88,7 @@ class TypeSizes:
         return int(use.bits) // _OCTET or None
 
     def record(self, record: ccode.Record) -> int | None:
-        """The bytes of a structure or a union; bit-fields share bytes, or what is read at once."""
+        """The bytes of a structure or union with its bit-fields packed; None if the size of a member is unknown."""
         bits, most, widest = 0, 0, 1
         for each in record.fields:
             whole = self.of(each.valueType)
@@ -107,7 +107,7 @@ class TypeSizes:
         return _up(most if union else bits, widest * _OCTET) // _OCTET
 
     def alignment(self, use: ccode.TypeUse | None) -> int:
-        """At multiples of how many bytes a value of a type lies."""
+        """The alignment of a type in bytes."""
         if use is None or self.aligned == 1:
             return 1
         record = record_of(use) if not use.pointerDepth else None
@@ -117,7 +117,7 @@ class TypeSizes:
 
 
 def on_target(plan: migration.MigrationPlan) -> TypeSizes:
-    """Sizes on the target of a plan: members lie behind each other, as on a processor that reads bytes."""
+    """The sizes on the target of a plan; members have gaps only if its processor reads words."""
     whole = int(plan.source.intBits) // _OCTET if plan.widths is migration.Widths.fix and plan.source is not None else 0
     target = platform_of(plan)
     sizes = TypeSizes(target, whole, 1 if target.intBits < _READS_WORDS else int(target.intBits) // _OCTET)
@@ -126,7 +126,7 @@ def on_target(plan: migration.MigrationPlan) -> TypeSizes:
 
 
 def on_source(plan: migration.MigrationPlan) -> TypeSizes | None:
-    """Sizes on the source of a plan, which reads words; None where it is not known."""
+    """The sizes on the source of a plan, aligned to its int; None where the source is not known."""
     return TypeSizes(plan.source, 0, int(plan.source.intBits) // _OCTET) if plan.source is not None else None
 
 
@@ -135,12 +135,12 @@ def _up(bits: int, unit: int) -> int:
 
 
 def text_of(literal: ccode.StringLiteral) -> str:
-    """What a text says, adjacent ones joined, each character as one; escapes become one character each."""
+    """The contents of a string literal, adjacent ones joined, each escape sequence as one character."""
     return unescaped(str(literal.text or ""))
 
 
 def unescaped(text: str) -> str:
-    """What texts in quotes say, adjacent ones joined, each character as one."""
+    """The contents of the quoted strings in a text, joined, each escape sequence as one character."""
     return "".join(_ESCAPE.sub(lambda found: _character(found[0]), part) for part in matches(_TEXT, text))
 
 

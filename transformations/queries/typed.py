@@ -17,12 +17,12 @@ from robosmi.transformations.queries.macro_definitions import TextPlace
 from robosmi.transformations.queries.numbers import Number
 
 DEEP = 6000
-"""Calls within calls for trees as deep as the parser's, several a level."""
+"""Python's recursion limit for expression trees as deep as the parser's, with several calls a level."""
 
 
 @contextmanager
 def deep_calls() -> Iterator[None]:
-    """Let functions call themselves for each level of an expression; sums of hundreds of terms are as deep as that."""
+    """Raise Python's recursion limit to `DEEP`: sums of hundreds of terms are trees as deep as that."""
     limit = sys.getrecursionlimit()
     sys.setrecursionlimit(max(limit, DEEP))
     try:

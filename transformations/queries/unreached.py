@@ -1,6 +1,7 @@
-"""Statements that a program never comes to, since what stands before them never ends: an endless loop, or a function with one.
+"""Statements that can never be reached since the one before them never ends: an endless loop, or a function with one.
 
-Told over the calls of the whole program. A label may be gone to from anywhere, so what stands from it on counts as reached.
+Functions that never return are found over the calls of the whole program. Statements from a label on count as reached, since
+anything may jump there.
 """
 
 from __future__ import annotations
@@ -13,13 +14,13 @@ from robosmi.transformations.queries.main_program import ways_out
 
 
 class Unreached:
-    """What a program never comes to.
+    """Finds the unreachable statements of a program.
 
     Args:
         units: the program's files.
 
     Attributes:
-        endless: the functions that never return, by the identities of all their declarations.
+        endless: the functions that never return, by the `id` of each of their declarations.
     """
 
     def __init__(self, units: Sequence[ccode.SourceUnit]) -> None:
@@ -36,12 +37,12 @@ class Unreached:
                         self.endless[id(each)] = function
 
     def statements(self, unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Statement, ccode.Statement]]:
-        """The first statement of each row that a unit never comes to, and the one before it, which never ends."""
+        """For each run of unreachable statements its first statement, and the statement before it that never ends."""
         for rows, number in self._rows(unit):
             yield rows[number + 1], rows[number]
 
     def inside(self, unit: ccode.SourceUnit) -> Iterator[ccode.Statement]:
-        """All statements of such rows."""
+        """All unreachable statements, without what is nested in them."""
         for rows, number in self._rows(unit):
             yield from (each for at, each in enumerate(rows) if at > number)
 
@@ -80,5 +81,5 @@ _WAYS_OUT = (ccode.Return, ccode.Goto, ccode.Break, ccode.Continue, ccode.Unknow
 
 
 def _may_leave(statement: ccode.Statement) -> bool:
-    """Whether what stands behind a statement may be jumped over from within it."""
+    """Whether control may leave a statement other than at its end, by return, goto, break, continue or unknown code."""
     return any(isinstance(each, _WAYS_OUT) for each in (statement, *all_contents(statement)))

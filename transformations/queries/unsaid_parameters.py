@@ -1,7 +1,7 @@
-"""Pointers to functions whose type says nothing of parameters (`void (*go)();`): what is kept in them, and how they are called.
+"""Function pointers declared without parameter types (`void (*go)();`): what is stored in them, and how they are called.
 
-Such a type takes any function in C and none with parameters in C++. Pointers that are given to each other are looked at together,
-over all files of the program. Types with a name (`typedef void go();`) are in `m2m.empty_types`.
+In C such a pointer takes any function; in C++ only one without parameters. Pointers that are assigned to each other form one
+group, over all files of the program. Named types (`typedef void go();`) are handled in `m2m.empty_types`.
 """
 
 from __future__ import annotations
@@ -29,15 +29,15 @@ _PLAIN = ARITHMETIC | {"void", "const", "volatile", "struct", "union", "enum"}
 
 
 class UnsaidPointers(Struct):
-    """Pointers that are given to each other.
+    """A group of function pointers without parameter types that are assigned to each other.
 
     Attributes:
         pointers: their declarations in all files.
-        functions: what is kept in them.
-        lists: what these take, with the names of types resolved -> as it is written; empty for nothing.
-        unknown: something is kept there of which nothing is known.
-        calls: those through them.
-        values: what is given to them.
+        functions: the functions that are stored in them.
+        lists: parameter list of these functions with typedefs resolved -> as it is written; both empty for no parameters.
+        unknown: whether anything else is stored in them, whose parameters are not known.
+        calls: the calls through them.
+        values: the expressions that are assigned to them.
     """
 
     pointers: list[Pointer] = []
@@ -49,33 +49,33 @@ class UnsaidPointers(Struct):
 
     @property
     def taken(self) -> str | None:
-        """What every function in them takes, as text; None where they differ, or not all are known."""
+        """The parameter list that all functions of the group share; None if they differ or not all are known."""
         return first_of(self.lists.values()) if len(self.lists) == 1 and not self.unknown else None
 
     @property
     def said(self) -> str:
-        """What their types may say that the functions take; empty where that is nothing, not known, or named later only."""
+        """The parameter list to write into the declarations; empty if it is unknown or its types are declared later."""
         taken = self.taken or ""
         return taken if all(_is_declared(taken, pointer) for pointer in self.pointers) else ""
 
     @property
     def count(self) -> int | None:
-        """How many arguments every function in them takes; None where that is not known."""
+        """The number of parameters of every function in the group; None if it is not known or varies."""
         return len(split(self.taken)) if self.taken is not None and "..." not in self.taken else None
 
 
 def is_unsaid(use: ccode.TypeUse | None) -> bool:
-    """Whether a type is one of pointers to functions and says nothing of parameters."""
+    """Whether a type is a pointer to a function without parameter types."""
     return use is not None and bool(_UNSAID.search(str(use.spelling or "")))
 
 
 def concerns(unit: ccode.SourceUnit) -> bool:
-    """Whether a unit or a header of the program that it includes has such a pointer."""
+    """Whether a unit, or an own header that it includes, declares such a pointer."""
     return any(is_unsaid(use) for each in (unit, *included(unit)) for use in all_of_kind(each, ccode.TypeUse))
 
 
 def parameters_of(function: ccode.Function) -> tuple[str, str]:
-    """The types of a function's parameters, with the names of types resolved and as they are written."""
+    """A function's parameter types as two lists in text: with typedefs resolved, and as they are written."""
     uses = [p.valueType for p in function.parameters if p.valueType is not None]
     shown = [" ".join(f"{use.spelling} {use.arrayDims or ''}".split()) for use in uses]
     resolved = [_ARRAY.sub(" *", str(use.canonical or use.spelling)) for use in uses]
@@ -84,7 +84,7 @@ def parameters_of(function: ccode.Function) -> tuple[str, str]:
 
 
 def unsaid_pointers(program: ccode.Program) -> list[UnsaidPointers]:
-    """The pointers of a program whose types say nothing of parameters, those together that are given to each other."""
+    """The function pointers of a program without parameter types, in groups that are assigned to each other."""
     groups = _Groups(program.units)
     for unit in program.units:
         for element in all_contents(unit):
@@ -96,7 +96,7 @@ def unsaid_pointers(program: ccode.Program) -> list[UnsaidPointers]:
 
 
 class _Groups:
-    """Groups of pointers, joined where one is given to another."""
+    """Groups of pointers, merged when one pointer is assigned to another."""
 
     def __init__(self, units: Sequence[ccode.SourceUnit]) -> None:
         self._of: dict[Hashable, UnsaidPointers] = {}
@@ -113,12 +113,12 @@ class _Groups:
         return list({id(kept): kept for kept in self._of.values()}.values())
 
     def called(self, pointer: Pointer, call: ccode.Call) -> None:
-        """A call through a pointer."""
+        """Record a call through a pointer."""
         if (kept := self._of.get(_key(pointer))) is not None:
             kept.calls.append(call)
 
     def put(self, pointer: Pointer, value: ccode.Expression) -> None:
-        """A value for a pointer."""
+        """Record that a pointer is assigned a value."""
         kept = self._of.get(_key(pointer))
         other = _pointer(value)
         from_other = self._of.get(_key(other)) if other is not None else None
@@ -153,7 +153,7 @@ class _Groups:
 
 
 def _say(kept: UnsaidPointers, other: Pointer) -> bool:
-    """Take what another pointer's type says that its functions take; whether it says that."""
+    """Add the parameter list of another pointer's type to a group; False if that type has none either."""
     kind = of_use(other.valueType)
     shown = _SAID.search(kind.spelling) if kind is not None else None
     resolved = _SAID.search(str(other.valueType.canonical or "")) if other.valueType is not None else None
@@ -165,7 +165,7 @@ def _say(kept: UnsaidPointers, other: Pointer) -> bool:
 
 
 def _key(pointer: Pointer) -> Hashable:
-    """What tells a pointer apart: of a function that several files declare its parameters are the same ones."""
+    """The key of a pointer, the same in all files: of a variable its identity, of a parameter its function and position."""
     if isinstance(pointer, ccode.Variable):
         return identity(pointer)
     function = pointer.eContainer() if isinstance(pointer, ccode.Parameter) else None
@@ -177,7 +177,7 @@ def _key(pointer: Pointer) -> Hashable:
 
 
 def _pointer(value: ccode.Expression | None) -> Pointer | None:
-    """The variable, parameter or member that an expression stands for, or is an element of."""
+    """The variable, parameter or member that an expression denotes, itself or by an element, address or dereference."""
     while isinstance(value, ccode.Index) or (isinstance(value, ccode.Unary) and value.operator in ("*", "&")):
         value = value.array if isinstance(value, ccode.Index) else value.operand
     if isinstance(value, ccode.NameReference):
@@ -205,7 +205,7 @@ def _is_null(value: ccode.Expression | None) -> bool:
 
 
 def _given(element: object) -> Iterator[tuple[Pointer, ccode.Expression]]:
-    """The pointers that an element of the model gives a value, each with the value."""
+    """The pairs of variable, parameter or member and the value that an element of the model assigns to it."""
     if isinstance(element, ccode.Variable) and element.initializer is not None:
         given = _listed(element.valueType, element.initializer)
         yield from given if record_of(element.valueType) is not None else ((element, one) for one in leaves(element.initializer))
@@ -236,7 +236,7 @@ def _branches(value: ccode.Expression) -> Iterator[ccode.Expression]:
 
 
 def _is_declared(taken: str, pointer: Pointer) -> bool:
-    """Whether a pointer's declaration stands behind those of all types that a list of parameters names."""
+    """Whether all types that a parameter list names are declared before a pointer's declaration."""
     words = set(matches(_WORD, taken)) - _PLAIN
     if not words:
         return True

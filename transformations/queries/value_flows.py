@@ -1,7 +1,7 @@
-"""Sets of things in a program's text that can exchange a value, with the numbers that come in and the reasons against change.
+"""Disjoint sets of things in a program that can exchange a value, with the numbers that enter and the reasons against change.
 
-A union of sets, nothing more: what exchanges values with what is told by `port_flows` and `port_macros`. A thing is known by
-any key; the number of a set's things never matters.
+This is a union-find structure and nothing more: `port_flows` and `port_macros` decide what is joined. Things are known by any
+hashable key.
 """
 
 from __future__ import annotations
@@ -44,9 +44,9 @@ class PinArgument(Struct, frozen=True):
         function: the platform's function.
         parameter: what is known of the parameter.
         call: the call, None in the body of a macro.
-        argument: the argument, None in the body of a macro.
-        made: the calls that macros make with what stands there, where that is known.
-        unplaced: no text of its own says what the argument is, so that nothing can look it up.
+        argument: the expression of the argument, None in the body of a macro.
+        made: the calls that macros expand to with this argument, where they are known.
+        unplaced: whether no place in the source stands for this argument alone, so that it cannot be looked up.
     """
 
     unit: ccode.SourceUnit
@@ -61,12 +61,12 @@ class PinArgument(Struct, frozen=True):
 
     @property
     def translated(self) -> bool:
-        """Whether an adapter takes a pin of the target here: the ends of a range stay numbers of the source."""
+        """Whether an adapter takes the argument as a pin of the target, and a place in the source stands for it."""
         return self.taken and not self.unplaced
 
     @property
     def taken(self) -> bool:
-        """Whether an adapter takes a pin of the target as this parameter, wherever the argument stands."""
+        """Whether an adapter takes the parameter as a single pin of the target; ends of a range of pins stay source numbers."""
         return self.parameter.range_with is None and self.parameter.span == 1
 
 
@@ -98,15 +98,15 @@ class Flows:
         self._above: dict[Hashable, Hashable] = {}
         self._flows: dict[Hashable, Flow] = {}
         self._put: dict[tuple[str, int], list[Hashable]] = {}
-        """Unit and start of each number in the text -> the things that it came into."""
+        """(path of the unit, start) of each number in the text -> the keys of the things that it enters."""
 
     def of(self, key: Hashable) -> Flow:
-        """The flow that a thing belongs to."""
+        """The flow of a thing, created if it is new."""
         root = self._root(key)
         return self._flows.setdefault(root, Flow())
 
     def put(self, key: Hashable, place: PortPlace) -> None:
-        """A number in the text comes into the flow of a thing."""
+        """Record that a number in the text enters the flow of a thing."""
         self.of(key).places.append(place)
         self._put.setdefault((str(place.unit.path), place.start), []).append(key)
 
@@ -115,7 +115,7 @@ class Flows:
         return any(self._root(known) == self._root(key) for known in self._put.get((unit, start), ()))
 
     def join(self, one: Hashable, other: Hashable) -> None:
-        """Two things exchange values."""
+        """Join the flows of two things that exchange values."""
         first, second = self._root(one), self._root(other)
         if first == second:
             return
@@ -131,18 +131,18 @@ class Flows:
             into.given += taken.given
 
     def keep(self, key: Hashable, why: str, *, computed: bool = False) -> None:
-        """The numbers of a flow have to stay; with `computed`, a value comes in that the text does not show."""
+        """Record why the numbers of a flow must not be changed; with `computed`, a value enters that the text does not show."""
         flow = self.of(key)
         if why not in flow.kept:
             flow.kept.append(why)
         flow.computed |= computed
 
     def keys(self) -> dict[tuple[str, int, int], Hashable]:
-        """Unit, start and end of each argument that is a pin -> a key of its flow."""
+        """(path of the unit, start, end) of each pin argument -> a key of its flow."""
         return {(str(a.unit.path), a.start, a.end): key for key, flow in self._flows.items() for a in flow.arguments}
 
     def all(self) -> list[Flow]:
-        """Every flow, in the order in which they were first known."""
+        """Every flow, in the order of creation."""
         return list(self._flows.values())
 
     def _root(self, key: Hashable) -> Hashable:

@@ -1,7 +1,7 @@
-"""What values of a program are used for: whether each goes on to what is followed, or the numbers of its flow have to stay.
+"""What the values of a program are used for: whether each use is followed, or the numbers of its flow must not be changed.
 
-A number may be changed where it stands only when nothing looks at it on its way: it must not be printed, calculated with,
-compared, tested, used as an index or given to a function that is not followed.
+A number may be changed where it is written only if nothing else reads it on its way: it must not be printed, calculated with,
+compared, tested, used as an index or passed to an unknown function.
 """
 
 from __future__ import annotations
@@ -25,23 +25,23 @@ _VALUES = (
 
 
 class ValueUses:
-    """The uses of values in a program.
+    """Finds the uses of values that forbid changing the numbers of a flow.
 
     Args:
-        reader: what exchanges values with what.
+        reader: the flows of the program.
     """
 
     def __init__(self, reader: FlowReader) -> None:
         self.reader = reader
 
     def follow(self, view: CodeView) -> None:
-        """Keep the flows of a unit's values that go where they are not followed."""
+        """Keep the numbers of all flows of a unit that have a value used in a way that is not followed."""
         for element in view.elements:
             if isinstance(element, _VALUES):
                 self._use(element, view)
 
     def _use(self, expression: ccode.Expression, view: CodeView) -> None:
-        """Keep the flow of a value that goes where it is not followed."""
+        """Keep the numbers of a value's flow if its use is not followed."""
         if isinstance(expression, ccode.Unary) and str(expression.operator) not in ("*", "&"):
             return
         expanded = _expansion(expression)
@@ -101,7 +101,7 @@ class ValueUses:
 
 
 def _expansion(expression: ccode.Expression) -> ccode.Call | None:
-    """The call, made by a macro, that an expression stands in."""
+    """The call in a macro's expansion that an expression is part of; None for an expression in the text itself."""
     call = expression if isinstance(expression, ccode.Call) else ancestor_of_kind(expression, ccode.Call)
     while call is not None and not call.viaMacro:
         call = ancestor_of_kind(call, ccode.Call)
@@ -109,7 +109,7 @@ def _expansion(expression: ccode.Expression) -> ccode.Call | None:
 
 
 def changes_nothing(value: ccode.Expression) -> bool:
-    """Whether nothing but a value comes of an expression, so that it may be computed twice, or not at all."""
+    """Whether an expression has no side effects, so that it may be evaluated twice or not at all; calls count as effects."""
     return not any(
         isinstance(each, (ccode.Call, ccode.Assignment)) or (isinstance(each, ccode.Unary) and each.operator in ("++", "--"))
         for each in (value, *all_contents(value))

@@ -1,7 +1,7 @@
-"""Which values an expression of a program can have, where the text decides it: constants, counters, arrays, parameters.
+"""Which values an expression of a program can have where the text decides it: constants, counters, arrays, parameters.
 
-An abstract reading, no execution: a name stands for a value when the text gives it one and never another. A value that comes
-through a parameter is looked up at the callers. What the text does not decide is None, with origin `runtime`.
+An abstract interpretation without execution: a name has a value when the text gives it one and never another. The value of a
+parameter is looked up at the callers. A value that the text does not decide is None, with the origin `runtime`.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _SIZE = re.compile(r"\[\s*(\d+)\s*\]")
 
 
 class Value(Struct, frozen=True):
-    """A value, or None where only the running program knows it, and how the text gives it (literal, constant, array, runtime)."""
+    """A number, None if only the running program knows it, and how the text gives it (literal, constant, array, runtime)."""
 
     number: int | None
     origin: str
@@ -37,17 +37,17 @@ RUNTIME = Value(None, "runtime")
 
 
 class Values:
-    """Values in one program.
+    """Computes the values of expressions in one program.
 
     Args:
-        program: its units are looked up for callers and macros.
-        unit: the unit whose macros hold.
+        program: the program, for its callers and macros.
+        unit: the unit whose macros take precedence.
     """
 
     def __init__(self, program: ccode.Program, unit: ccode.SourceUnit) -> None:
         self.macros = {str(m.name): m for u in program.units for m in u.macros} | {str(m.name): m for m in unit.macros}
         self._own_macros = {str(m.name) for u in (unit, *included(unit)) for m in u.macros}
-        """Those of the unit and of the headers it includes, which the parser may take for names of others."""
+        """Macros of the unit and of the headers it includes; the parser may resolve their names to other declarations."""
         self._texts = MacroTexts(self.macros)
         self.names: dict[str, ccode.Declaration] = {}
         for declaration in (d for u in program.units for d in u.declarations):
@@ -62,7 +62,7 @@ class Values:
         return _distinct(self._walk.ask(lambda: method(self, expression))) if method else [RUNTIME]
 
     def _guarded(self, element: D, what: str, body: Callable[[D], list[Value]], *given: Hashable) -> list[Value]:
-        """Stop at a name that is defined by itself; what is given for its parameters makes another answer."""
+        """Evaluate an element unless it is being evaluated already; answers are remembered for each `given`."""
         guard = (what, id(element))
         return self._walk.name(guard, (guard, given), lambda: body(element))
 
@@ -109,7 +109,7 @@ class Values:
         return [RUNTIME]
 
     def _variable(self, variable: ccode.Variable) -> list[Value]:
-        """A variable that gets one value in the whole text."""
+        """The value of a variable that the whole text gives exactly one value, else unknown."""
         if variable.valueType is not None and variable.valueType.arrayDims:
             return [RUNTIME]
         assigned: list[ccode.Expression | None] = [variable.initializer] if variable.initializer is not None else []
@@ -126,7 +126,7 @@ class Values:
         return [v if v.origin in ("array", "runtime") else Value(v.number, "constant") for v in self.of(assigned[0])]
 
     def _counter(self, reference: ccode.NameReference, variable: ccode.Variable) -> list[Value] | None:
-        """The variable of the for loop around a use, None where there is no such loop."""
+        """The values of a variable that is the counter of a for loop around the reference; None if there is no such loop."""
         loop = ancestor_of_kind(reference, ccode.For)
         while loop is not None:
             start = _start(loop, variable)
@@ -171,7 +171,7 @@ class Values:
         return None
 
     def _parameter(self, parameter: ccode.Parameter) -> list[Value]:
-        """What callers pass, the first caller first; runtime where nobody calls, or where the function changes it."""
+        """The values that callers pass, first caller first; unknown if nobody calls or the function changes the parameter."""
         function = parameter.eContainer()
         if any(_written(r) for r in parameter.references) or (isinstance(function, ccode.Function) and function.references):
             return [RUNTIME]  # who has the function as a value may pass anything
@@ -189,7 +189,7 @@ class Values:
         return [RUNTIME if number is None else Value(number, "constant")]
 
     def _by_name(self, name: str) -> int | None:
-        """The value of a name in what a macro stands for."""
+        """The value of an enumerator or constant that a macro's body names; None where it has none or several."""
         declaration = self.names.get(name)
         if isinstance(declaration, ccode.EnumerationLiteral):
             return int(declaration.value)
@@ -235,7 +235,7 @@ class Values:
         return found + [Value(0, "array")] * max(rest, 0)
 
     def _place(self, element: Element, following: int) -> int | None:
-        """Where an element of an array's initialiser goes: behind the last one, or where `[index] =` says."""
+        """The index of an initialiser's element: its designator `[index] =`, else `following`; None if not known."""
         if not isinstance(element, ccode.Assignment):
             return following
         said = self.of(element.left.index) if isinstance(element.left, ccode.Index) and element.left.array is None else []
@@ -279,7 +279,7 @@ def _written(element: Element) -> bool:
 
 
 def _start(loop: ccode.For, variable: ccode.Variable) -> ccode.Expression | None:
-    """The value that a for loop gives its variable first, None where its first clause does not set it."""
+    """The initial value of a for loop's counter, None if the loop's first clause does not set the variable."""
     initial = loop.initial
     if isinstance(initial, ccode.DeclarationStatement):
         return next((d.initializer for d in initial.declarations if d is variable), None)
@@ -304,7 +304,7 @@ def passed_arguments(parameter: ccode.Parameter) -> list[ccode.Expression]:
 
 
 def passed_arrays(parameter: ccode.Parameter) -> list[ccode.Expression]:
-    """What callers pass for a parameter, where they pass on a parameter of their own what is passed for that; each array once."""
+    """The arrays that callers pass for a parameter, followed through parameters of the callers; each array once."""
     found: dict[int, ccode.Expression] = {}
     pending = list(reversed(passed_arguments(parameter)))
     seen = {id(parameter)}

@@ -23,16 +23,16 @@ from robosmi.typed import class_name, distinct
 
 RETAINED, ADAPTED, CARE, NEEDS_YOU, UNSUPPORTED = "retained", "adapted", "adapted_with_care", "needs_you", "not_supported"
 VERDICTS = (RETAINED, ADAPTED, CARE, NEEDS_YOU, UNSUPPORTED)
-"""All verdicts, from the one that asks nothing of a person to the one that no work on the text can mend."""
+"""All verdicts, from the one that asks nothing of a person to the one that no change of the text can mend."""
 EFFORTS = ("small", "medium", "large")
-"""How much work: up to half an hour, up to half a day, more (or another device or board)."""
+"""Effort levels: up to half an hour; up to half a day; more than that, or another device or board."""
 
 _Status = migration.AdapterStatus
 _Action = migration.Action
 _OF_STATUS = {_Status.filled: ADAPTED, _Status.care: CARE, _Status.todo: NEEDS_YOU, _Status.unsupported: UNSUPPORTED}
 _OF_ACTION = {_Action.retain: RETAINED, _Action.unsupported: UNSUPPORTED}
 _AS_IT_IS = (_Action.retain, _Action.rewrite)
-"""Actions whose own reason says nothing to a person where something is left to do."""
+"""Actions whose own reason is left out of a verdict if there is something left to do."""
 _UNKNOWN_HEADER = "unknown-include"
 _SHOWN = 48
 
@@ -138,7 +138,7 @@ def _line(element: ccode.Located, unit: ccode.SourceUnit | None) -> int:
 
 
 class _Judge:
-    """What is known of a plan when its constructs are judged."""
+    """Judges the constructs of one plan."""
 
     def __init__(self, plan: migration.MigrationPlan) -> None:
         self.plan = plan
@@ -154,7 +154,7 @@ class _Judge:
                 self.marks.setdefault(key, []).append(judged)
 
     def _said(self) -> Iterable[tuple[tuple[str, int, int], Judged]]:
-        """What findings and open ports say of places: (path, line, offset), verdict; of one without offset minus its column."""
+        """The verdicts that findings and open ports imply for places (path, line, byte offset or negated column)."""
         for finding in self.plan.findings:
             if finding.path and finding.line and finding.severity is not migration.SeverityLevel.info:
                 broken = finding.severity is migration.SeverityLevel.error or finding.rule in _TO_DO
@@ -172,7 +172,7 @@ class _Judge:
                 yield (str(unit.path), int(element.line), int(element.startOffset)), Judged(NEEDS_YOU, reason, "small")
 
     def judged(self, disposition: migration.Disposition) -> Judged:
-        """The verdict on the element of a disposition: the one that asks most of a person."""
+        """The verdict on the element of a disposition: the one of all that apply which asks most of a person."""
         first = self._elsewhere(disposition) if id(disposition.element) in self.externals else self._own(disposition)
         marks = self.marks.get(id(disposition.element), [])
         worst = max([first, *marks], key=lambda judged: VERDICTS.index(judged.verdict))
@@ -194,7 +194,7 @@ class _Judge:
         return Judged(verdict, "; ".join(reasons), effort)
 
     def _elsewhere(self, disposition: migration.Disposition) -> Judged:
-        """The verdict on what is declared elsewhere: that of its adapter."""
+        """The verdict on an element that is declared outside the program: that of its adapter or symbol."""
         name = name_of(disposition.element)
         if isinstance(disposition.element, ccode.Function) and name in self.uses:
             return self._use(self.uses[name])
@@ -238,7 +238,7 @@ IN_PLACE = "adapter-in-place"
 UNDEFINED = frozenset(
     {"define-extern", "define-without-extern", "define-local", "define-in-list", "define-behind", "left-undefined"}
 )
-"""Rules by which the declaration of a variable that no file defines became its definition, or stayed what it is."""
+"""Rules about variables that are declared but defined in no file: the declaration becomes a definition, or is left alone."""
 _TO_DO = frozenset({"RS312", "RS321", "RS337", "RS342"})
 """Rules of warnings that leave something to be written: C that C++ refuses, code that needs a core of its own, names that are
 defined twice."""
@@ -269,7 +269,7 @@ def _listed(names: Iterable[str]) -> str:
 
 
 class _Spans:
-    """Which construct a place of the text is in, the innermost one."""
+    """Finds the innermost construct at a place of the text."""
 
     def __init__(self, plan: migration.MigrationPlan, externals: set[int]) -> None:
         self._of_unit: dict[str, list[ccode.Located]] = {}
@@ -280,7 +280,7 @@ class _Spans:
                 self._of_unit.setdefault(str(unit.path), []).append(element)
 
     def around(self, path: str, line: int, offset: int) -> int | None:
-        """The identity of the construct; where no offset is known, of the smallest one that the line and column are in."""
+        """The `id` of the smallest construct that contains the offset, or the line and column if it is not positive."""
         inside = [e for e in self._of_unit.get(path, ()) if _covers(e, line, offset)]
         return id(min(inside, key=lambda e: e.endOffset - e.startOffset)) if inside else None
 

@@ -1,7 +1,7 @@
-"""What becomes of each call of a platform function: whether it works, waits for a pin, or has no body behind it.
+"""The state of each call of a platform function: whether it works, waits for a pin, or has no body.
 
-A call works when its adapter has a body and every port that it can reach has a pin. The states are those of the plan as it
-stands; nothing is decided here.
+A call works when its adapter has a body and every port that it can reach has a pin. The states describe the plan as it is;
+nothing is decided here.
 """
 
 from __future__ import annotations
@@ -21,19 +21,20 @@ CALL_STATES = (WORKS, WITH_CARE, WAITS, NOT_WIRED_CALL, TO_WRITE, NO_SUPPORT)
 """The states of calls: with a body; with one that has limits; with one whose port has no pin yet, or is none of the source at
 all; with one that is not wired by a person's word; without a body; of what the target lacks."""
 NO_PORT = "RS326"
-"""The rule of numbers that no port of the source has: calls that are given one do nothing."""
+"""The rule of numbers that are no port of the source; calls with such a number do nothing."""
 
 
 def open_conventions(plan: migration.MigrationPlan, use: migration.AdapterUse) -> Q[migration.PortBinding]:
-    """The ports without a pin that the adapter of a use drives or reads without being told."""
+    """The ports without a pin that the adapter of a use drives or reads by convention."""
     ports = {id(port) for piece in closure([use.adapter]) for port in piece.ports} if use.adapter is not None else set()
     return Q(plan.portBindings).select(lambda b: b.open and b.conventionalPort is not None and id(b.conventionalPort) in ports)
 
 
 def unwired_needs(plan: migration.MigrationPlan, use: migration.AdapterUse) -> tuple[list[migration.PortBinding], bool]:
-    """The ports of what the adapter of a use has to have by convention, such as encoders, that are not wired; whether all are.
+    """The ports of components that an adapter requires by convention, such as encoders, and that are not wired.
 
-    An adapter has to have the kind of component that its own piece names; others that it drives or reads it can do without.
+    The second result says whether all such ports are. An adapter requires the kind of component that its own piece names;
+    others that it drives or reads are optional.
     """
     if use.adapter is None or not use.adapter.componentRole:
         return [], False
@@ -45,12 +46,12 @@ def unwired_needs(plan: migration.MigrationPlan, use: migration.AdapterUse) -> t
 
 
 def ports_of_runs_bound(plan: migration.MigrationPlan) -> bool:
-    """Whether a person has bound ports that only the running program knows, so that RS327 asks for nothing any more."""
+    """Whether a person has bound ports that only the running program knows, so that RS327 has nothing to ask."""
     return any(b.origin == "runtime" and b.chosenBy is migration.ChosenBy.person for b in plan.portBindings)
 
 
 def kept_raw(flow: migration.PortFlow) -> bool:
-    """Whether no text of their own can look up the ports that the calls of a flow are given, so that they are given no pin."""
+    """Whether the calls of a flow get no pin because no place in the source could look up their ports."""
     return bool(flow.anything and not flow.bindings and all(change.rule == NO_PIN for change in flow.changes))
 
 
@@ -74,7 +75,7 @@ class CallStates:
         self._unwired = {id(c) for f in flows if all(_left_out(b) for b in f.bindings) for c in f.calls}
 
     def of(self, use: migration.AdapterUse, call: ccode.Call) -> str:
-        """The state of a call of a use."""
+        """The state of one call of an adapter's function."""
         if use.status is migration.AdapterStatus.unsupported:
             return NO_SUPPORT
         if use.status is migration.AdapterStatus.todo:

@@ -1,7 +1,8 @@
-"""Declared types whose width differs on the target, in texts: which words of them are written otherwise, and as what.
+"""Declared types whose width differs on the target: which words of a text are replaced, and by what.
 
-`int` and `unsigned` alone are concerned; short, char, long and long long have the same width on the platforms that there are,
-or are wider on the target. Words in comments, texts and names of headers are left alone. Expressions are `m2m.width_rules`'.
+Only `int` and `unsigned` alone are concerned; short, char, long and long long have the same width on all supported platforms,
+or are wider on the target. Words in comments, strings and names of headers are left alone. Expressions are handled in
+`m2m.width_rules`.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ _INTS = frozenset(["int", "unsigned", "signed", "__signed__"])
 _BETWEEN = QUALIFIERS | STORAGE_WORDS
 _NONE: Mapping[str, str] = {}
 Word = tuple[int, int, str]
-"""First byte, byte behind the last, new text."""
+"""A replacement: first byte, byte after the last, new text."""
 
 
 def retyped_words(data: bytes, bits: int = 32, names: Mapping[str, str] = _NONE) -> list[Word]:
@@ -25,7 +26,7 @@ def retyped_words(data: bytes, bits: int = 32, names: Mapping[str, str] = _NONE)
     Args:
         data: a text in C.
         bits: the width that int has on the source.
-        names: types of the standard library with an int in them -> their wider sisters; other names do no harm.
+        names: types of the standard library with int members -> their wider replacements; others are ignored.
     """
     found = list(_plain(data))
     types = [
@@ -35,7 +36,7 @@ def retyped_words(data: bytes, bits: int = 32, names: Mapping[str, str] = _NONE)
 
 
 def retyped(text: str, bits: int = 32, names: Mapping[str, str] = _NONE) -> str:
-    """A text, a type for example, with its types as they are on the target."""
+    """A text, such as a type, with its types replaced by those for the target."""
     data = text.encode("utf-8")
     done, parts = 0, []
     for start, end, new in retyped_words(data, bits, names):
@@ -45,7 +46,7 @@ def retyped(text: str, bits: int = 32, names: Mapping[str, str] = _NONE) -> str:
 
 
 def _plain(data: bytes) -> Iterator[Token]:
-    """The tokens, those of macro definitions and directives that test nothing included."""
+    """The tokens of a text, those in bodies of macro definitions included, other directives left out."""
     for kind, start, end, text in tokens(data):
         if kind == "directive":
             found = re.match(r"(?:#|%:)[ \t]*define\b", text)
@@ -58,7 +59,7 @@ def _plain(data: bytes) -> Iterator[Token]:
 
 
 def _runs(found: Iterator[Token]) -> Iterator[list[Token]]:
-    """Words of types that belong to one declaration's specifiers."""
+    """Runs of tokens that are the type specifiers of one declaration."""
     run: list[Token] = []
     for token in found:
         kind, _, _, text = token

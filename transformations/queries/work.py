@@ -24,9 +24,9 @@ from robosmi.transformations.queries.waiting_calls import WITH_CARE, WORKS, Call
 from robosmi.typed import sum_of
 
 DECIDE = frozenset({"RS330", "RS401"})
-"""Rules of tasks that are choices."""
+"""Rules of tasks that ask for a choice."""
 UNUSED = "RS331"
-"""The rule of what is drawn and not used: to be looked at on the bench."""
+"""The rule of components that are drawn and not used, which are to be checked on the bench."""
 
 
 class Group(Struct, frozen=True):
@@ -44,11 +44,11 @@ class Group(Struct, frozen=True):
 
 
 class Work:
-    """The work of a plan.
+    """The work that a plan leaves to a person.
 
     Args:
         plan: the plan, complete.
-        calls: what `calls` gives, where it is known.
+        calls: the value of the property `calls`, if it is known already.
     """
 
     def __init__(self, plan: migration.MigrationPlan, calls: dict[str, int] | None = None) -> None:
@@ -62,12 +62,12 @@ class Work:
 
     @cached_property
     def unread(self) -> int:
-        """How many calls stand in text that the parser could not read, whatever they call."""
+        """How many calls are in text that the parser could not read, whatever function they call."""
         return sum_of(len(unit.unresolved) for unit in self.plan.program.units) if self.plan.program is not None else 0
 
     @property
     def working(self) -> int:
-        """How many calls do what they did, or nearly so."""
+        """How many calls work on the target as on the source, some of them with limits."""
         return self.calls[WORKS] + self.calls[WITH_CARE]
 
     @cached_property
@@ -92,7 +92,7 @@ class Work:
         return found, found.select(lambda d: d.open)
 
     def groups(self) -> list[Group]:
-        """What is to be written, by cause: what the target cannot serve by header, all else alone."""
+        """The tasks of `write` grouped by cause: by the header that the target cannot serve, all others in one group."""
         reasons = unserved_headers(self.plan)
         found: dict[str, list[migration.PlanTask]] = {}
         for task in self.write:
@@ -123,7 +123,7 @@ class Work:
 
 
 def work_json(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> dict[str, Json]:
-    """What the contract's `plan` says of the work: `work`, `needs` (of the board), `verdicts` (sums) and `constructs[]`.
+    """The work as part of the contract's `plan`: `work`, `needs` (of the board), `verdicts` (counts) and `constructs[]`.
 
     Args:
         plan: the plan, complete.

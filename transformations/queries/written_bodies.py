@@ -1,6 +1,6 @@
-"""What persons write into a generated program: bodies of placeholders, and ticks in the list of tasks.
+"""What users write into a generated program: bodies of placeholders, and ticks in the list of tasks.
 
-Texts alone are looked at: the one that is there beside the one that is made anew. What follows from it is decided in
+Only texts are compared: the present one and the one that is newly generated. What follows from it is decided in
 `chains.by_hand`.
 """
 
@@ -15,17 +15,17 @@ from robosmi.transformations.knowledge.lexer import Token, tokens
 from robosmi.typed import matches
 
 TODO = "TODO: complete method"
-"""What a body that is still to be written says in a comment."""
+"""The comment that marks a body that is still to be written."""
 VALUE_TODO = "TODO: complete symbol"
-"""What a placeholder of a value that is still to be given says in a comment."""
+"""The comment that marks a placeholder whose value is still to be given."""
 _NOT_SUPPORTED = "not supported"
 _NOTHING = re.compile(r"\{ (?:\( void \) \w+ ; )*(?:return [^;]*; )?\}\Z")
 """The code of a body that does nothing."""
 AS_BYTES = "surrogateescape"
-"""How bytes that are no UTF-8 go through these texts."""
+"""The error handler that carries bytes that are no UTF-8 through these texts."""
 _TASK = re.compile(r"- \[(?P<tick>[ xX])\] (?P<said>.*`(?P<rule>RS\d+)`.*)")
 _CODE = re.compile(r"(?<!\\)`[^`]*`")
-"""Code in a line of a report: what to type, or how a line of the source reads."""
+"""A code span in a line of a report: what to type, or a line of the source."""
 _QUOTED = re.compile(r"'([^']*)'")
 
 
@@ -47,7 +47,7 @@ class Body(Struct, frozen=True):
 
     @property
     def open(self) -> bool:
-        """Whether it still says that it is to be written, or does nothing and says that this is not supported."""
+        """Whether the body is still to be written: it says so, or does nothing and says that this is not supported."""
         return TODO in self.text or (_NOT_SUPPORTED in self.text.lower() and _NOTHING.search(" ".join(self.code)) is not None)
 
 
@@ -79,7 +79,7 @@ def bodies(text: str) -> dict[str, Body]:
 
 
 def _on(found: Iterable[Token]) -> Iterator[Token]:
-    """Tokens but for those that are switched off."""
+    """The tokens outside of `#if 0` blocks."""
     off = 0
     for token in found:
         if token[0] == "directive" and (off or re.match(r"#\s*if\s+0\b", token[3])):
@@ -89,7 +89,7 @@ def _on(found: Iterable[Token]) -> Iterator[Token]:
 
 
 def _named(head: list[Token]) -> str:
-    """The name of the function whose head that is; empty for anything else."""
+    """The name of the function that tokens before a `{` are the head of; empty if they are none."""
     texts = [text for *_, text in head]
     if "(" not in texts or "=" in texts or texts[-1] != ")":
         return ""
@@ -111,14 +111,14 @@ def _line(starts: list[int], offset: int) -> int:
 
 
 def written(there: str, made: str, last: str = "") -> dict[str, Body]:
-    """The functions that a person has written: a placeholder in what is made, and none any more in what is there.
+    """The functions that a user has written: placeholders in the generated text that are none any more in the present one.
 
-    One without the words that it is to be written is written, if it does nothing, too.
+    A body without the placeholder's comment counts as written, even if it does nothing.
 
     Args:
-        there: the text that is there.
-        made: the text that is made.
-        last: the text that was made before; a function that is there as it was in that is nobody's.
+        there: the present text.
+        made: the newly generated text.
+        last: the text that was generated before; a function that is still as it was there is not the user's.
     """
     if there == last:
         return {}
@@ -132,7 +132,7 @@ def written(there: str, made: str, last: str = "") -> dict[str, Body]:
 
 
 def open_bodies(texts: Iterable[str]) -> dict[str, bool]:
-    """The functions that some texts define: name -> whether its body is still to be written, in all of them."""
+    """Name of each function that the texts define -> whether its body is still to be written wherever it is defined."""
     found: dict[str, bool] = {}
     for text in texts:
         for body in bodies(text).values():
@@ -145,7 +145,7 @@ class Tick(Struct, frozen=True):
 
     Attributes:
         line: its line in the text, from 0.
-        key: what it is about, whatever its place and its counts: the rule and the first name in its message.
+        key: identifies the task whatever its place and counts are: the rule and the first name in its message.
         done: whether it is ticked.
     """
 
@@ -165,14 +165,14 @@ def ticks(report: str) -> list[Tick]:
 
 
 def task_key(rule: str, message: str) -> tuple[str, ...]:
-    """What a task is about, whatever its place and its counts: the first name in its message, quoted for a report or not."""
+    """The key of a task whatever its place and counts are: the rule and the first name in its message, quoted or not."""
     plain = message.replace("\\", "")
     names = matches(_QUOTED, plain)
     return (rule, names[0]) if names else (rule, re.sub(r"\d+", "", plain.partition(" (")[0]).strip())
 
 
 def with_ticks(report: str, done: set[tuple[str, ...]]) -> str:
-    """A report in which exactly these tasks are ticked."""
+    """A report with ticks at exactly the tasks with these keys."""
     lines = report.split("\n")
     for tick in ticks(report):
         lines[tick.line] = f"- [{'x' if tick.key in done else ' '}] {lines[tick.line][6:]}"
