@@ -30,6 +30,7 @@ from robosmi.model.driver import Model
 from robosmi.model.lean import collector_at_rest
 from robosmi.model.recovery import at_work
 from robosmi.query.erl import Given, RuleBlocks, as_model, called, failed, place_of
+from robosmi.query.options import with_options
 from robosmi.query.own_operations import called_for
 from robosmi.query.settings import Settings
 from robosmi.query.verdicts import guarded
@@ -108,6 +109,7 @@ class Gen(Settings):
     def _fresh(self) -> Staging:
         return Staging(self.folder, self._record)
 
+    @with_options("a rule of Gen")
     def rule(
         self,
         kind: RuleKind | None = None,

@@ -8,7 +8,7 @@ names of pyecore's are `pyecore_internals`' business, the base class of generate
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, MutableSequence, Sequence
+from collections.abc import Callable, Iterable, MutableSequence, Sequence
 from datetime import datetime
 from decimal import Decimal
 from types import ModuleType

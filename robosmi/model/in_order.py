@@ -8,7 +8,6 @@ elements of metamodels above all.
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
 
 from robosmi.model import structure
 from robosmi.model.ecore import EClass, EObject
@@ -26,7 +25,7 @@ class InheritedOrHeld(partial[Contents]):
     """An operation of EMF's of one element; it reads and changes nothing."""
 
 
-def in_order(element: EObject, name: str) -> Any:
+def in_order(element: EObject, name: str) -> Contents | InheritedOrHeld | None:
     """What an element's attribute of that name means: its contents, or a function that gives them; None for others.
 
     Args:

@@ -6,10 +6,12 @@ Source: EolModelElementType, IModel and ModelElementTypeOperations of Epsilon.
 
 from __future__ import annotations
 
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from msgspec import Struct
+
 from robosmi.model.driver import Model, TypeHandle, name_of, unknown_type
+from robosmi.model.ecore import EClass, EObject
 from robosmi.model.features import eclass_of
 from robosmi.model.in_order import INHERITED, inherited
 from robosmi.query.collections import Q
@@ -69,9 +71,14 @@ def is_instantiable(kind: Answer) -> bool:
     return not (model.read_only or any(attribute_of(own, name, bool) for name in ("abstract", "interface")))
 
 
-def _inherited(name: str, kind: Any) -> Q[Any]:
+class _Inherited(Struct, frozen=True):
     """What a class has and inherits, in Ecore's order, by EMF's name for it."""
-    return Q(inherited(eclass_of(kind.kind if isinstance(kind, TypeHandle) else kind), name))
+
+    name: str
+
+    def __call__(self, kind: TypeHandle | EClass) -> Q[EObject]:
+        """What it is for a class."""
+        return Q(inherited(eclass_of(kind.kind if isinstance(kind, TypeHandle) else kind), self.name))
 
 
 def _contents(model: Model) -> Q[Any]:
@@ -86,7 +93,7 @@ TYPES: dict[str, Function] = {
     "create_instance": create_instance,
     "is_instantiable": is_instantiable,
     "get_name": name_of,
-    **{snake(name): partial(_inherited, name) for name in INHERITED},
+    **{snake(name): _Inherited(name) for name in INHERITED},
 }
 """Operations of types."""
 

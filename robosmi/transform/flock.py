@@ -20,6 +20,7 @@ from robosmi.model.pyecore_internals import set_xmi_id, xmi_id_of
 from robosmi.model.structure import feature_names
 from robosmi.query.collections import Q
 from robosmi.query.erl import RuleBlocks, as_model, failed, run_over, technology
+from robosmi.query.options import with_options
 from robosmi.query.settings import Settings
 from robosmi.query.values import collection_kind
 from robosmi.query.verdicts import guarded
@@ -112,24 +113,29 @@ class Flock(Settings):
         self._equivalents: dict[int, tuple[EObject, EObject | None]] = {}
         self.settle(Flock)
 
+    @with_options("a retyping")
     def retype(self, original: Kind, evolved: Kind, *, when: AnyFunction | None = None, strict: bool = False) -> None:
         """Elements of a type become elements of another (Flock `retype A to B when: ...`); the first mapping that fits counts."""
         old, new = _name(original), _name(evolved)
         self._mappings.append(Mapping(f"retype {old} to {new}", old, evolved=new, when=when, strict=strict))
 
+    @with_options("a retyping of a package")
     def retype_package(self, original: str, evolved: str, *, when: AnyFunction | None = None) -> None:
         """Elements of a package become elements of the same type name in another (Flock `retype package a to b`)."""
         self._mappings.append(Mapping(f"retype package {original} to {evolved}", original, True, evolved, when))
 
+    @with_options("a deletion")
     def delete(self, original: Kind, *, when: AnyFunction | None = None, cascade: bool = False, strict: bool = False) -> None:
         """Elements of a type are not migrated (Flock `delete A`); what they contain becomes roots, with `cascade` it goes too."""
         old = _name(original)
         self._mappings.append(Mapping(f"delete {old}", old, when=when, strict=strict, cascade=cascade))
 
+    @with_options("a deletion of a package")
     def delete_package(self, original: str, *, when: AnyFunction | None = None) -> None:
         """Elements of a package are not migrated (Flock `delete package a`)."""
         self._mappings.append(Mapping(f"delete package {original}", original, True, when=when))
 
+    @with_options("a rule of Flock")
     def migrate(
         self, original: Kind, *, ignoring: Iterable[str] = (), when: AnyFunction | None = None, strict: bool = False
     ) -> Decorator:

@@ -15,11 +15,12 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
-from robosmi.errors import InternalError, RuleError, UsageError, did_you_mean
+from robosmi.errors import InternalError, RuleError, did_you_mean
 from robosmi.model.driver import Model, TypeHandle, class_of
 from robosmi.model.feature_errors import ONE_LOAD
 from robosmi.model.ordering import post_order
 from robosmi.query.erl import RuleType, arity, called, failed, other_load, place_of, rule_type, type_name
+from robosmi.query.options import check_options
 from robosmi.query.verdicts import guarded
 from robosmi.typed import attribute_of, kept, paired
 
@@ -74,12 +75,7 @@ def declare(body: NamedFunction, transform: Any, to: Any, name: str | None, **op
     """
     parameters = _parameters(body)
     names = parameters[1:]
-    if unknown := next((word for word in options if word not in _OPTIONS), None):
-        known = ("to", "name", *_OPTIONS)
-        raise UsageError(
-            f"a rule has no option '{unknown}'{did_you_mean(unknown, known)}", location=place_of(body),
-            fix=f"use one of: {', '.join(known)}",
-        )  # fmt: skip
+    check_options("a rule", options, ("to", "name", *_OPTIONS), place_of(body))
     extends = options.pop("extends", ())
     extends = [extends] if isinstance(extends, str) or callable(extends) else list(extends)
     targets: list[Any] | None = None

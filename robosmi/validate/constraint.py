@@ -12,8 +12,10 @@ from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar, overload
 from msgspec import Struct
 
 from robosmi.diagnostics import Location, Severity
-from robosmi.errors import RuleError
+from robosmi.errors import RuleError, UsageError
 from robosmi.query.erl import code_of, place_of, type_name
+from robosmi.query.options import check_options
+from robosmi.typed import class_name
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -23,6 +25,8 @@ if TYPE_CHECKING:
 
 R = TypeVar("R")
 E = TypeVar("E")
+_GIVEN = frozenset({"check", "context", "critique"})
+"""What a declaration says of a constraint by itself, not by an option."""
 GLOBAL = "<Global>"
 """The name of the context of constraints without one, as EVL has it."""
 
@@ -41,6 +45,9 @@ class Fix(Struct, frozen=True):
     guard: bool | Function = True
 
 
+_FIX = 'write Fail("message", Fix("what it does", function)), each fix behind the message'
+
+
 class Fail:
     """What a check gives that failed: it is false, and says why.
 
@@ -49,6 +56,9 @@ class Fail:
         fixes: ways to repair it.
         extras: values that are kept with the finding.
 
+    Raises:
+        UsageError: what stands behind the message is no fix, or a fix is given by name, where it would be a value to keep.
+
     >>> bool(Fail("too short"))
     False
     """
@@ -56,6 +66,12 @@ class Fail:
     __slots__ = ("extras", "fixes", "message")
 
     def __init__(self, message: str | None = None, /, *fixes: Fix, **extras: Held) -> None:
+        for fix in fixes:
+            if not isinstance(fix, Fix):
+                raise UsageError(f"a Fail takes a message and fixes, not a {class_name(fix)}", fix=_FIX)
+        for name, value in extras.items():
+            if any(isinstance(x, Fix) for x in (value if isinstance(value, (list, tuple)) else [value])):
+                raise UsageError(f"'{name}=' of a Fail is a value that is kept with the finding, and offers no fix", fix=_FIX)
         self.message = message
         self.fixes = fixes
         self.extras = extras
@@ -214,6 +230,11 @@ class Context(Generic[E]):
         return self._add(check, options, critique=True)
 
     def _add(self, check: Any, options: dict[str, Any], critique: bool) -> Any:
+        known = [name for name in Constraint.__struct_fields__ if name not in _GIVEN]
+        check_options(
+            "a critique" if critique else "a constraint", options, known if critique else [n for n in known if n != "info"]
+        )
+
         def add(function: Any) -> Any:
             given = dict(options)
             name = given.pop("name", None) or function.__name__

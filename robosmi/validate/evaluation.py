@@ -165,7 +165,8 @@ class Evaluation:
                 states = [s for s in states if not (s.constraint.terminate and s.failed)]
 
     def _failed(self, error: BaseException, state: _State, element: Any) -> Exception:
-        constraint, raised = state.constraint, error.__traceback__ and error.__traceback__.tb_next
+        constraint, raised_at = state.constraint, error.__traceback__
+        raised = raised_at and raised_at.tb_next
         frames = []
         while raised is not None:
             frames.append(raised.tb_frame.f_code)
@@ -173,6 +174,9 @@ class Evaluation:
         in_guard = _State.applies.__code__ in frames
         function = constraint.guard if in_guard and constraint.guard is not None else constraint.check
         what = f"the {'guard' if in_guard else 'check'} of {constraint.name}"
+        if isinstance(error, TypeError) and str(error).startswith("exceptions must derive from"):
+            error = UsageError("it raises what is no exception", fix="a check returns what it finds: write `return Fail(...)`")
+            error.__traceback__ = raised_at
         return failed(error, what, function, element, self.models)
 
     def _report(self, state: _State, element: Any, verdict: Any) -> None:

@@ -13,6 +13,7 @@ from robosmi.diagnostics import Location, Severity
 from robosmi.model.driver import Model, TypeHandle
 from robosmi.model.ordering import post_order
 from robosmi.query.erl import Given, RuleBlocks, as_model, run_over
+from robosmi.query.options import with_options
 from robosmi.query.settings import Settings
 from robosmi.typed import distinct
 from robosmi.validate.constraint import Constrained, Constraint, Context, E, Fix, R
@@ -56,6 +57,7 @@ class EVL(Settings):
     def context(
         self, kind: str | TypeHandle, *, guard: Function | None = None, lazy: bool = False, name: str | None = None
     ) -> Context[DynamicNode]: ...
+    @with_options("a context")
     def context(
         self,
         kind: type[E] | str | TypeHandle,

@@ -16,6 +16,7 @@ from robosmi.model.emf import EmfModel
 from robosmi.model.metamodel import Metamodel
 from robosmi.query import ModelView, get
 from robosmi.query.expression import evaluate
+from robosmi.typed import dynamic_attribute
 
 HERE = Path(__file__).parent / "contents"
 CONTENTS = ["a1", "a2", "b1", "c1", "c2", "d1", "e1"]
@@ -115,4 +116,4 @@ def test_elements_of_classes_that_a_program_made_give_their_contents_in_order() 
 
 def test_generated_packages_give_the_order_too() -> None:
     link = trace.Trace(links=[trace.TraceLink(rule="r")])
-    assert link.eContents.first() is link.links[0]
+    assert dynamic_attribute(link.eContents, "first")() is link.links[0]
