@@ -1,6 +1,6 @@
-"""Constraints on code models: places that make sense, one definition for a name, calls that fit what they call.
+"""Constraints on code models: valid source positions, one definition per name, calls that match their function's parameters.
 
-A program that compiles satisfies them; one that is only read, or put together from several files, may not.
+A program that compiles satisfies them; one that is only parsed, or assembled from several files, may not.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from robosmi.typed import class_name
 from robosmi.validate import EVL, Fail
 
 code = EVL()
-"""The constraints on a program; run them over its model."""
+"""The constraints on a program; evaluate them on its model."""
 
 
 def place(element: ccode.Located) -> Location | None:
-    """Where an element stands, or None if it stands in no source file."""
+    """The source location of an element; None if it is in no source file."""
     unit = ancestor_of_kind(element, ccode.SourceUnit)
     return Location(unit.path, element.line or None, element.column or None) if unit is not None else None
 
@@ -27,7 +27,7 @@ calls = code.context(ccode.Call)
 
 
 def is_seen_outside(function: ccode.Function) -> bool:
-    """Whether it is the definition of a function that the linker sees."""
+    """Whether an element is the definition of a function with external linkage."""
     return bool(
         function.definition
         and function.storage is not ccode.Storage.staticStorage
@@ -37,7 +37,7 @@ def is_seen_outside(function: ccode.Function) -> bool:
 
 @located.constraint(id="RS711", location=place, advice="read the source again")
 def EndsBehindItsStart(x: ccode.Located) -> bool | Fail:
-    """An element ends where it begins, or behind."""
+    """The end of an element is not before its start."""
     return x.endOffset >= x.startOffset or Fail(f"{class_name(x)} ends at byte {x.endOffset}, before its start {x.startOffset}")
 
 
@@ -46,7 +46,7 @@ def EndsBehindItsStart(x: ccode.Located) -> bool | Fail:
     guard=lambda c: c.callee is not None and c.callee.definition and not c.callee.variadic and not c.viaMacro,
 )  # fmt: skip
 def PassesWhatIsTaken(c: ccode.Call) -> bool | Fail:
-    """A call of a function of the program passes as many arguments as it has parameters."""
+    """A call of a function of the program passes as many arguments as the function has parameters."""
     assert c.callee is not None
     given, taken = len(c.arguments), len(c.callee.parameters)
     return given == taken or Fail(f"{c.calleeName} takes {taken} argument{'s' if taken != 1 else ''}, and is given {given}")
@@ -57,7 +57,7 @@ functions = code.context(ccode.Function, guard=is_seen_outside)
 
 @functions.constraint(id="RS713", location=place, advice="rename one of them, or make it static")
 def IsDefinedOnce(f: ccode.Function) -> bool | Fail:
-    """A name that other files see is defined in one place."""
+    """A name with external linkage has a single definition."""
     program = root_of(f)
     known = ext(program).functions_by_name
     if known is None:

@@ -1,4 +1,4 @@
-"""Constraints on calls: they give what functions take, and come back where something stands behind them."""
+"""Constraints on calls: all arguments are passed, and a function that never returns is not followed by code."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ units = moved.context(ccode.SourceUnit)
 
 @units.constraint(id="RS341", severity=Severity.warning, location=place, advice="give the argument in the call")
 def GivesItsArguments(unit: ccode.SourceUnit) -> bool | Fail:
-    """No function is called with fewer arguments than it takes: what it finds instead is not said in C."""
+    """No function is called with fewer arguments than it has parameters; the value of a missing one is undefined in C."""
     found = [*_short_calls(unit), *_short_calls_of_pointers(unit)]
     said = ", ".join(distinct(f"'{name}'" for _, name in found))
     return not found or together(
@@ -47,7 +47,7 @@ def _short_calls_of_pointers(unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Cal
 
 @units.constraint(id="RS343", severity=Severity.info, location=place, advice="take it out, or let what stands before it end")
 def GetsThere(unit: ccode.SourceUnit) -> bool | Fail:
-    """Nothing stands behind a call of a function that never returns."""
+    """No code follows a call of a function that never returns."""
     unreached = Unreached(the_move().program.units)
     found = [(row, before) for row, before in unreached.statements(unit) if not isinstance(before, ccode.Loop)]
     called = (call.callee for _, before in found for call in all_of_kind(before, ccode.Call) if call.callee is not None)

@@ -1,6 +1,6 @@
-"""Constraints on plain char where source and target disagree about its sign: comparisons, shifts, values.
+"""Constraints on plain char if its signedness differs between source and target: comparisons, shifts, values.
 
-Texts are not concerned: what is compared with a character of ASCII or handed on as a character is the same on both.
+Text is not affected: comparing with an ASCII character, or passing a value on as a character, works the same on both.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from robosmi.validate import Fail
 
 
 def is_resigned() -> bool:
-    """Whether there is a move between platforms on which plain char differs in its sign, and its values are read as they are."""
+    """Whether the signedness of plain char changes with the platform and the text is not changed to keep it."""
     m = move()
     return m is not None and m.here.char_signed != m.there.char_signed and not m.fixed
 
@@ -28,7 +28,7 @@ comparisons = moved.context(ccode.Binary, guard=lambda b: b.operator in COMPARIS
     advice="declare it as what it is meant to be: uint8_t or int8_t, or int where it can be -1",
 )  # fmt: skip
 def ComparesAsBefore(b: ccode.Binary) -> bool | Fail:
-    """A plain char is not compared with a number that only one of both platforms lets it be."""
+    """No plain char is compared with a number that is in its range on only one of the platforms."""
     m = the_move()
     for one, other in ((b.left, b.right), (b.right, b.left)):
         if _is_char(m, one) and (value := m.ranges.of(other)) is not None and value.single and value.given:
@@ -45,7 +45,7 @@ def ComparesAsBefore(b: ccode.Binary) -> bool | Fail:
 
 @units.critique(id="RS318", info=True, location=place, advice="declare bytes as uint8_t")
 def CountsAsBefore(unit: ccode.SourceUnit) -> bool | Fail:
-    """No plain char is shifted, or given a value that only one of both platforms lets it have."""
+    """No plain char is shifted, or assigned a value that is in its range on only one of the platforms."""
     m = the_move()
     view = m.view(unit)
     some = [b.left for b in view.of_kind(ccode.Binary) if b.operator in ("<<", ">>") and _may_be_high(m, b.left)]

@@ -1,6 +1,7 @@
-"""Constraints on what a target with one core and other registers does not have: registers, code on other cores, waiting for it.
+"""Constraints on what a single-core target with other registers lacks: the source's registers, code on other cores, busy
+waiting.
 
-What libraries of the platform run on other cores is said where the program is read (RS108); here is what the program itself does.
+Platform libraries that use other cores are reported when the program is read (RS108); this is about the program's own code.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from robosmi.validate import Fail
 
 
 def has_fewer_cores() -> bool:
-    """Whether there is a move to a target without other cores."""
+    """Whether the program moves from a platform with several cores to one with a single core."""
     m = move()
     return m is not None and m.source.hasCogs and not m.target.hasCogs
 
@@ -36,12 +37,12 @@ def is_register(use: ccode.NameReference | ccode.MacroUse) -> bool:
 
 
 def is_lost_register(use: ccode.NameReference | ccode.MacroUse) -> bool:
-    """Whether a name is a register of the source platform that no adapter stands for."""
+    """Whether a name is a register of the source platform without an adapter."""
     return is_register(use) and use.name not in the_move().served
 
 
 def starts_code(call: ccode.Call) -> bool:
-    """Whether a call starts code of the program on another core, the target has none, and nothing lets it take turns there."""
+    """Whether a call starts code on another core that the target lacks, and the plan does not run it as a coroutine."""
     if not has_fewer_cores() or id(call) not in the_move().cores.starts:
         return False
     shared = the_move().plan.concurrency
@@ -49,7 +50,7 @@ def starts_code(call: ccode.Call) -> bool:
 
 
 def may_wait(loop: ccode.Loop) -> bool:
-    """Whether a loop has a condition, and there is code on other cores that may change it."""
+    """Whether a loop's condition may depend on code on other cores, which will not run meanwhile on the target."""
     alone = has_fewer_cores() and the_move().plan.concurrency is None
     return alone and loop.condition is not None and not loop.endless and bool(the_move().cores.elsewhere)
 
@@ -69,7 +70,7 @@ def _register(use: ccode.NameReference | ccode.MacroUse) -> Fail:
 
 
 def _own_functions() -> str:
-    """What to do with a register: an advice that names some functions of the target."""
+    """The advice for a register: use functions of the target, some of which are named."""
     some = ", ".join(the_move().target.pinFunctions)
     return f"write what is meant with functions of the target{f' ({some} ...)' if some else ''}"
 
@@ -80,7 +81,7 @@ def _own_functions() -> str:
     guard=lambda r: int(r.startOffset) not in the_move().expansions,
 )  # fmt: skip
 def IsNoRegister(reference: ccode.NameReference) -> bool | Fail:
-    """No register of the source platform is used."""
+    """No register of the source platform is used without an adapter."""
     return _register(reference)
 
 
@@ -89,7 +90,7 @@ def IsNoRegister(reference: ccode.NameReference) -> bool | Fail:
     advice=_own_functions,
 )  # fmt: skip
 def StandsForNoRegister(use: ccode.MacroUse) -> bool | Fail:
-    """No macro that stands for a register of the source platform is used."""
+    """No macro for a register of the source platform is used without an adapter."""
     return _register(use)
 
 
@@ -98,7 +99,7 @@ def StandsForNoRegister(use: ccode.MacroUse) -> bool | Fail:
     advice=lambda: f"call it from {the_move().loop}, in steps that do not wait",
 )  # fmt: skip
 def RunsOnItsOwn(call: ccode.Call) -> bool | Fail:
-    """The program starts nothing on a core of its own."""
+    """The program starts no code on another core."""
     start = the_move().cores.starts[id(call)]
     what = f"'{start.function}'" if start.function else "code"
     return Fail(f"{start.via} starts {what} on a core of its own; the target has one core")
@@ -109,7 +110,7 @@ def RunsOnItsOwn(call: ccode.Call) -> bool | Fail:
     advice="measure the stacks on the board where they are tight; COG_STACK in adapters.h is what each has",
 )  # fmt: skip
 def TakesNoTurns(unit: ccode.SourceUnit) -> bool | Fail:
-    """The program starts no code that takes turns with main."""
+    """The program starts no code that runs as a coroutine beside main."""
     shared = the_move().plan.concurrency if move() is not None else None
     starts = [call for call in shared.starts if ancestor_of_kind(call, ccode.SourceUnit) is unit] if shared is not None else []
     if shared is None or not starts:
@@ -131,7 +132,7 @@ def TakesNoTurns(unit: ccode.SourceUnit) -> bool | Fail:
 
 @units.critique(id="RS322", info=True, location=place, advice="do it in steps that do not wait")
 def DoesNotWait(unit: ccode.SourceUnit) -> bool | Fail:
-    """What is repeated for ever does not wait where other work has to go on meanwhile."""
+    """The main loop does not wait where other work has to go on meanwhile."""
     cores = the_move().cores
     main = main_function(unit)
     repeated = [s.body for s in main.body.statements if isinstance(s, ccode.Loop) and s.endless] if main and main.body else []
@@ -149,7 +150,9 @@ def DoesNotWait(unit: ccode.SourceUnit) -> bool | Fail:
 
 
 def _is_busy(element: Element) -> bool:
-    """Whether it is a loop that does nothing until something outside of the program changes."""
+    """Whether an element is a busy-waiting loop: an empty body, and a condition on a register or a function outside the
+    program.
+    """
     if not isinstance(element, ccode.Loop) or element.condition is None or element.endless:
         return False
     body = element.body
@@ -165,7 +168,7 @@ def _is_busy(element: Element) -> bool:
     advice=lambda: f"let {the_move().loop} do the other work meanwhile, and test the condition each time",
 )  # fmt: skip
 def EndsByItself(loop: ccode.Loop) -> bool | Fail:
-    """No loop waits for what only code on another core can change."""
+    """No loop waits for a change that only code on another core can make."""
     elsewhere = the_move().cores.elsewhere
     assert loop.condition is not None  # says the guard
     condition = [loop.condition, *all_contents(loop.condition)]
@@ -186,7 +189,7 @@ def EndsByItself(loop: ccode.Loop) -> bool | Fail:
 
 @units.critique(id="RS324", info=True, location=place, advice="nothing; or include it in the source, too")
 def IncludesWhatItUses(unit: ccode.SourceUnit) -> bool | Fail:
-    """What is used of the standard library is included, not only brought by a header of the platform."""
+    """The program includes the standard headers that it uses, instead of getting them through a header of the platform."""
     m = the_move()
     view = m.view(unit)
     added = [h for h in m.added_headers if h not in view.includes]

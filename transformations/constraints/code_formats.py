@@ -1,7 +1,7 @@
-"""Constraints on texts that say how numbers are printed and read: what they name must be as wide as what is passed.
+"""Constraints on printf and scanf formats: conversions must be as wide as their arguments on the target.
 
-A function takes such a text where its last parameter before "..." is a text. On the source int and long may be the same, so that
-%d and %ld were both right; on a target with a narrower int only one is, and the others after it are read from wrong places.
+A function takes a format if the last parameter before "..." is a string. Where int and long are the same on the source, `%d`
+and `%ld` are both correct; on a target with a narrower int only one is, and the arguments after it are read from wrong places.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ calls = moved.context(
     advice="cast the argument to what the text names: (int) for %d, (long) for %ld",
 )  # fmt: skip
 def NamesWhatIsPassed(call: ccode.Call) -> bool | Fail:
-    """Every number that is passed is as wide as its place in the format says."""
+    """Every integer argument is as wide as its conversion in the format says."""
     m = the_move()
     given = _format(m, call)
     if given is None:
@@ -45,7 +45,7 @@ def NamesWhatIsPassed(call: ccode.Call) -> bool | Fail:
 
 
 def _format(m: Move, call: ccode.Call) -> tuple[str, list[ccode.Expression]] | None:
-    """The format of a call and what is passed for it; None for a function without one."""
+    """A call's format text and the arguments for it; None if the function takes no format or it is not a literal."""
     function = call.callee
     position = -1
     if function is not None and function.variadic and function.parameters:
@@ -64,7 +64,7 @@ def _format(m: Move, call: ccode.Call) -> tuple[str, list[ccode.Expression]] | N
 
 
 def _conversions(m: Move, text: str) -> Iterator[tuple[str, int]]:
-    """The arguments that a format takes: how it says so, and their bits on the target, 0 for what is no integer."""
+    """The arguments that a format expects, as (conversion, bits on the target); the bits are 0 for anything but an integer."""
     for found in _CONVERSION.finditer(text):
         width, precision, length, letter = found.groups()
         if letter == "%":
@@ -76,7 +76,7 @@ def _conversions(m: Move, text: str) -> Iterator[tuple[str, int]]:
 
 
 def _bits(m: Move, value: ccode.Expression) -> int:
-    """The bits of an integer as it is passed, or of the one that a pointer leads to; 0 for anything else."""
+    """The bits of an integer argument, or of the integer that a pointer argument points to; 0 for anything else."""
     number = m.numbers.of(value)
     if number is not None:
         return 0 if number.real else max(number.bits, m.there.int_bits)

@@ -1,6 +1,6 @@
-"""Constraints on numbers in types that no change of text widens: pointers, enumerations, long double, what the library takes.
+"""Constraints on numbers in types that no text change widens: pointers, enumerations, long double, library parameters.
 
-Widths of numbers are kept by changes of text (`m2m.widths`); these types have the target's width in any case.
+Other numbers keep their widths by text changes (`m2m.widths`); these types have the target's width in any case.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from robosmi.validate import Fail
 
 _LONG_DOUBLE = "long double"
 _BYTES = frozenset(["memset", "memchr", "strchr", "strrchr"])
-"""Functions of the standard library that make a character of the int that they take (ISO/IEC 9899:1999, 7.21)."""
+"""Standard library functions that convert their int argument to a character (ISO/IEC 9899:1999, 7.21)."""
 
 units = moved.context(ccode.SourceUnit, guard=lambda _: (m := move()) is not None and m.there.pointer_bits < m.here.pointer_bits)
 
@@ -30,7 +30,7 @@ shorter = moved.context(ccode.SourceUnit, guard=lambda _: (m := move()) is not N
     id="RS336", severity=Severity.warning, location=place, advice="keep the number in a variable, and give the variable's address"
 )
 def KeepsTheNumber(unit: ccode.SourceUnit) -> bool | Fail:
-    """No number is kept in a pointer or an enumeration that has not the bits for it on the target."""
+    """No number is stored in a pointer or an enumeration that is too narrow for it on the target."""
     m = the_move()
     found = [*_in_pointers(m, unit), *_in_enumerations(m, unit)]
     said = ", ".join(distinct(f"{value} in {what}" for _, value, what in found))
@@ -70,7 +70,7 @@ def _in_enumerations(m: Move, unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Lo
     advice="see that about 7 digits are enough, or compute in whole numbers",
 )
 def KeepsItsPrecision(unit: ccode.SourceUnit) -> bool | Fail:
-    """No long double is declared or measured whose digits the target does not keep."""
+    """No long double is declared or measured that has fewer digits on the target."""
     m = the_move()
     uses = (use for use in m.view(unit).of_kind(ccode.TypeUse) if _is_long_double(use) and not use.pointerDepth)
     found = distinct(one for use in uses if isinstance(one := use.eContainer(), ccode.Located))
@@ -79,7 +79,7 @@ def KeepsItsPrecision(unit: ccode.SourceUnit) -> bool | Fail:
 
 
 def _long_double(m: Move) -> tuple[int, int]:
-    """The bytes of a long double on source and target."""
+    """The sizes of long double on source and target in bytes."""
     return TypeSizes(m.source).plain[_LONG_DOUBLE], TypeSizes(m.target).plain[_LONG_DOUBLE]
 
 
@@ -95,7 +95,7 @@ def _is_long_double(use: ccode.TypeUse) -> bool:
     advice="hand over a smaller number, or keep it in a variable of 32 bits",
 )
 def TakesTheNumber(unit: ccode.SourceUnit) -> bool | Fail:
-    """No number is handed to a function of the target's own library whose parameter has not the bits for it."""
+    """No number is passed to a function of the target's own library whose parameter is too narrow for it."""
     found = list(_handed(the_move(), unit))
     said = ", ".join(distinct(f"{value} to {name}" for _, value, name in found))
     return not found or together(
@@ -106,7 +106,7 @@ def TakesTheNumber(unit: ccode.SourceUnit) -> bool | Fail:
 
 
 def _handed(m: Move, unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Located, int, str]]:
-    """Arguments that the target's library cuts, with value and name of the function."""
+    """Arguments that the target's library truncates, as (argument, value, function)."""
     view = m.view(unit)
     widened = {str(each.sourceType) for each in m.target.widerNames} if m.fixed else set()
     for name, function in view.called().items():

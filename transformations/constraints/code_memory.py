@@ -1,6 +1,6 @@
-"""Constraints on the memory of a program that the target has less of, or lays out otherwise: heap, and members of structures.
+"""Constraints on memory that is scarcer or laid out differently on the target: the heap, and members of structures.
 
-How much memory a program takes is no constraint: it is told with what the board has (`queries.memory`).
+The amount of memory that a program needs is not a constraint: it is reported against the board's (`queries.memory`).
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ from robosmi.typed import distinct
 from robosmi.validate import Fail
 
 SMALL = 65536
-"""Bytes of memory below which a heap that only grows is soon at its end."""
+"""RAM in bytes below which a heap that only grows is soon exhausted."""
 TAKING = frozenset(["malloc", "calloc", "realloc", "strdup"])
 _GIVING = frozenset(["free", "realloc"])
 _COPYING = frozenset(["memcpy", "memmove", "memcmp", "fread", "fwrite", "read", "write"])
-"""Functions of the standard library that take memory as bytes, besides those of the platform."""
+"""Standard library functions that treat memory as bytes, in addition to those of the platform."""
 
 
 def _small() -> int:
-    """The target's memory where it is small; 0 where it is not, or is not known."""
+    """The target's RAM in bytes if it is small; 0 if it is not, or unknown."""
     board = the_move().plan.board if move() is not None else None
     chip = board.microcontroller if board is not None else None
     return int(chip.ramBytes) if chip is not None and chip.ramBytes < SMALL else 0
@@ -44,7 +44,7 @@ units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None and t
     advice="take the memory once, before the loop, or declare an array; give it back with free() each time round otherwise",
 )  # fmt: skip
 def IsTakenOnce(call: ccode.Call) -> bool | Fail:
-    """Memory that is taken from the heap each time round a loop is given back there."""
+    """Heap memory that is allocated in each iteration of a loop is freed there."""
     loop = _grows(call, ())
     if loop is None:
         return True
@@ -55,7 +55,7 @@ def IsTakenOnce(call: ccode.Call) -> bool | Fail:
 
 
 def _grows(element: Element, above: tuple[int, ...]) -> ccode.Loop | None:
-    """The loop each round of which carries the element out, and in which nothing is given back."""
+    """The loop that executes an element repeatedly without freeing memory; it may be in a caller. None if there is none."""
     function = ancestor_of_kind(element, ccode.Function)
     loop = ancestor_of_kind(element, ccode.Loop)
     if loop is not None:
@@ -74,7 +74,7 @@ def _gives_back(bodies: Iterable[ccode.Statement | None]) -> bool:
     advice="write and read the members one by one, or give the structure the members that fill the gaps",
 )  # fmt: skip
 def KeepsItsLayout(unit: ccode.SourceUnit) -> bool | Fail:
-    """No structure that the target lays out otherwise is taken as bytes: by its size, or through a pointer."""
+    """No structure with another layout on the target is treated as bytes, by its size or through a pointer."""
     m = the_move()
     found = {
         id(each): (each, record) for each in m.view(unit).of_kind(ccode.Expression) if (record := _as_bytes(each)) is not None
@@ -88,7 +88,7 @@ def KeepsItsLayout(unit: ccode.SourceUnit) -> bool | Fail:
 
 
 def _sizes(record: ccode.Record) -> str:
-    """The sizes of a structure on both platforms in words; empty where they are the same or not known."""
+    """The message that a structure's size differs between the platforms; empty if it does not or is unknown."""
     plan = the_move().plan
     here, there = on_source(plan), on_target(plan)
     before, after = here.record(record) if here is not None else None, there.record(record)
@@ -107,7 +107,7 @@ def _name(record: ccode.Record) -> str:
 
 
 def _as_bytes(expression: ccode.Expression) -> ccode.Record | None:
-    """The structure that an expression takes as bytes: its size for what copies memory, or a pointer to it as one to numbers."""
+    """The structure that an expression treats as bytes: its size in a copying function, or a cast of its address; else None."""
     if isinstance(expression, ccode.SizeOf):
         return _measured(expression) if _copies(expression) else None
     if isinstance(expression, ccode.Cast) and expression.target is not None and expression.target.pointerDepth == 1:
@@ -124,7 +124,7 @@ def _measured(size: ccode.SizeOf) -> ccode.Record | None:
 
 
 def _declared(spelling: str) -> ccode.Declaration | None:
-    """The structure, or the name of one, that a type is called by."""
+    """The structure or typedef with the name that a type is spelled with."""
     name = spelling.removeprefix("struct ").removeprefix("union ").strip()
     declared = (d for unit in the_move().program.units for d in unit.declarations)
     return next((d for d in declared if isinstance(d, (ccode.Record, ccode.Typedef)) and d.name == name), None)
@@ -140,7 +140,7 @@ def _record_of_value(expression: ccode.Expression | None) -> ccode.Record | None
 
 
 def _pointed_at(expression: ccode.Expression | None) -> ccode.Record | None:
-    """The structure that a pointer points to, as far as its declaration tells."""
+    """The structure that a pointer points to according to its declaration."""
     if isinstance(expression, ccode.Unary) and expression.operator == "&":
         inner = expression.operand
         return _record_of_value(inner.array if isinstance(inner, ccode.Index) else inner)
@@ -153,7 +153,7 @@ def _pointed_at(expression: ccode.Expression | None) -> ccode.Record | None:
 
 
 def _copies(size: ccode.SizeOf) -> bool:
-    """Whether a size is an argument of a function that takes memory as bytes, alone or times a number."""
+    """Whether a size, possibly multiplied, is an argument of a function that treats memory as bytes."""
     element = size
     parent = element.eContainer()
     while isinstance(parent, ccode.Cast) or (isinstance(parent, ccode.Binary) and parent.operator == "*"):

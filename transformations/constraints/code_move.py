@@ -1,8 +1,8 @@
-"""What a move of a program to its target may change: the constraints' common ground, and how a plan is asked.
+"""What a move of a program to its target may change: the common base of these constraints, and how a plan is checked.
 
-`moved` holds them all (`code_widths`, `code_characters`, `code_formats`, `code_cores`); `move_findings` asks them of a plan whose
-program has views at hand, `robosmi check` of a stored plan and its code model. Without a plan nothing is said: what changes
-depends on the target.
+`moved` contains them all (`code_widths`, `code_characters`, `code_formats`, `code_cores`); `move_findings` evaluates them on a
+plan whose program has views, `robosmi check` on a stored plan with its code model. Without a plan they find nothing, since what
+changes depends on the target.
 """
 
 from __future__ import annotations
@@ -39,22 +39,22 @@ if TYPE_CHECKING:
     from robosmi.model.driver import Held
 
 moved = EVL()
-"""The constraints on a program that is moved; run them over its plan and its model."""
+"""The constraints on a program that is moved; evaluate them on its plan and its model."""
 
 MANY = 5
-"""So many findings of a rule in one file are one each; more are one together."""
+"""Up to this number the findings of a rule in a file are listed one by one; more are merged into one."""
 PLACES = "places"
 FLOW = "flow"
-"""Of what a check says: the element, then the steps that lead to it; kept where a finding is about one element alone."""
+"""Key of a finding's evidence: the element and the steps that lead to it; kept only for findings about a single element."""
 _running: ContextVar[Move | None] = ContextVar("robosmi_move", default=None)
 _FIXED = re.compile(r"\bu?int(?:8|16|32|64)_t\b|\bfloat\b")
 
 
 class Move:
-    """A plan with what its program means on both platforms: views of the units, widths of types, names.
+    """A plan together with the meaning of its program on both platforms: views of the units, widths of types, names.
 
     Args:
-        plan: the plan; it has a program and both platforms.
+        plan: the plan, with a program and both platforms.
         seen: a view of each unit of the program.
     """
 
@@ -76,12 +76,12 @@ class Move:
 
     @property
     def fixed(self) -> bool:
-        """Whether the text is written so that numbers keep their widths."""
+        """Whether the text is changed so that numbers keep the source's widths."""
         return self.plan.widths is migration.Widths.fix
 
     @cached_property
     def numbers(self) -> Numbers:
-        """The program's numbers on the target."""
+        """The types of the program's numeric expressions on the target."""
         functions = _functions(self.views)
         functions.update({a.name: target_types(a) for a in self.plan.adapterUses})
         sure = (s for s in self.plan.symbolUses if s.symbol is not None and s.symbol.typeName)  # a person gives the others theirs
@@ -92,7 +92,7 @@ class Move:
 
     @cached_property
     def ranges(self) -> Ranges:
-        """The program's values on the source."""
+        """The value ranges of the program's expressions on the source."""
         functions = _functions(self.views)
         functions.update({a.name: function_type(a.signature) for a in self.plan.adapterUses})
         return Ranges(Numbers(self.here, functions, {}, self._macros), Values(self.program, self.views[0].unit), self.program)
@@ -103,7 +103,7 @@ class Move:
 
     @cached_property
     def signatures(self) -> dict[str, list[str]]:
-        """Name of a function that the program calls and does not define -> its parameters as its header has them."""
+        """The parameters, as in the header, of each function that the program calls and does not define, by name."""
         return {
             f.name: split_parameters(f.entry.parameters)
             for view in self.views
@@ -112,30 +112,30 @@ class Move:
         }
 
     def register(self, name: str) -> str | None:
-        """What a register of the source platform means, empty where that is not known; None for a name that is none."""
+        """The description of a source platform register, empty if there is none; None if the name is not a register."""
         api = self.views[0].api
         return api.symbol_meaning(name).get("meaning", "") if api.is_register(name) else None
 
     @cached_property
     def expansions(self) -> set[int]:
-        """Where macros that stand for registers begin: their expansions are not uses of their own."""
+        """Offsets where macros for registers are used; the names in their expansions are not counted as further uses."""
         uses = (u for view in self.views for u in view.of_kind(ccode.MacroUse) if u.macro is None)
         return {int(u.startOffset) for u in uses if self.register(u.name) is not None}
 
     @cached_property
     def served(self) -> set[str]:
-        """Functions and other names of the source platform that adapters do on the target what they did there."""
+        """Functions and other names of the source platform that adapters provide on the target."""
         functions = {str(use.name) for use in self.plan.adapterUses if use.adapter is not None}
         return functions | {str(use.name) for use in self.plan.symbolUses if use.adapter is not None}
 
     @cached_property
     def to_write(self) -> set[str]:
-        """Functions of the source platform whose adapters are still to be written, and can be."""
+        """Functions of the source platform whose adapters a person still has to write."""
         return {str(use.name) for use in self.plan.adapterUses if use.status is migration.AdapterStatus.todo}
 
     @cached_property
     def giving_way(self) -> set[str]:
-        """Functions that wait and let code of other cores get on meanwhile, where that takes turns with main."""
+        """Functions that let other coroutines run while they wait; empty if the plan has no coroutines."""
         return giving_way(self.views, self.plan.adapterUses) if self.plan.concurrency is not None else set()
 
     @cached_property
@@ -145,18 +145,18 @@ class Move:
 
     @cached_property
     def added_headers(self) -> list[str]:
-        """Standard headers that the moved program includes and the program does not."""
+        """Standard headers that the sketch includes in addition to the program's own includes."""
         marks = ((s.placeholder or "", s) for s in self.plan.symbolUses)
         return [text.removeprefix("#include <").rstrip(">") for text, _ in marks if text.startswith("#include <")]
 
     @cached_property
     def masks(self) -> PortMasks:
-        """The masks of ports that the program puts together."""
+        """The bit masks of ports that the program computes."""
         return PortMasks(self.views)
 
     @property
     def loop(self) -> str:
-        """Where programs of the target do again and again what they do."""
+        """The name of the function in which programs of the target repeat their work: `loop` or `main`."""
         return "main" if keeps_main(self.plan) else "loop"
 
     def view(self, unit: ccode.SourceUnit) -> CodeView:
@@ -174,26 +174,26 @@ def _functions(seen: Iterable[CodeView]) -> dict[str, FunctionType]:
 
 
 def move() -> Move | None:
-    """The move that the running constraints are about, None where the models have no plan with two platforms."""
+    """The move that is being checked; None if the models have no plan with two platforms."""
     return _running.get()
 
 
 def the_move() -> Move:
-    """The move, in a constraint whose guard has seen that there is one."""
+    """The move that is being checked, for constraints whose guard ensures that there is one."""
     found = move()
     assert found is not None
     return found
 
 
 def is_narrower() -> bool:
-    """Whether there is a move to a narrower int, and the text is carried over as it is."""
+    """Whether int is narrower on the target and the text is not changed to keep its width."""
     found = move()
     return found is not None and found.narrower and not found.fixed
 
 
 @moved.pre
 def find_the_move() -> None:
-    """Make what the constraints need: of the plan that is one of the models, or of the views that were given with it."""
+    """Prepare the move from the plan among the models, or from the views that were passed with it."""
     _running.set(None)
     for model in current_run().models:
         if isinstance(model, Given):
@@ -207,12 +207,12 @@ def find_the_move() -> None:
 
 @moved.post
 def forget_the_move() -> None:
-    """Let go of the models."""
+    """Release the models after the run."""
     _running.set(None)
 
 
 class Given(EmfModel):
-    """A program with views at hand: its extents are theirs.
+    """A program whose units have views already; its instances are looked up there.
 
     Args:
         of: the move.
@@ -230,7 +230,7 @@ class Given(EmfModel):
 
 
 def place(element: ccode.Located | ccode.SourceUnit) -> Location | None:
-    """Where an element stands, with its range; of a unit its file."""
+    """The source range of an element; for a unit its file."""
     if isinstance(element, ccode.SourceUnit):
         return Location(element.path)
     unit = ancestor_of_kind(element, ccode.SourceUnit)
@@ -240,19 +240,19 @@ def place(element: ccode.Located | ccode.SourceUnit) -> Location | None:
 
 
 def together(message: str, elements: Sequence[ccode.Located]) -> Fail:
-    """What a check says of several places of a unit at once; the places are kept with it."""
+    """A failure about several places of a unit at once; the places are kept as evidence."""
     return Fail(f"{message} ({in_lines(elements)})", **{PLACES: tuple(elements)})
 
 
 def in_lines(elements: Iterable[ccode.Located]) -> str:
-    """The lines of elements, each once, the first eight of them."""
+    """The line numbers of elements as text, without duplicates and at most eight of them."""
     lines = distinct(int(e.line) for e in elements)
     shown = ", ".join(str(each) for each in lines[:8]) + (" ..." if len(lines) > 8 else "")
     return f"line{'s' * (len(lines) > 1)} {shown}"
 
 
 def move_findings(plan: migration.MigrationPlan, seen: Sequence[CodeView]) -> list[migration.PlanFinding]:
-    """What the constraints on the move find, in the order of files and lines; more than a few of one rule in a file are one.
+    """Check the constraints on the move; findings are ordered by file and line, and many of one rule in a file are merged.
 
     Args:
         plan: the plan; complete but for its findings.

@@ -1,6 +1,6 @@
-"""Constraints on the ports of a program that is moved: numbers that no port has, and numbers that only the running program knows.
+"""Constraints on the ports of a moved program: numbers that are no port of the source, and numbers known only at run time.
 
-Which target pins the ports are on is asked of the plan's bindings (`plan_ports`).
+Which target pins the ports are on is checked on the plan's bindings (`plan_ports`).
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from robosmi.typed import distinct
 from robosmi.validate import Fail
 
 _SHOWN = 4
-"""How many numbers a message names."""
+"""How many numbers a message lists."""
 
 units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None)
 
@@ -29,7 +29,7 @@ units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None)
     id="RS326", severity=Severity.warning, location=place, advice="correct the number; until then the call does nothing here"
 )
 def PortIsOfTheSource(u: ccode.SourceUnit) -> bool | Fail:
-    """A number that is given for a port is one of the source board's."""
+    """A number that is used as a port is a port of the source board."""
     m = the_move()
     view = m.view(u)
     count = view.api.ports
@@ -48,7 +48,7 @@ def PortIsOfTheSource(u: ccode.SourceUnit) -> bool | Fail:
     advice='bind those that it can be, --bind P4=PIN or [bind] P4 = "PIN"; the others do nothing',
 )  # fmt: skip
 def PortsAreKnown(u: ccode.SourceUnit) -> bool | Fail:
-    """The text says which ports a function or register is given, or a person has bound those that only a run shows."""
+    """The ports passed to a function or register are known statically, or a person has bound those computed at run time."""
     if ports_of_runs_bound(the_move().plan):
         return True
     found = list(_unknown(u))
@@ -60,12 +60,14 @@ def PortsAreKnown(u: ccode.SourceUnit) -> bool | Fail:
 
 
 def _signed(plan: migration.MigrationPlan) -> set[str]:
-    """The functions for which a negative number has a meaning of its own, and those of which nobody knows it."""
+    """Functions for which negative numbers have a meaning of their own, and functions without an adapter, where this is
+    unknown.
+    """
     return {str(use.name) for use in plan.adapterUses if use.adapter is None or any(pin.signed for pin in use.adapter.pins)}
 
 
 def _unknown(u: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Located]]:
-    """The calls, macros and registers of a unit that are given ports which the text does not say."""
+    """The calls, macros and register accesses of a unit whose ports are not known statically, as (name, element)."""
     m = the_move()
     view = m.view(u)
     flows = [flow for flow in m.plan.portFlows if flow.anything and not kept_raw(flow)]
@@ -81,7 +83,7 @@ def _unknown(u: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Located]]:
 
 @units.constraint(id="RS335", location=place, advice="write these calls without the macro")
 def PortsOfMacrosAreLookedUp(u: ccode.SourceUnit) -> bool | Fail:
-    """A port that a macro gives to a function of the platform is written where the sketch can look it up."""
+    """A port that a macro passes to a platform function has a place in the text where its pin can be looked up."""
     calls = [c for flow in the_move().plan.portFlows if kept_raw(flow) for c in flow.calls]
     here = [c for c in calls if ancestor_of_kind(c, ccode.SourceUnit) is u]
     names = ", ".join(distinct(f"'{call.calleeName}'" for call in here))
@@ -94,7 +96,7 @@ def PortsOfMacrosAreLookedUp(u: ccode.SourceUnit) -> bool | Fail:
     advice="call the function of the platform from a function of the program, and let the pointer point there",
 )  # fmt: skip
 def PointersTellNumbersApart(u: ccode.SourceUnit) -> bool | Fail:
-    """A pointer to functions of the platform, which take pins of the target, is none to functions that take the source's."""
+    """No pointer can hold both platform functions, which take target pins, and the program's, which take source numbers."""
     m = the_move()
     platform, own = pointed_functions(m.views)
     here = [reference for reference, view in platform if view.unit is u] if own else []

@@ -1,6 +1,6 @@
-"""Constraints on the arguments of a program's calls: values that the adapter of the target cannot serve.
+"""Constraints on arguments: values that the target's adapter cannot handle.
 
-Which values it can serve is data of the adapter (its `ranges`); which values an argument may have is asked of the program's text.
+The values that it can handle are data of the adapter (its `ranges`); the values of an argument are determined statically.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ calls = moved.context(ccode.Call, guard=lambda c: move() is not None and bool(_r
     advice="give it another value, or write an adapter of your own that can do it",
 )  # fmt: skip
 def AdapterServesTheValue(c: ccode.Call) -> bool | Fail:
-    """What a program gives for a parameter is a value that the adapter can serve."""
+    """The value of an argument is one that the adapter can handle."""
     m, arguments = the_move(), list(c.arguments)
     for one in sorted(_ranges(c), key=lambda each: int(each.most) - int(each.least)):  # the limit that holds, not the widest one
         if one.position >= len(arguments) or (one.awayFrom and _reaches(c, one.awayFrom, m)):
@@ -34,7 +34,7 @@ def AdapterServesTheValue(c: ccode.Call) -> bool | Fail:
 
 
 def _ranges(call: ccode.Call) -> list[platform.ArgumentRange]:
-    """The ranges of the adapter of a call, without those beside pieces that the program has not."""
+    """The value ranges of a call's adapter, without those that apply only beside adapters that the program does not use."""
     m = the_move()
     use = next((u for u in m.plan.adapterUses if u.name == call.calleeName and u.adapter is not None), None)
     if use is None or use.adapter is None or not len(use.adapter.ranges):
@@ -44,7 +44,7 @@ def _ranges(call: ccode.Call) -> list[platform.ArgumentRange]:
 
 
 def _numbers(argument: ccode.Expression, m: Move) -> set[int]:
-    """The values that the text says an argument may have, as far as it says them."""
+    """The statically known values of an argument; it may have others."""
     known = {value.number for value in m.masks.values(argument)}
     return {number for number in known | (m.masks.numbers(argument) or set()) if number is not None}
 
@@ -54,7 +54,7 @@ def _serves(one: platform.ArgumentRange, number: int) -> bool:
 
 
 def _said(one: platform.ArgumentRange) -> str:
-    """A range in words."""
+    """A value range in words."""
     if one.most == _MOST:
         return f"and the target serves {one.least:,} and more"
     return f"and the target serves {one.least:,} to {one.most:,}"
@@ -64,7 +64,7 @@ _MOST = (1 << 31) - 1
 
 
 def _reaches(call: ccode.Call, pin: str, m: Move) -> bool:
-    """Whether a port of a call is bound to a pin of the target, by its name."""
+    """Whether a port of a call is bound to the target pin with this name."""
     return any(pin in (b.pin.label, *b.pin.aliases) for b in _bindings(call, m) if b.pin is not None)
 
 

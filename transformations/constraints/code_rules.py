@@ -1,4 +1,4 @@
-"""All constraints on the move of a program together; importing this module makes `moved` complete."""
+"""Collects all constraints on the move of a program; importing this module makes `moved` complete."""
 
 from __future__ import annotations
 
@@ -18,4 +18,4 @@ from robosmi.transformations.constraints.code_move import move_findings, moved
 __all__ = ["MODULES", "move_findings", "moved"]
 
 MODULES = (code_widths, code_formats, code_characters, code_cores, code_ports, code_ranges, code_memory, code_kept, code_calls)
-"""Where they are."""
+"""The modules that define these constraints."""

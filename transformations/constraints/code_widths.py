@@ -1,7 +1,8 @@
-"""Constraints on numbers that a narrower int of the target does not hold: declarations, literals, sums, products, shifts, sizes.
+"""Constraints on numbers that exceed a narrower int of the target: declarations, literals, sums, products, shifts, sizes.
 
-A warning is a value that the text itself gives and that does not fit; what depends on values from outside is one remark a file.
-What is computed in 32 bits on the target anyway (long, results of adapters) is not mentioned, nor what is cut off on purpose.
+A warning is about a value that is known statically and does not fit; expressions whose values come from inputs get one remark
+per file. Expressions that are computed in 32 bits on the target anyway (long, results of adapters), and values that are
+truncated on purpose, are not mentioned.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ operations = moved.context(ccode.Binary, guard=lambda b: (b.operator in ARITHMET
 
 @units.critique(id="RS310", info=True, location=place, advice="use int32_t where values may pass 16 bits")
 def IsDeclaredInt(unit: ccode.SourceUnit) -> bool | Fail:
-    """No variable, parameter or result of type int is carried over to a narrower one."""
+    """No variable, parameter or result of type int gets narrower."""
     m = the_move()
     narrow = [
         t.eContainer()
@@ -51,7 +52,7 @@ def IsDeclaredInt(unit: ccode.SourceUnit) -> bool | Fail:
 
 
 def _is_fixed(m: Move, use: ccode.TypeUse) -> bool:
-    """Whether a type that is an int on the source is written as one that has its width anywhere (int32_t)."""
+    """Whether a type that is int on the source is spelled as one of fixed width (int32_t)."""
     if _says_int(use.spelling):
         return False
     kind = of_use(use)
@@ -65,7 +66,7 @@ def _says_int(spelling: str) -> bool:
 
 
 def _is_far(reference: ccode.NameReference) -> bool:
-    """Whether a macro stands for a number beyond 16 bits."""
+    """Whether a macro's value does not fit into 16 bits."""
     value = the_move().ranges.of(reference) if reference.name in the_move().numbers.macros else None
     return value is not None and not value.within(-0x8000, 0x7FFF)
 
@@ -74,7 +75,7 @@ def _is_far(reference: ccode.NameReference) -> bool:
     id="RS313", severity=Severity.warning, location=place, advice="compute in 32 bits: add L to a number of the macro's text"
 )
 def ExpandsWithinInt(reference: ccode.NameReference) -> bool | Fail:
-    """What a macro computes does not pass the target's int in which it is computed."""
+    """The value of a macro fits the target's int in which it is computed."""
     m = the_move()
     value, number = m.ranges.of(reference), m.numbers.of(reference)
     narrow = value is not None and number is not None and number.bits == m.there.int_bits
@@ -87,7 +88,7 @@ def ExpandsWithinInt(reference: ccode.NameReference) -> bool | Fail:
     id="RS311", severity=Severity.warning, location=place, advice="declare what it is stored in or compared with as int32_t"
 )
 def StandsForWhatFits(reference: ccode.NameReference) -> bool | Fail:
-    """A macro's number is stored in, or compared with, what can hold it on the target."""
+    """A macro's value is stored in, or compared with, a type that can hold it on the target."""
     return _fits(reference)
 
 
@@ -95,7 +96,7 @@ def StandsForWhatFits(reference: ccode.NameReference) -> bool | Fail:
     id="RS311", severity=Severity.warning, location=place, advice="declare what it is stored in or compared with as int32_t"
 )
 def CountsWhatFits(reference: ccode.NameReference) -> bool | Fail:
-    """An enumerator's number is stored in, or compared with, what can hold it on the target."""
+    """An enumerator's value is stored in, or compared with, a type that can hold it on the target."""
     return _fits(reference)
 
 
@@ -103,7 +104,7 @@ def CountsWhatFits(reference: ccode.NameReference) -> bool | Fail:
     id="RS311", severity=Severity.warning, location=place, advice="declare what it is stored in or compared with as int32_t"
 )
 def FitsWhereItGoes(literal: ccode.IntegerLiteral) -> bool | Fail:
-    """A number is stored in, or compared with, what can hold it on the target."""
+    """A literal is stored in, or compared with, a type that can hold it on the target."""
     return _fits(literal)
 
 
@@ -132,7 +133,7 @@ def _hands_on(parent: Element | None, one: ccode.Expression) -> TypeGuard[ccode.
 
 
 def _goes(m: Move, top: ccode.Expression, parent: Element | None) -> tuple[Number, str] | None:
-    """The int of the target that a value is stored in or compared with, and how to call it; None for anything else."""
+    """The target's int type that a value is stored in or compared with, and how messages call it; None for any other place."""
     number, called = None, ""
     if isinstance(parent, ccode.InitializerList):
         parent = parent.eContainer()
@@ -173,7 +174,7 @@ def _shown(value: Range, one: ccode.NameReference | ccode.IntegerLiteral, top: c
     advice="compute in 32 bits: make one operand int32_t, or add L to a number",
 )
 def StaysWithinInt(b: ccode.Binary) -> bool | Fail:
-    """What the text shows to pass the target's int is not computed in it."""
+    """An operation whose result is known to exceed the target's int is not computed in it."""
     m = the_move()
     found = _passes(m, b)
     if found is None or not found[0]:
@@ -189,7 +190,7 @@ def StaysWithinInt(b: ccode.Binary) -> bool | Fail:
     id="RS314", info=True, location=place, advice="use int32_t, or a cast of one operand, where values may pass 16 bits"
 )
 def MayPassInt(unit: ccode.SourceUnit) -> bool | Fail:
-    """No product or shift of values from outside may pass the target's int."""
+    """No sum, product or shift of values from inputs can exceed the target's int."""
     m = the_move()
     view = m.view(unit)
     some: list[ccode.Located] = [b for b in view.of_kind(ccode.Binary) if b.operator in ARITHMETIC and _may_pass(m, b)]
@@ -203,13 +204,13 @@ def MayPassInt(unit: ccode.SourceUnit) -> bool | Fail:
 
 
 def _narrow(m: Move, b: ccode.Binary) -> Number | None:
-    """The type of an operation that the source computes in a wider one."""
+    """The type of an operation if the target computes it in int; else None."""
     number = m.numbers.of(b)
     return number if number is not None and not number.real and number.bits == m.there.int_bits else None
 
 
 def _passes(m: Move, b: ccode.Binary) -> tuple[bool, str] | None:
-    """Whether an operation surely (or, false, perhaps) leaves the target's int, and what to say; None where it does not."""
+    """Whether an operation exceeds the target's int certainly (True) or possibly (False), and the message; None if neither."""
     number = _narrow(m, b)
     if number is None:
         return None
@@ -244,7 +245,7 @@ def _fits_already(m: Move, b: ccode.Binary) -> bool:
 
 
 def _is_mask(m: Move, b: ccode.Binary) -> bool:
-    """Whether 16 bits that an operation sets are only tested or combined: 1 << 15 as a bit."""
+    """Whether an operation whose result uses all 16 bits is only tested or combined with others, such as the bit 1 << 15."""
     parent = b.eContainer()
     return isinstance(parent, ccode.Binary) and parent.operator in ("&", "|", "^") and _narrow(m, parent) is not None
 
@@ -260,7 +261,7 @@ def _may_pass(m: Move, b: ccode.Binary) -> bool:
 
 
 def _may_leave(m: Move, a: ccode.Assignment) -> bool:
-    """Whether what is added up, multiplied or shifted in a variable may pass it."""
+    """Whether a compound assignment may exceed the range of its variable."""
     number, wide = m.numbers.of(a.left), m.numbers.of(a.right)
     if number is None or number.real or number.fixed or number.bits != m.there.int_bits or (wide is not None and wide.real):
         return False
@@ -268,7 +269,10 @@ def _may_leave(m: Move, a: ccode.Assignment) -> bool:
 
 
 def _is_far_by(m: Move, operator: str, left: Range | None, right: Range | None, number: Number) -> bool:
-    """Whether an operation on what comes from outside may pass a type; small steps and factors say nothing."""
+    """Whether an operation with an operand of unknown value may exceed a type.
+
+    An added or multiplied constant below 256, and a shift by less than 8, are assumed to be harmless.
+    """
     if operator in ("+", "-"):
         small = left if left is not None else right
         return small is None or max(abs(small.low), abs(small.high)) >= _LARGE
@@ -279,7 +283,7 @@ def _is_far_by(m: Move, operator: str, left: Range | None, right: Range | None, 
 
 
 def _is_cut(m: Move, expression: ccode.Located) -> bool:
-    """Whether only the low bits of a value count: a mask, a narrow variable or a conversion to one takes the others away."""
+    """Whether only the low bits of a value are used: a mask, or an assignment or cast to a narrow type, discards the others."""
     for one, parent in _upwards(expression):
         if isinstance(parent, ccode.Binary) and parent.operator in _CUT:
             if parent.operator == "&":
@@ -318,7 +322,7 @@ def _upwards(expression: Element) -> Iterator[tuple[Element, Element]]:
     id="RS315", info=True, location=place, advice="check what the number of bytes is for: a file, a message, a memory"
 )
 def KeepsItsSize(unit: ccode.SourceUnit) -> bool | Fail:
-    """No size of a type that is narrower on the target is computed with."""
+    """No `sizeof` of a type that is smaller on the target is used in computations."""
     m = the_move()
     some = [s for s in m.view(unit).of_kind(ccode.SizeOf) if _shrinks(m, s) and not _is_measure(m, s)]
     return not some or together(f"{len(some)} size(s) of types that have fewer bytes on the target", some)
@@ -340,7 +344,10 @@ def _shrinks(m: Move, size: ccode.SizeOf) -> bool:
 
 
 def _is_measure(m: Move, size: ccode.SizeOf) -> bool:
-    """Whether the size counts elements, or memory that is as big as what is put into it; a function that prints tells it."""
+    """Whether a size counts array elements or is passed to a function that is not variadic, such as one that copies memory.
+
+    Such a size stays right if the type gets smaller; a variadic function such as printf may show it.
+    """
     parent = size.eContainer()
     while isinstance(parent, (ccode.Binary, ccode.Cast)):
         if isinstance(parent, ccode.Binary) and parent.operator == "/":

@@ -1,6 +1,6 @@
-"""The electrical constraints on circuits, put together: supplies, signals, loads, buses (rules RS230 to RS256).
+"""All electrical constraints on circuits: supplies, signals, loads, buses (rules RS230 to RS256).
 
-What only a plan can tell, with the program and the chosen libraries, is in `electrical_plan`.
+Constraints that need a plan, with the program and the chosen libraries, are in `electrical_plan`.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ from robosmi.transformations.constraints.places import worst_first
 from robosmi.validate import EVL
 
 electrical = EVL()
-"""All of them; run them over a hardware model."""
+"""All of them; evaluate them on a hardware model."""
 
 for part in (supply, signals, loads, buses):
     electrical.include(part)
 
 
 def electrical_findings(circuit: hardware.Circuit) -> list[Finding]:
-    """What the electrical constraints find in a circuit, the worst first.
+    """The findings of the electrical constraints on a circuit, the most severe first.
 
     Args:
         circuit: the circuit.

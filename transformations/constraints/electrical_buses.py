@@ -1,6 +1,6 @@
-"""Constraints on buses: I2C and SPI on their pins, pull-up resistors, addresses that differ.
+"""Constraints on buses: I2C and SPI on the right pins, pull-up resistors, unique addresses.
 
-A device is on a bus where its connectors are named so (SDA, SCL; MOSI, MISO, SCK); addresses are data.
+A device is on a bus if its connectors have the bus's names (SDA, SCL; MOSI, MISO, SCK); addresses are data.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from robosmi.transformations.queries.electrical import Kind, Role, Wiring, liste
 from robosmi.validate import EVL, Fail
 
 buses = EVL()
-"""The constraints on buses; run them over a hardware model."""
+"""The constraints on buses; evaluate them on a hardware model."""
 
 devices = buses.context(
     hardware.Component, guard=lambda c: c.circuit is not None and c.role in (Role.Input, Role.Output, Role.Both)
@@ -24,9 +24,9 @@ _I2C, _SPI = ("sda", "scl"), ("mosi", "miso", "sck")
 
 
 def lines(w: Wiring, component: hardware.Component, names: tuple[str, ...]) -> dict[str, list[hardware.Net]]:
-    """The nets of a component at its connectors of these names; empty unless it has the first two of them.
+    """The nets at a component's connectors with the given names; empty unless it has the first two of them.
 
-    A device with both buses on the same connectors (SDI/SDA) counts for the one that its names say first.
+    A connector of both buses (SDI/SDA) counts for the one that its name mentions first.
     """
     has = {line: [c for c in component.connectors if w.means(c, line)] for line in names}
     if not has[names[0]] or not has[names[1]]:
@@ -35,7 +35,7 @@ def lines(w: Wiring, component: hardware.Component, names: tuple[str, ...]) -> d
 
 
 def _astray(c: hardware.Component, names: tuple[str, ...]) -> list[str]:
-    """Lines of a bus on pins that do not have it, on boards that have it somewhere."""
+    """Bus lines on pins without that bus function, although the board has it on other pins."""
     w = wiring_of(c)
     found = []
     for line, nets in lines(w, c, names).items():
@@ -80,7 +80,7 @@ def BusIsPulledUp(c: hardware.Component) -> bool | Fail:
 
 
 def _is_bare(w: Wiring, net: hardware.Net, line: str) -> bool:
-    """Whether nothing pulls a line of a bus up: no device on it, no resistor."""
+    """Whether a bus line has no pull-up, neither a resistor nor a device with one."""
     devices_on = (o for o, connector in w.on(net) if o.role is not Role.Board and w.means(connector, line))
     return all(w.facts(o).pull_ups is False for o in devices_on) and not _pulled_up(w, net)
 
@@ -91,7 +91,7 @@ def _pulled_up(w: Wiring, net: hardware.Net) -> bool:
 
 @devices.critique(id="RS248", location=drawing, advice="change the address of one, by its address pins where it has some")
 def AddressIsItsOwn(c: hardware.Component) -> bool | Fail:
-    """Devices on one I2C bus have different addresses."""
+    """No two devices on one I2C bus have the same address."""
     w = wiring_of(c)
     own = _address(w, c)
     if own is None:
@@ -104,7 +104,7 @@ def AddressIsItsOwn(c: hardware.Component) -> bool | Fail:
 
 
 def _addresses(w: Wiring, net: hardware.Net) -> dict[_Address | None, hardware.Component]:
-    """The first device in the drawing for each address on a bus."""
+    """For each address on a bus, the first device in the drawing that has it."""
     found: dict[_Address | None, hardware.Component] = {}
     for owner, connector in w.on(net):
         if owner.role is not Role.Board and w.means(connector, "sda"):
@@ -113,7 +113,7 @@ def _addresses(w: Wiring, net: hardware.Net) -> dict[_Address | None, hardware.C
 
 
 def _address(w: Wiring, component: hardware.Component) -> _Address | None:
-    """The address of its delivery with what its address pins are wired to; None where it is unknown or chosen by them."""
+    """A device's default I2C address with its high address pins; None if it is unknown or a board pin sets an address pin."""
     known = w.facts(component).i2c
     if not known:
         return None

@@ -15,7 +15,7 @@ from robosmi.typed import distinct
 from robosmi.validate import EVL, Fail
 
 loads = EVL()
-"""The constraints on loads; run them over a hardware model."""
+"""The constraints on loads; evaluate them on a hardware model."""
 
 devices = loads.context(hardware.Component, guard=lambda c: c.circuit is not None and c.role is not Role.Board)
 _DIODES = ("diode", "zener", "schottky", "rectifier")
@@ -40,7 +40,7 @@ def CurrentIsLimited(c: hardware.Component) -> bool | Fail:
 
 
 def _gives_current(w: Wiring, component: hardware.Component, net: hardware.Net) -> bool:
-    """Whether current flows at a net without a resistor: at a supply, a pin, a driver's output."""
+    """Whether a net can deliver current without a resistor: from a supply, a board's pin or a driver's output."""
 
     def find() -> set[hardware.Component]:
         drivers = {o for o, _ in w.on(net) if o.driver and not w.facts(o).limits_current}
@@ -54,7 +54,7 @@ def _gives_current(w: Wiring, component: hardware.Component, net: hardware.Net) 
     guard=lambda c: wiring_of(c).facts(c).needs_driver,
 )  # fmt: skip
 def HasADriver(c: hardware.Component) -> bool | Fail:
-    """A motor, relay or the like is not driven by a pin of a board."""
+    """A motor, relay or similar load is not driven directly by a board's pin."""
     w = wiring_of(c)
     pins = [
         label
@@ -79,7 +79,7 @@ def _has_driver(w: Wiring, net: hardware.Net) -> bool:
     guard=lambda c: wiring_of(c).facts(c).inductive,
 )  # fmt: skip
 def HasADiode(c: hardware.Component) -> bool | Fail:
-    """A coil that a transistor switches has a diode across it."""
+    """A coil that a transistor switches has a flyback diode across it."""
     w = wiring_of(c)
     ends = [net for _, net in w.terminals(c)]
     switches = [o for net in ends if not net.rail for o in w.once("switches", net, partial(_switches, w, net)) if o is not c]
@@ -94,7 +94,7 @@ def _switches(w: Wiring, net: hardware.Net) -> list[hardware.Component]:
 
 
 def _diodes(w: Wiring, net: hardware.Net) -> set[hardware.Net | None]:
-    """The nets on the other side of the diodes at a net."""
+    """The nets at the other ends of the diodes on a net."""
     return {w.across(o, net) for o, _ in w.on(net) if _is_diode(o)} - {None}
 
 

@@ -1,6 +1,6 @@
-"""Constraints on what program, drawing and libraries say together: directions, timers, serial port, number of pins.
+"""Constraints on program, drawing and libraries in combination: directions, timers, serial port, number of pins.
 
-They are asked of a plan that has a drawing (rules RS260 to RS268). What one drawing alone tells is in `electrical`.
+They apply to a plan with a drawing (rules RS260 to RS268). Constraints on the drawing alone are in `electrical`.
 """
 
 from __future__ import annotations
@@ -21,22 +21,22 @@ from robosmi.transformations.queries.port_pins import of_own_serial_port
 from robosmi.validate import EVL, Fail
 
 together = EVL()
-"""The constraints on program, drawing and libraries together; run them over a plan."""
+"""The constraints on program, drawing and libraries in combination; evaluate them on a plan."""
 
 _both = EVL()  # one run, so that the wiring is made once
 _both.include(electrical)
 _both.include(together)
 
 TONE = "tone"
-"""The core's function that sounds a speaker, as the data of microcontrollers calls it."""
+"""The name, in the data of microcontrollers, of the core function that drives a speaker."""
 
 
 def plan_faults(plan: migration.MigrationPlan, model: EmfModel | None = None) -> list[Finding]:
-    """What the constraints on the drawing, and those on program, drawing and libraries together, find in a plan, the worst first.
+    """The findings on a plan's drawing, alone and in combination with program and libraries, the most severe first.
 
     Args:
         plan: the plan; without a drawing nothing is found.
-        model: the plan as a model, where one is at hand: its extents are known then.
+        model: the plan wrapped as a model, if available; its instances are indexed already.
     """
     if plan.circuit is None:
         return []
@@ -57,13 +57,13 @@ def plan_rules() -> frozenset[str]:
 
 
 def of_plan(element: Element) -> migration.MigrationPlan | None:
-    """The plan of an element, or None if it is in none."""
+    """The plan that contains an element; None if there is none."""
     found = root_of(element)
     return found if isinstance(found, migration.MigrationPlan) else None
 
 
 def is_drawn(element: Element) -> bool:
-    """Whether there is a drawing."""
+    """Whether the element's plan has a drawing."""
     plan = of_plan(element)
     return plan is not None and plan.circuit is not None
 
@@ -91,7 +91,7 @@ choices = together.context(migration.LibraryChoice, guard=lambda c: is_drawn(c) 
 
 
 def is_sensed(connection: migration.Connection | None) -> bool:
-    """Whether a connection is one on which a sensor gives its signal."""
+    """Whether a connection carries the output signal of a sensor."""
     return (
         connection is not None
         and connection.component is not None
@@ -106,7 +106,7 @@ def _is_written(binding: migration.PortBinding) -> bool:
 
 
 def _is_scanned(connection: migration.Connection) -> bool:
-    """Whether the program reads another pin of a component without supply: contacts, such as a keypad's, are scanned."""
+    """Whether a component without supply, such as a keypad, is scanned: the program writes one pin of it and reads another."""
     component, plan = connection.component, of_plan(connection)
     assert component is not None
     assert plan is not None
@@ -123,7 +123,7 @@ def _is_scanned(connection: migration.Connection) -> bool:
     guard=lambda b: is_sensed(b.connection),
 )
 def DoesNotDriveASensor(b: migration.PortBinding) -> bool | Fail:
-    """The program does not drive a pin on which a sensor gives its signal."""
+    """The program does not drive a pin that is wired to a sensor's output."""
     connection = b.connection
     assert connection is not None
     assert connection.component is not None
@@ -139,7 +139,7 @@ def DoesNotDriveASensor(b: migration.PortBinding) -> bool | Fail:
     id="RS261", info=True, location=place, advice="nothing, if the sensor is read so", guard=lambda b: is_sensed(b.connection)
 )
 def OnlyListensToASensor(b: migration.PortBinding) -> bool | Fail:
-    """A pin of a sensor is only read."""
+    """A pin that is wired to a sensor's output is only read."""
     connection = b.connection
     assert connection is not None
     assert connection.component is not None
@@ -154,7 +154,7 @@ def OnlyListensToASensor(b: migration.PortBinding) -> bool | Fail:
     guard=lambda b: b.connection is None and b.pin is not None and not of_own_serial_port(b),
 )  # fmt: skip
 def SomethingIsThere(b: migration.PortBinding) -> bool | Fail:
-    """A port of the program is bound to a pin that the drawing has something on."""
+    """A port of the program is bound to a pin that is wired in the drawing."""
     plan, pin = of_plan(b), b.pin
     assert plan is not None
     assert pin is not None
@@ -176,7 +176,7 @@ def PinsAreEnough(p: migration.MigrationPlan) -> bool | Fail:
 
 @plans.constraint(id="RS268", location=place, advice="part the pins in the drawing, or bind one of the ports to another pin")
 def WrittenPinsAreApart(p: migration.MigrationPlan) -> bool | Fail:
-    """Pins that the program writes are not joined."""
+    """Pins that the program drives are not connected to each other."""
     w, board = wired(p), p.boardComponent
     written = {pin.label: b for b in p.portBindings if _is_written(b) and (pin := _pin(b)) is not None}
     for _, net in w.nets(board) if board is not None else ():
@@ -192,7 +192,7 @@ def _pin(binding: migration.PortBinding) -> platform.Pin | None:
 
 @plans.critique(id="RS263", location=place, advice="choose another library for one of them")
 def TimersAreNotShared(p: migration.MigrationPlan) -> bool | Fail:
-    """No two libraries that the sketch includes, or that a person chose, take the same timer."""
+    """No two libraries that the sketch includes, or that a person chose, use the same timer."""
     clashes = []
     users = timer_users(p)
     for timer in sorted({timer for timers, _ in users.values() for timer in timers}):
@@ -203,7 +203,10 @@ def TimersAreNotShared(p: migration.MigrationPlan) -> bool | Fail:
 
 
 def timer_users(plan: migration.MigrationPlan) -> dict[str, tuple[tuple[str, ...], str]]:
-    """Who takes timers in a plan: the chosen libraries, and the core's function for speakers; with the condition."""
+    """The users of timers in a plan, by name, each with its timers and the condition under which it uses them.
+
+    They are the chosen libraries, and the core's function for speakers if one is driven without a library.
+    """
     core = taken_of(plan.board, platform.UserKind.function) if plan.board is not None else {}
     found = {
         c.chosen.name: (tuple(c.chosen.timers), c.chosen.takesWhen)
@@ -227,7 +230,7 @@ def timer_users(plan: migration.MigrationPlan) -> dict[str, tuple[tuple[str, ...
 
 @plans.critique(id="RS264", location=place, advice="use a pin whose PWM comes from another timer")
 def PwmIsNotTaken(p: migration.MigrationPlan) -> bool | Fail:
-    """What is to be dimmed or slowed down is not on a pin whose timer a library takes."""
+    """A device that needs PWM is not on a pin whose timer a library uses."""
     users = timer_users(p)
     lost = [
         f"{c.pin.label} of '{who(c.component)}' ({name} takes {c.pin.timer})"
@@ -248,13 +251,13 @@ def _wants_pwm(w: Wiring, connection: migration.Connection) -> bool:
 
 
 def _counts(choice: migration.LibraryChoice) -> bool:
-    """Whether the sketch includes a chosen library, or a person chose it and so means to use it."""
+    """Whether a chosen library is included by the sketch, or was chosen by a person and so is meant to be used."""
     return bool(choice.included) or choice.chosenBy is migration.ChosenBy.person
 
 
 @choices.critique(id="RS265", location=place, guard=_counts, advice="move the device to another pin, or choose another library")
 def PinsAreNotTaken(c: migration.LibraryChoice) -> bool | Fail:
-    """A library that the sketch includes, or that a person chose, does not take a pin that another device is on."""
+    """A library that the sketch includes, or that a person chose, does not use a pin that another device is on."""
     plan, library = of_plan(c), c.chosen
     assert plan is not None
     assert library is not None
@@ -273,7 +276,7 @@ def _for(choice: migration.LibraryChoice) -> str:
 
 @plans.critique(id="RS266", location=place, advice="move it to another pin")
 def SerialPinsAreFree(p: migration.MigrationPlan) -> bool | Fail:
-    """The pins of the serial port to the computer are free in a program that talks over it."""
+    """The pins of the serial port to the computer are free if the program uses that port."""
     talking = next(terminal_functions(p), None)
     if talking is None:
         return True
@@ -288,7 +291,7 @@ def SerialPinsAreFree(p: migration.MigrationPlan) -> bool | Fail:
 
 
 def terminal_functions(plan: migration.MigrationPlan) -> Iterator[str]:
-    """The functions that the program calls and that take text for the terminal as their first argument."""
+    """The functions called by the program whose first argument is text for the terminal."""
     for use in plan.adapterUses:
         function = use.function
         if function is not None and len(use.calls) and ancestor_of_kind(function, platform.Header) is not None:

@@ -1,6 +1,6 @@
-"""Constraints on signals: one source for each, and pins that can do what the device on them needs.
+"""Constraints on signals: a single driver for each net, and pins with the abilities that the devices on them need.
 
-What a pin can is in the board's data. Pins of boards that nobody has written down are not judged.
+The abilities of a pin are data of the board. Pins of boards without data are not checked.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from robosmi.transformations.queries.electrical import BoardPin, Kind, Role, Wir
 from robosmi.validate import EVL, Fail
 
 signals = EVL()
-"""The constraints on signals; run them over a hardware model."""
+"""The constraints on signals; evaluate them on a hardware model."""
 
 nets = signals.context(hardware.Net, guard=lambda n: n.circuit is not None and not n.rail)
 devices = signals.context(
@@ -26,7 +26,7 @@ devices = signals.context(
 
 @nets.constraint(id="RS232", location=drawing, advice="give each a pin of its own")
 def HasOneSource(n: hardware.Net) -> bool | Fail:
-    """A signal is driven by one sensor."""
+    """A net is driven by one sensor at most."""
     w = wiring_of(n)
     driving = [o for o, c in w.on(n) if o.role is Role.Input and w.facts(o).output == "push-pull" and w.means(c, "output")]
     if len(set(driving)) < 2:
@@ -37,7 +37,7 @@ def HasOneSource(n: hardware.Net) -> bool | Fail:
 
 @nets.critique(id="RS233", location=drawing, advice="part them, unless the data sheet allows it")
 def DriversAreApart(n: hardware.Net) -> bool | Fail:
-    """Outputs of drivers are not joined."""
+    """Outputs of drivers are not connected to each other."""
     w = wiring_of(n)
     driving = [(o, c) for o, c in w.on(n) if o.driver and w.means(c, "driver_output")]
     if len({(o, c.name) for o, c in driving}) < 2:  # one output may have two connectors
@@ -52,7 +52,7 @@ def DriversAreApart(n: hardware.Net) -> bool | Fail:
     "since the program's functions that read the pin take it away, as there",
 )  # fmt: skip
 def IsHeldWhileOpen(c: hardware.Component) -> bool | Fail:
-    """A pin that a contact ties to a supply has a level while the contact is open."""
+    """A pin that a switch connects to a supply has a defined level while the switch is open."""
     w = wiring_of(c)
     rails = {net for _, net in w.nets(c) if net.rail}
     if w.facts(c).output != "contact" or len(rails) != 1:  # of two rails a change-over switch always joins its pin to one
@@ -63,7 +63,7 @@ def IsHeldWhileOpen(c: hardware.Component) -> bool | Fail:
 
 
 def _is_held(w: Wiring, start: hardware.Net) -> bool:
-    """Whether resistors to a supply, or a device that is no contact, give a net its level."""
+    """Whether a net has a defined level: through resistors to a supply, or by a device other than a contact."""
     seen, todo = {start}, [start]
     while todo:
         net = todo.pop()
@@ -81,7 +81,7 @@ def _is_held(w: Wiring, start: hardware.Net) -> bool:
 
 
 def lacking(component: hardware.Component, ability: str, needs: Callable[[Wiring, BoardPin], bool]) -> list[str]:
-    """The pins of a component that need an ability and do not have it."""
+    """The labels of the board pins on which a component needs an ability that they lack."""
     w = wiring_of(component)
     pins = [p for p in w.board_pins(component) if p.pin is not None]
     served = {p.net for p in pins if p.pin is not None and ability in p.pin.abilities}
@@ -90,7 +90,7 @@ def lacking(component: hardware.Component, ability: str, needs: Callable[[Wiring
 
 @devices.critique(id="RS240", location=drawing, advice="use an analogue input (A0 and on)")
 def IsMeasuredOnAnAnaloguePin(c: hardware.Component) -> bool | Fail:
-    """A voltage that is to be measured is on an analogue input."""
+    """An analogue voltage is on an analogue input."""
     given = wiring_of(c).facts(c).analog
     by_name = any(connector.name.strip().lower() in given for connector in c.connectors)
 
@@ -106,7 +106,7 @@ def IsMeasuredOnAnAnaloguePin(c: hardware.Component) -> bool | Fail:
 
 @devices.critique(id="RS241", info=True, location=drawing, advice="use a pin with PWM if it is to be more than on or off")
 def CanBeDimmed(c: hardware.Component) -> bool | Fail:
-    """What is usually driven with PWM is on a pin that has it."""
+    """A device that is usually driven with PWM is on a pin with PWM."""
     wanted = "pwm" in wiring_of(c).facts(c).wants and c.role is Role.Output
     pins = lacking(c, "pwm", lambda w, p: wanted or (c.driver and w.means(p.connector, "pwm")))
     return not pins or fault(c, f"'{who(c)}' can only be switched on {listed(pins)}, which has no PWM", pins=", ".join(pins))
@@ -133,7 +133,7 @@ def IsOnASerialPort(c: hardware.Component) -> bool | Fail:
 
 @devices.constraint(id="RS244", location=drawing, advice="use a digital pin")
 def PinCanWrite(c: hardware.Component) -> bool | Fail:
-    """What is written is on a pin that can write."""
+    """A driven device is on a pin that can be an output."""
     if c.role is not Role.Output:
         return True
     pins = lacking(c, "digital", lambda w, p: p.connector.namedDirection is not hardware.NamedDirection.read)
@@ -142,7 +142,7 @@ def PinCanWrite(c: hardware.Component) -> bool | Fail:
 
 @devices.critique(id="RS245", info=True, location=drawing, advice="use another pin if there is one free")
 def PinIsFree(c: hardware.Component) -> bool | Fail:
-    """A pin that the board needs itself has nothing on it."""
+    """A pin that the board itself uses is not wired to a device."""
     w = wiring_of(c)
     taken = [p for p in w.board_pins(c) if p.pin is not None and p.pin.reserved and not _serial(w, p)]
     return not taken or fault(
@@ -152,13 +152,13 @@ def PinIsFree(c: hardware.Component) -> bool | Fail:
 
 
 def _serial(w: Wiring, p: BoardPin) -> bool:
-    """Whether a serial device is where it belongs."""
+    """Whether a serial device's data connector is on a UART pin."""
     return p.pin is not None and "uart" in p.pin.abilities and w.means(p.connector, "uart")
 
 
 @devices.critique(id="RS255", location=drawing, advice="put a level shifter or a voltage divider between them")
 def BearsTheSignals(c: hardware.Component) -> bool | Fail:
-    """The pins of a board do not drive a device above what its signals bear."""
+    """The pins of a board do not drive a device with a higher voltage than its inputs tolerate."""
     w = wiring_of(c)
     most = w.facts(c).signal_volts
     if most is None:
@@ -173,10 +173,10 @@ def BearsTheSignals(c: hardware.Component) -> bool | Fail:
 
 
 _OUTPUTS = frozenset(["do", "sdo", "so", "miso", "out", "echo", "rdy"])
-"""Connectors by which devices give signals, besides those of serial lines and states."""
+"""Names of device outputs, besides those of serial and status lines."""
 
 
 def _gives(name: str) -> bool:
-    """Whether a connector is one by which a device tells something, so that the board drives nothing there."""
+    """Whether a connector is an output of its device, which the board does not drive."""
     word = name.strip().lower()
     return word in _OUTPUTS or word.startswith(("tx", "dout", "sout", "state", "stat", "irq", "int"))

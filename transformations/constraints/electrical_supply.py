@@ -1,6 +1,6 @@
-"""Constraints on supplies: no short circuits, ground and supply for who needs them, voltages and currents that fit.
+"""Constraints on supplies: no short circuits, ground and supply for every device, matching voltages and currents.
 
-A net is a supply or ground where the reader of the drawing says so (`rail`); what devices bear is data.
+A net is a supply or ground if the reader of the drawing marks it so (`rail`); the limits of devices are data.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from robosmi.typed import distinct, sum_of
 from robosmi.validate import EVL, Fail
 
 supply = EVL()
-"""The constraints on supplies; run them over a hardware model."""
+"""The constraints on supplies; evaluate them on a hardware model."""
 
 _ACTIVE = (Role.Input, Role.Output, Role.Both)
 _SYMBOLS = ("ground symbol", "power symbol")
@@ -24,13 +24,13 @@ _SAME = 0.75  # volts between two supplies that count as one: 5 V of USB and fou
 
 
 def wiring_of(element: hardware.Component | hardware.Net) -> Wiring:
-    """The wiring that an element is in."""
+    """The wiring of the circuit that contains an element."""
     assert element.circuit is not None
     return wiring(element.circuit)
 
 
 def takes_part(component: hardware.Component) -> bool:
-    """Whether a component is an active device that something is wired to."""
+    """Whether a component is an active device with a wired signal connector."""
     if component.circuit is None or component.role not in _ACTIVE:
         return False
     w = wiring_of(component)
@@ -45,7 +45,7 @@ boards = supply.context(hardware.Component, guard=lambda c: c.circuit is not Non
 
 @nets.constraint(id="RS230", location=drawing, advice="take the wire away that joins them")
 def SupplyIsApartFromGround(n: hardware.Net) -> bool | Fail:
-    """A supply is not joined to its ground."""
+    """A supply is not short-circuited to its ground."""
     sources = wiring_of(n).sources(n)
     minus = {owner: connector for owner, connector in reversed(sources) if connector.kind is Kind.ground}
     fixed = next((owner for owner in reversed(minus) if _is_fixed(owner)), None)
@@ -59,13 +59,13 @@ def SupplyIsApartFromGround(n: hardware.Net) -> bool | Fail:
 
 
 def _is_fixed(component: hardware.Component) -> bool:
-    """Whether its ground and supply are those of the circuit; cells may stand in a row."""
+    """Whether a supply is referenced to the circuit's ground, as boards and supply symbols are; cells may be in series."""
     return component.role is Role.Board or component.family.strip().lower() in _SYMBOLS
 
 
 @nets.constraint(id="RS231", location=drawing, advice="use one of them, or a regulator between them")
 def SuppliesOfOneVoltage(n: hardware.Net) -> bool | Fail:
-    """Supplies that are joined have one voltage."""
+    """Supplies that are connected to each other have the same voltage."""
     stated = [(o, v) for o, c in wiring_of(n).sources(n) if c.kind is Kind.supply and (v := _source_volts(o, c)) is not None]
     low, high = (pick(stated, key=lambda s: s[1], default=None) for pick in (min, max))
     if low is None or high is None or high[1] - low[1] <= _SAME:
@@ -75,7 +75,9 @@ def SuppliesOfOneVoltage(n: hardware.Net) -> bool | Fail:
 
 
 def _source_volts(component: hardware.Component, connector: hardware.Connector) -> float | None:
-    """What a supply gives there: as a board's pin is labelled, as a battery or symbol says of itself."""
+    """The voltage at a supply's connector: from a board's pin label, or from the property of a battery or symbol; None if
+    unknown.
+    """
     if component.role is Role.Board:
         return stated_volts(connector.name)
     if sum_of(c.kind is Kind.supply for c in component.connectors) > 1:
@@ -86,13 +88,13 @@ def _source_volts(component: hardware.Component, connector: hardware.Connector) 
 
 @devices.critique(id="RS235", location=drawing, advice="wire its ground")
 def HasGround(c: hardware.Component) -> bool | Fail:
-    """A component that has ground connectors is wired at one of them."""
+    """A component with ground connectors is wired at one of them."""
     return _is_supplied(c, Kind.ground) or fault(c, f"no ground is wired to '{who(c)}'")
 
 
 @devices.critique(id="RS236", location=drawing, advice="wire its supply")
 def HasSupply(c: hardware.Component) -> bool | Fail:
-    """A component that has supply connectors is wired at one of them."""
+    """A component with supply connectors is wired at one of them."""
     return _is_supplied(c, Kind.supply) or fault(c, f"no supply is wired to '{who(c)}'")
 
 
@@ -105,7 +107,7 @@ def _is_supplied(component: hardware.Component, kind: hardware.ConnectorKind) ->
 
 @placed.critique(id="RS237", location=drawing, advice="wire it, or take it out of the drawing")
 def IsConnected(c: hardware.Component) -> bool | Fail:
-    """A component is connected to something, in a circuit where anything is."""
+    """A component is connected to something, unless nothing in the circuit is."""
     w = wiring_of(c)
     if not c.connectors or any(w.is_wired(c, net) for _, net in w.nets(c)):
         return True
@@ -114,7 +116,7 @@ def IsConnected(c: hardware.Component) -> bool | Fail:
 
 @devices.critique(id="RS238", location=drawing, advice="join the grounds", guard=lambda c: not wiring_of(c).facts(c).isolated)
 def GroundsAreJoined(c: hardware.Component) -> bool | Fail:
-    """The ground of a component is that of the board whose pins it is on."""
+    """A component shares the ground of the board whose pins it is wired to."""
     w = wiring_of(c)
     own = [net for connector, net in w.nets(c) if connector.kind is Kind.ground and w.is_wired(c, net)]
     for board in distinct(p.board for p in w.board_pins(c)) if own else ():
@@ -126,7 +128,9 @@ def GroundsAreJoined(c: hardware.Component) -> bool | Fail:
 
 
 def _leads_to(w: Wiring, net: hardware.Net, wanted: set[hardware.Net]) -> bool:
-    """Whether something without a supply of its own, such as a switch or a transistor, stands between."""
+    """Whether a component without a supply of its own, such as a switch or transistor, connects a net to one of the wanted
+    nets.
+    """
 
     def find() -> set[hardware.Net]:
         plain = [o for o, _ in w.on(net) if all(c.kind not in (Kind.supply, Kind.ground) for c in o.connectors)]
@@ -137,7 +141,7 @@ def _leads_to(w: Wiring, net: hardware.Net, wanted: set[hardware.Net]) -> bool:
 
 @devices.constraint(id="RS239", location=drawing, advice="exchange the two wires, or look at the names of the connectors")
 def IsTheRightWayRound(c: hardware.Component) -> bool | Fail:
-    """Ground and supply of a component are not exchanged."""
+    """Ground and supply of a component are not swapped."""
     w = wiring_of(c)
     supplies = [net for connector, net in w.nets(c) if connector.kind is Kind.supply]
     grounds = [net for connector, net in w.nets(c) if connector.kind is Kind.ground]
@@ -149,7 +153,7 @@ def IsTheRightWayRound(c: hardware.Component) -> bool | Fail:
 
 @boards.critique(id="RS250", location=drawing, advice="give them a supply of their own, and join its ground to the board's")
 def BoardCanSupplyThem(b: hardware.Component) -> bool | Fail:
-    """What takes its supply from a board takes no more than the board gives."""
+    """The devices supplied by a board need no more current than it can deliver."""
     w = wiring_of(b)
     for net in distinct(n for connector, n in w.nets(b) if connector.kind is Kind.supply):
         volts = w.volts(net)
@@ -164,7 +168,7 @@ def BoardCanSupplyThem(b: hardware.Component) -> bool | Fail:
 
 
 def _loads(w: Wiring, net: hardware.Net) -> Iterator[tuple[hardware.Component, int]]:
-    """What takes a current worth counting from a net, directly or behind a driver that has no other supply."""
+    """The loads on a supply net with their peak currents in mA, including those behind a driver without another supply."""
     for owner, connector in w.on(net):
         if owner.role in (Role.Board, Role.Power, Role.Passive):
             continue
@@ -178,13 +182,13 @@ def _loads(w: Wiring, net: hardware.Net) -> Iterator[tuple[hardware.Component, i
 
 
 def _is_fed_there(w: Wiring, component: hardware.Component, connector: hardware.Connector) -> bool:
-    """Whether a component takes its current through a connector: its supply, or a terminal of a load."""
+    """Whether a component draws its current through a connector: its supply pin, or a terminal of a load."""
     return connector.kind is Kind.supply or any(c is connector for c, _ in w.terminals(component))
 
 
 @placed.constraint(id="RS253", location=drawing, advice="use the supply that it is made for, or a regulator")
 def BearsItsSupply(c: hardware.Component) -> bool | Fail:
-    """The supply of a component is not above what it bears."""
+    """The supply voltage of a component does not exceed its maximum."""
     for connector, volts, _, most in _supplied_with(c):
         if most is not None and volts > most:
             return fault(
@@ -195,7 +199,7 @@ def BearsItsSupply(c: hardware.Component) -> bool | Fail:
 
 @placed.critique(id="RS254", location=drawing, advice="use the supply that it is made for")
 def SupplyIsEnough(c: hardware.Component) -> bool | Fail:
-    """The supply of a component is as high as it needs."""
+    """The supply voltage of a component is not below its minimum."""
     for connector, volts, least, _ in _supplied_with(c):
         if least is not None and 0 < volts < least:
             message = f"'{who(c)}' needs {least:g} V at {told_name(connector)}, and is given {volts:g} V"
@@ -206,7 +210,7 @@ def SupplyIsEnough(c: hardware.Component) -> bool | Fail:
 def _supplied_with(
     component: hardware.Component,
 ) -> Iterator[tuple[hardware.Connector, float, float | None, float | None]]:
-    """The supply connectors with the voltage there, and the least and most that they are made for, as far as known."""
+    """The supply connectors with a known voltage, as (connector, volts, minimum, maximum); a limit is None if unknown."""
     w = wiring_of(component)
     facts = w.facts(component)
     regulated = any(w.means(c, "regulator_out") for c in component.connectors)

@@ -1,6 +1,7 @@
-"""How findings on circuits name what they are about, the drawing as place, the component in the evidence; and their order.
+"""How findings on circuits refer to their subject (the drawing as location, the component as evidence), and how they are
+sorted.
 
-A component in the evidence (`component`, `model_index`) is what a person names under `[[accept]]` in robosmi.toml.
+The component in the evidence (`component`, `model_index`) is what `[[accept]]` in robosmi.toml refers to.
 """
 
 from __future__ import annotations
@@ -16,17 +17,17 @@ if TYPE_CHECKING:
 
 
 def drawing(element: hardware.Component | hardware.Net) -> Location | None:
-    """The drawing that a component or net is in."""
+    """The location of a finding: the drawing that contains a component or net."""
     return Location(element.circuit.path) if element.circuit is not None and element.circuit.path else None
 
 
 def fault(component: hardware.Component, message: str, **evidence: Held) -> Fail:
-    """What a check says about a component."""
+    """A failed check of a component, with the component as evidence."""
     return Fail(message, component=component.title, model_index=component.elementId, **evidence)
 
 
 def worst_first(found: list[Finding]) -> list[Finding]:
-    """Findings by severity, then by rule; what is said twice in the same words stands there once."""
+    """Findings sorted by severity, then by rule, without duplicates."""
     once: dict[tuple[str, str], Finding] = {}
     for finding in found:
         once.setdefault((finding.rule, finding.message), finding)

@@ -1,6 +1,6 @@
-"""Constraints on migration plans: what a person's edit of a stored plan can put out of line with itself.
+"""Constraints on migration plans: inconsistencies that editing a stored plan by hand can cause.
 
-What a plan leaves open is a critique, no fault. Whether its files match their digests is the loader's business.
+Open decisions are critiques, not errors. Whether files match their digests is checked when the plan is loaded.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from robosmi.transformations.queries.text_changes import all_changes, decision_o
 from robosmi.validate import EVL, Fail, Fix
 
 plan = EVL()
-"""The constraints on a plan; run them over its model."""
+"""The constraints on a plan; evaluate them on its model."""
 
 plan.include(edits)
 plan.include(together)
@@ -54,13 +54,13 @@ def ConfidenceIsAShare(d: migration.Decision) -> bool | Fail:
 
 @decisions.critique(id="RS706", info=True, advice="choose with --bind or --library, in robosmi.toml, or in the plan")
 def IsDecided(d: migration.Decision) -> bool | Fail:
-    """A choice is made."""
+    """A choice has been made."""
     return not d.open or Fail(f"nothing is chosen yet for the {named(d)}", options=", ".join(o.label for o in d.options))
 
 
 @plans.constraint(id="RS708", advice="correct the offsets, or make the plan again with migrate")
 def ChangesDoNotCross(p: migration.MigrationPlan) -> bool | Fail:
-    """A change of text crosses no other; one that a person added has an effect."""
+    """Text changes do not overlap, and a change that a person added takes effect."""
     wrong: list[str] = []
     widest: migration.TextChange | None = None
     placed = [(c.unit, c) for c in all_changes(p) if c.unit is not None and 0 <= c.startOffset <= c.endOffset <= c.unit.size]

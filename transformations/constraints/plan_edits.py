@@ -1,6 +1,6 @@
-"""Constraints that a stored plan has to satisfy before anything is generated from it: a person may have edited it into nonsense.
+"""Constraints that a stored plan must satisfy before anything is generated from it, since a person may have edited it.
 
-`generate` refuses a plan that does not satisfy them; `check` asks them with all others (`plan`).
+`generate` refuses a plan that violates them; `check` evaluates them with all others (`plan`).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from robosmi.transformations.queries.text_changes import all_changes
 from robosmi.validate import EVL, Fail
 
 edits = EVL()
-"""The constraints on an edited plan; run them over its model."""
+"""The constraints on an edited plan; evaluate them on its model."""
 
 bindings = edits.context(migration.PortBinding)
 dispositions = edits.context(migration.Disposition)
@@ -26,7 +26,7 @@ uses = edits.context(migration.AdapterUse)
 
 
 def refuse_nonsense(edited: migration.MigrationPlan) -> None:
-    """Make sure that a plan which a person may have edited says one thing.
+    """Ensure that a plan that a person may have edited is consistent.
 
     Raises:
         ModelError: it contradicts itself.
@@ -39,7 +39,7 @@ def refuse_nonsense(edited: migration.MigrationPlan) -> None:
 
 @dispositions.constraint(id="RS701", advice="make the plan again with migrate")
 def DecidesOnTheProgram(d: migration.Disposition) -> bool | Fail:
-    """A decision about code is about an element of the plan's program."""
+    """A decision about code refers to an element of the plan's program."""
     inside = d.element is not None and root_of(d.element) is plan_of(d).program
     return inside or Fail(f"a decision ({d.action.name}, {', '.join(d.rules)}) is about nothing in the plan's program")
 
@@ -57,14 +57,14 @@ def PinIsOfTheBoard(b: migration.PortBinding) -> bool | Fail:
 
 @bindings.constraint(id="RS716", advice="give it the connection or the pin that is meant, too (plan.xmi), or use --bind")
 def ChoiceIsWhatItRefersTo(b: migration.PortBinding) -> bool | Fail:
-    """The recorded choice of a port is what its binding refers to, unless a person has edited what it refers to."""
+    """The recorded choice of a port agrees with the binding's reference, unless a person edited the reference."""
     now = referred(b) or "nothing"
     return not only_the_choice_was_edited(b) or Fail(f"the choice of the {named(b)} says {b.choice}, and it is bound to {now}")
 
 
 @uses.constraint(id="RS717", guard=lambda u: u.adapter is not None, advice="give it the adapter of its function, or none")
 def AdapterIsOfItsFunction(u: migration.AdapterUse) -> bool | Fail:
-    """A function is filled by an adapter for it."""
+    """The adapter of a use is one for the used function."""
     adapter = u.adapter
     assert adapter is not None
     own = adapter.name == u.name or any(function is u.function for function in adapter.functions)
@@ -73,14 +73,14 @@ def AdapterIsOfItsFunction(u: migration.AdapterUse) -> bool | Fail:
 
 @uses.constraint(id="RS718", advice="leave one of them")
 def FunctionIsAdaptedOnce(u: migration.AdapterUse) -> bool | Fail:
-    """A function of the source platform is adapted in one way."""
+    """A function of the source platform has a single adapter use."""
     first = next(other for other in plan_of(u).adapterUses if other.name == u.name)
     return first is u or Fail(f"the plan has two adapter uses of '{u.name}'")
 
 
 @bindings.constraint(id="RS719", guard=lambda b: b.sourcePin >= 0, advice="correct its number, or make the plan again")
 def NumberIsAPort(b: migration.PortBinding) -> bool | Fail:
-    """The number of a port is one that the source platform has."""
+    """The number of a port is below the source platform's number of ports."""
     source = plan_of(b).source
     count = source.portCount if source is not None else 0
     return not count or b.sourcePin < count or Fail(f"the {named(b)} has the number {b.sourcePin}, of 0 to {count - 1}")
@@ -88,7 +88,7 @@ def NumberIsAPort(b: migration.PortBinding) -> bool | Fail:
 
 @plans.constraint(id="RS709", advice="correct the offsets, or make the plan again with migrate")
 def ChangesAreInTheirUnits(p: migration.MigrationPlan) -> bool | Fail:
-    """Each change of text replaces bytes of its unit."""
+    """The byte range of each text change is inside its unit."""
     wrong = [
         f"a change of {unit.path} replaces bytes {c.startOffset} to {c.endOffset} of {unit.size}"
         for c in all_changes(p)
@@ -102,7 +102,7 @@ def ChangesAreInTheirUnits(p: migration.MigrationPlan) -> bool | Fail:
     advice="put the flow back (portFlows), or make the plan again with migrate",
 )  # fmt: skip
 def CallsAreInAFlow(u: migration.AdapterUse) -> bool | Fail:
-    """Each call of an adapter that takes pins belongs to a flow, which says whether its numbers are ports or pins."""
+    """Each call of an adapter that takes pins belongs to a port flow, which says whether its numbers are ports or pins."""
     inside = {id(call) for flow in plan_of(u).portFlows for call in flow.calls}
     lines = sorted({int(call.line) for call in u.calls if id(call) not in inside})
     where = f"line{'s' * (len(lines) > 1)} {', '.join(str(each) for each in lines)}"
@@ -115,7 +115,7 @@ def CallsAreInAFlow(u: migration.AdapterUse) -> bool | Fail:
     advice="correct the one that is not meant (plan.xmi), or use --library",
 )
 def LibraryIsTheOneThatIsRecorded(c: migration.LibraryChoice) -> bool | Fail:
-    """The recorded choice of a library is the library that it refers to; a choice without one is open again."""
+    """The recorded choice of a library agrees with the library that is referred to, if both are given."""
     assert c.chosen is not None
     now = str(c.chosen.name)
     return str(c.choice).lower() == now.lower() or Fail(
@@ -125,7 +125,7 @@ def LibraryIsTheOneThatIsRecorded(c: migration.LibraryChoice) -> bool | Fail:
 
 @libraries.constraint(id="RS707", guard=lambda c: c.chosen is not None, advice="choose a library of the target platform")
 def LibraryIsOfTheTarget(c: migration.LibraryChoice) -> bool | Fail:
-    """A chosen library is one of the plan's target platform."""
+    """A chosen library belongs to the plan's target platform."""
     target, chosen = plan_of(c).target, c.chosen
     assert chosen is not None
     return chosen.eContainer() is target or Fail(f"the {named(c)} is {chosen.name}, which is none of the target platform")

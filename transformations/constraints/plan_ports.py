@@ -1,6 +1,6 @@
-"""Constraints on the ports of a migration plan: one decision for each, and one port on each pin.
+"""Constraints on the ports of a migration plan: one decision for each port, and one port on each pin.
 
-`migrate` asks these of a new plan, `check` of a stored one with all others (`plan`).
+`migrate` evaluates these on a new plan, `check` on a stored one together with all others (`plan`).
 """
 
 from __future__ import annotations
@@ -24,26 +24,26 @@ from robosmi.typed import distinct
 from robosmi.validate import EVL, Fail
 
 ports = EVL()
-"""The constraints on ports; run them over a plan."""
+"""The constraints on ports; evaluate them on a plan."""
 
 by_words = EVL()
-"""Those that ask the repository which kinds of components words mean."""
+"""The constraints on ports that need the repository's data on which words mean which kinds of components."""
 
 bindings = ports.context(migration.PortBinding)
 uses = ports.context(migration.AdapterUse)
 worded_bindings = by_words.context(migration.PortBinding)
 connections = ports.context(migration.Connection)
 MANY = 3
-"""So many components on one pin are a warning: of two, one may well be a pull-up or an indicator."""
+"""From this number on, components on one pin are a warning; with two, one may be a pull-up or an indicator."""
 
 
 def port_faults(plan: migration.MigrationPlan, words: bool = True, model: EmfModel | None = None) -> list[Finding]:
-    """What these constraints find in a plan.
+    """The findings of these constraints on a plan.
 
     Args:
         plan: the plan.
-        words: also those that ask the repository which kinds of components words mean.
-        model: the plan as a model, where one is at hand: its extents are known then.
+        words: whether to evaluate `by_words`, too.
+        model: the plan wrapped as a model, if available; its instances are indexed already.
     """
     judged = EVL()
     judged.include(ports)
@@ -53,19 +53,19 @@ def port_faults(plan: migration.MigrationPlan, words: bool = True, model: EmfMod
 
 
 def plan_of(decision: Element) -> migration.MigrationPlan:
-    """The plan that an element belongs to."""
+    """The plan that contains an element."""
     found = root_of(decision)
     assert isinstance(found, migration.MigrationPlan)
     return found
 
 
 def bound_pin(binding: migration.PortBinding) -> platform.Pin | None:
-    """The pin of a binding, directly or by its connection."""
+    """The pin of a binding, set directly or through its connection; None if it has none."""
     return binding.pin or (binding.connection.pin if binding.connection is not None else None)
 
 
 def named(decision: migration.Decision) -> str:
-    """A decision as a message names it."""
+    """How messages call a decision."""
     if isinstance(decision, migration.PortBinding):
         return f"port '{decision.name}'" if decision.name else f"port P{decision.sourcePin}"
     if isinstance(decision, migration.LibraryChoice):
@@ -93,7 +93,7 @@ def PinIsBoundOnce(b: migration.PortBinding) -> bool | Fail:
 
 @bindings.constraint(id="RS714", guard=lambda b: bool(plan_of(b).portFlows), advice="leave one of them, or migrate again")
 def PortIsDecidedOnce(b: migration.PortBinding) -> bool | Fail:
-    """A port of the source has one binding: a number that is no convention, or a name."""
+    """A port of the source, identified by its number or, if conventional, by its name, has a single binding."""
     for other in plan_of(b).portBindings:
         if other is b:
             return True
@@ -108,7 +108,7 @@ def PortIsDecidedOnce(b: migration.PortBinding) -> bool | Fail:
     guard=lambda b: b.chosenBy is migration.ChosenBy.person and bound_pin(b) is not None,
 )  # fmt: skip
 def SerialLineIsFree(b: migration.PortBinding) -> bool | Fail:
-    """A port is not on a pin of the serial line to the computer in a program that talks over it."""
+    """No port is bound to a pin of the serial line to the computer if the program uses that line."""
     pin, talking = bound_pin(b), next(terminal_functions(plan_of(b)), None)
     assert pin is not None
     if talking is None or not pin.reserved or "uart" not in pin.abilities:
@@ -121,7 +121,7 @@ def SerialLineIsFree(b: migration.PortBinding) -> bool | Fail:
     advice="take a sensor with one signal wire, join both wires as its maker allows, or write the body for two pins",
 )  # fmt: skip
 def WireIsTheOneOfTheComponent(b: migration.PortBinding) -> bool | Fail:
-    """A function that sends and listens on one wire has a component that answers on that wire."""
+    """A function that sends and receives on one wire is used with a component that answers on the same wire."""
     plan, pin = plan_of(b), bound_pin(b)
     both = {str(use.name) for use in plan.adapterUses if use.adapter is not None and _on_one_wire(use.adapter)}
     calls = (call for flow in plan.portFlows if b in flow.bindings for call in flow.calls)
@@ -144,7 +144,7 @@ def WireIsTheOneOfTheComponent(b: migration.PortBinding) -> bool | Fail:
     advice="bind the port to another pin, and move the wire",
 )  # fmt: skip
 def PinDoesWhatIsAsked(b: migration.PortBinding) -> bool | Fail:
-    """A pin can do what the functions that are given its port need of it, and no other adapter takes its timer."""
+    """A pin has the abilities that the functions of its port need, and no other adapter uses its timer."""
     pin = bound_pin(b)
     assert pin is not None
     for name, capability in asked_of(b):
@@ -162,7 +162,7 @@ def PinDoesWhatIsAsked(b: migration.PortBinding) -> bool | Fail:
 
 
 def asked_of(b: migration.PortBinding) -> Iterator[tuple[str, platform.PinCapability]]:
-    """The functions that are given a port, each with what it needs of the pin."""
+    """The functions that receive a port, each with the ability that it needs of the pin."""
     if b.conventionalPort is not None:
         yield b.name, b.conventionalPort.capability
     plan = plan_of(b)
@@ -179,7 +179,7 @@ def asked_of(b: migration.PortBinding) -> Iterator[tuple[str, platform.PinCapabi
 
 
 def _is_given(b: migration.PortBinding, call: ccode.Call, position: int) -> bool:
-    """Whether an argument of a call is a port, by its name or its number."""
+    """Whether a call's argument at a position is a port, by name or by number."""
     argument = call.arguments[position] if position < len(call.arguments) else None
     if isinstance(argument, ccode.IntegerLiteral):
         return bool(argument.value == b.sourcePin)
@@ -187,7 +187,7 @@ def _is_given(b: migration.PortBinding, call: ccode.Call, position: int) -> bool
 
 
 def _timers(use: migration.AdapterUse) -> set[str]:
-    """The timers that the adapter of a use takes, with all that it needs."""
+    """The timers that a use's adapter and the pieces it needs occupy."""
     return {str(t) for piece in closure([use.adapter] if use.adapter is not None else []) for t in piece.timers}
 
 
@@ -196,7 +196,7 @@ def _timers(use: migration.AdapterUse) -> set[str]:
     advice="bind the port to the pin where such a part is wired, or take the calls out",
 )  # fmt: skip
 def WhatIsAskedIsWired(u: migration.AdapterUse) -> bool | Fail:
-    """A function does not ask a sensor for its way or its time that a person said is not wired."""
+    """A function does not read a sensor that a person declared as not wired."""
     missing = [b for b in unwired_needs(plan_of(u), u)[0] if b.signal is migration.Signal.read]
     if not missing or u.adapter is None:
         return True
@@ -214,7 +214,7 @@ def WhatIsAskedIsWired(u: migration.AdapterUse) -> bool | Fail:
     guard=lambda b: b.chosenBy is migration.ChosenBy.person and b.connection is not None and b.connection.component is not None,
 )  # fmt: skip
 def ComponentIsWhatTheProgramExpects(b: migration.PortBinding) -> bool | Fail:
-    """A port that a person binds is on a component of the kind that its functions expect; what is only driven is not read."""
+    """A port that a person binds is on a component of the kind that its functions expect, and an output device is not read."""
     connection = b.connection
     assert connection is not None
     assert connection.component is not None
@@ -238,7 +238,7 @@ def _wire(connection: migration.Connection) -> str:
     id="RS724", info=True, advice="see whether the drawing says what is meant; bind ports by the mapping's name"
 )
 def PinReachesOneComponent(c: migration.Connection) -> bool | Fail:
-    """A pin that is no bus reaches one component: a port that is bound by such a pin is called after the first of several."""
+    """A pin that is not a bus reaches one component; with several, a port bound to the pin is named after the first."""
     titles = _on_pin(c)
     if len(titles) != MANY - 1:
         return True
@@ -248,7 +248,7 @@ def PinReachesOneComponent(c: migration.Connection) -> bool | Fail:
 
 @connections.constraint(id="RS715", severity=Severity.warning, advice="see whether the drawing says what is meant")
 def PinReachesFewComponents(c: migration.Connection) -> bool | Fail:
-    """A pin that is no bus reaches one component, or two."""
+    """A pin that is not a bus reaches two components at most."""
     titles = _on_pin(c)
     if len(titles) < MANY:
         return True
@@ -257,7 +257,7 @@ def PinReachesFewComponents(c: migration.Connection) -> bool | Fail:
 
 
 def _on_pin(c: migration.Connection) -> list[str]:
-    """The titles of the components on the pin of a connection; empty for a bus, and for all but the first connection of a pin."""
+    """The titles of the components on a connection's pin; empty for a bus, and for all but the pin's first connection."""
     same = [other for other in plan_of(c).connections if other.pin is not None and other.pin is c.pin]
     if same[:1] != [c] or any(other.signal is migration.Signal.bus for other in same):
         return []

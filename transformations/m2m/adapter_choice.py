@@ -1,8 +1,8 @@
-"""Which adapter fills the calls of a platform function, and which piece declares another name of the platform (paper 3.4).
+"""Chooses the adapter for each call of a platform function, and the declaration for each other platform name (paper 3.4).
 
-The pieces are data of the platform repository, variants for microcontrollers among them. Where none fits, the plan says what is
-missing. Which functions and names a program uses is told in `adapter_uses` and `placeholders`, how the text comes into the
-program in the generators.
+The candidates are pieces of adapter text from the platform repository, some of them variants for one microcontroller. Where
+none fits, the plan says what is missing. Which functions and names a program uses is found by `adapter_uses` and
+`placeholders`; the generators write the text into the program.
 """
 
 from __future__ import annotations
@@ -30,7 +30,9 @@ _LONG = re.compile(r"(?<!long )\blong(?! long)(?: int)?\b")
 _UNSIGNED = re.compile(r"\bunsigned(?! int| char| short| long)\b")
 _WORDS = re.compile(r"\b(?:extern|register|signed)\b")
 ADAPTERS = ("filled", "placeholders")
-"""What adapters can be: with bodies as far as there are any, or all still to be written."""
+"""The kinds of adapters that can be asked for: with bodies where the repository has them, or all left to be written by a
+person.
+"""
 NO_ADAPTER = "no adapter file has it"
 FUNCTIONS = ("adapter",)
 VALUES = ("constant", "register", "variable")
@@ -39,14 +41,14 @@ HELPERS = ("helper",)
 
 
 class UnservedHeader(Struct):
-    """A header of which the target can serve nothing, and why."""
+    """A header of the source platform whose contents the target cannot provide, and the reason."""
 
     name: str
     reason: str
 
 
 class AdapterChoice:
-    """The adapters of one plan: elements are made when a use first needs them.
+    """The adapters of one plan; a model element for an adapter is made when a use first needs it.
 
     Args:
         index: the adapter files.
@@ -81,7 +83,7 @@ class AdapterChoice:
 
     @property
     def elements(self) -> list[platform.Adapter]:
-        """What uses refer to and what that needs, each behind what it needs."""
+        """The adapters that uses refer to and those that these need, in order of dependency: each after the ones it needs."""
         return list(self._made.values())
 
     @property
@@ -90,16 +92,16 @@ class AdapterChoice:
         return list(self._unserved.values())
 
     def adapts(self, name: str, header: str) -> bool:
-        """Whether a function that the target's own library has is adapted all the same."""
+        """Whether a function that the target's own library has is replaced by an adapter nevertheless."""
         return self.filled and self._key(name, header, FUNCTIONS) is not None
 
     def choose(self, use: migration.AdapterUse, header: str, *, handed: bool = False) -> None:
-        """Give a use its adapter and state, or the reason why it has none.
+        """Give the use of a function its adapter and status, or the reason why it has none.
 
         Args:
-            use: of a function.
-            header: where that is declared, empty where nobody knows it.
-            handed: the function is also handed on as a value.
+            use: the use of a function; its status, reason and adapter are set.
+            header: the header that declares the function, empty if unknown.
+            handed: the function is also used as a value (a function pointer), so its types must match exactly.
         """
         if not self.filled:
             return
@@ -144,18 +146,20 @@ class AdapterChoice:
         settle_use(use)
 
     def declare(self, name: str, header: str, kinds: Sequence[str]) -> platform.Adapter | None:
-        """The piece that declares a name which is no function; None where there is none.
+        """The adapter piece that declares a name other than a function's, such as a constant or type; None if there is none.
 
         Args:
             name: the name.
-            header: where it is declared, empty where nobody knows it.
-            kinds: of pieces, as files call them.
+            header: the header that declares it, empty if unknown.
+            kinds: the kinds of pieces to look among, as adapter files call them.
         """
         key = self._key(name, header, kinds if self.filled else [kind for kind in kinds if kind == "constant"])
         return self._element(key) if key is not None and not self.pieces.needed([key], self.mcu).unserved else None
 
     def _key(self, name: str, header: str, kinds: Sequence[str]) -> tuple[str, str] | None:
-        """The piece for a name of a header: its own, that of one that declares the same, that it includes or that includes it."""
+        """The key of the adapter piece for a name, which a header related to the given one may hold (see `_places`); None if
+        none does.
+        """
         for place in self._places(name, header):
             key = self.pieces.key(f"{place}/{name}")
             variants = self.pieces.variants(key) if key is not None else []
@@ -164,7 +168,10 @@ class AdapterChoice:
         return None
 
     def _places(self, name: str, header: str) -> list[str]:
-        """The headers whose files may tell of a name of a header; all where nobody knows its header."""
+        """The headers whose adapter files may have a name of the given header, nearest first; all headers if it is unknown.
+
+        These are the header itself, those that declare the same signature, those it includes and those that include it.
+        """
         if not header:
             return list(self.index.headers)
         declared = {entry.header: self.api.signature(name, entry) for entry in self.api.entries(name)}
@@ -176,7 +183,9 @@ class AdapterChoice:
         return distinct((header, *same, *below, *(other for other in above if other not in declared)))
 
     def _conflict(self, pieces: Iterable[AdapterPiece]) -> str:
-        """Which interrupt pieces need that another function's adapter has; empty for none."""
+        """The message about an interrupt that one of the pieces needs and another function's adapter already has; empty if
+        there is none.
+        """
         for piece in pieces:
             for vector in (*piece.vectors, *piece.taken):
                 holder, user = self._interrupts.get(vector, (piece, ""))
@@ -205,7 +214,7 @@ def adapter_choice(
     members: Collection[str],
     calls: Collection[str],
 ) -> AdapterChoice:
-    """The adapters of a plan.
+    """Make the choice of adapters for a plan.
 
     Args:
         index: the adapter files.
@@ -226,7 +235,7 @@ def adapter_choice(
 
 
 def _misfit(calls: Iterable[ccode.Call], signatures: Iterable[str]) -> str:
-    """What a call gives that no signature takes; empty where all calls fit."""
+    """The message about a call with a number of arguments that no signature takes; empty if all calls fit."""
     taken = [_count(signature) for signature in signatures]
     for call in calls:
         given = len(call.arguments)
@@ -237,14 +246,14 @@ def _misfit(calls: Iterable[ccode.Call], signatures: Iterable[str]) -> str:
 
 
 def _count(signature: str) -> tuple[int, bool]:
-    """How many parameters a function takes, and whether more may follow."""
+    """The number of parameters of a function, and whether it is variadic."""
     start = signature.find("(")
     parts = [part for part in split_parameters(signature[start:]) if part != "void"] if start >= 0 else []
     return len(parts) - ("..." in parts), "..." in parts
 
 
 def _types(signature: str) -> list[str]:
-    """The types of a signature, in one spelling."""
+    """The return type and parameter types of a signature in normalized spelling, so that they can be compared."""
     returned, _, parameters = taken_apart(signature)
     return _plain([returned, *(parameter_type(parameter) for parameter in parameters)])
 
@@ -258,17 +267,17 @@ def _plain(types: Iterable[str]) -> list[str]:
 
 
 def _one_width(types: Iterable[str]) -> list[str]:
-    """Types with `long` as `int`: on the source both have 32 bits, and the text is written with that width."""
+    """Replace `long` by `int` in types: both have 32 bits on the source, and the program's text is written with that width."""
     alike = (_LONG.sub("int", each) for each in types)
     return [_UNSIGNED.sub("unsigned int", each) for each in alike]
 
 
 def settle_use(use: migration.AdapterUse, unserved: Collection[str] = ()) -> None:
-    """Bring the state of a use up to its adapter, which a person may have taken out of a stored plan, or put in, or written.
+    """Bring the status of a use in line with its adapter, which a person may have removed, added or written in a stored plan.
 
     Args:
-        use: of a function.
-        unserved: the reasons why headers cannot be served.
+        use: the use of a function.
+        unserved: the reasons why headers cannot be provided on the target.
     """
     if use.adapter is not None:
         use.status = Status.care if any(piece.limits for piece in closure([use.adapter])) else Status.filled
@@ -281,7 +290,7 @@ def settle_use(use: migration.AdapterUse, unserved: Collection[str] = ()) -> Non
 
 
 def settle_libraries(plan: migration.MigrationPlan) -> None:
-    """Say of each chosen library whether an adapter of the plan uses it; a plan without adapters stays as it is."""
+    """Record for each chosen library whether an adapter of the plan uses it; a plan without adapters stays as it is."""
     if plan.target is None or not plan.target.adapters:
         return
     used = {str(name) for piece in emitted(plan) for name in piece.libraries}
@@ -290,7 +299,7 @@ def settle_libraries(plan: migration.MigrationPlan) -> None:
 
 
 def serve(uses: Iterable[migration.AdapterUse], headers: Mapping[str, str], choice: AdapterChoice, handed: Iterable[str]) -> None:
-    """Choose the adapter of each use.
+    """Choose the adapter of each use of a function.
 
     Args:
         uses: of functions.

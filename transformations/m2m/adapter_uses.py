@@ -1,8 +1,8 @@
-"""Adapters: which functions need one, and with which signature (paper 3.4).
+"""Finds which functions need an adapter, and the signature of each (paper 3.4).
 
-Everything that is called, defined nowhere in the program and not there on the target is adapted. The signature is the
-header's, the repository's or the program's own prototype's; where none is known, or the calls contradict it, the calls
-say it. No function is known by its name.
+A function needs an adapter if it is called, defined nowhere in the program and not available on the target. Its signature comes
+from the program's own prototype, else from the repository or a header; where none is known, or the calls contradict it, it is
+inferred from the calls. No function is known by its name.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from robosmi.typed import distinct, matches, replaced
 
 Source = migration.SignatureSource
 _RESERVED = re.compile(r"__(?!builtin_)|_[A-Z]")
-"""Names that C reserves for a library's own use (C11 7.1.3): no header promises them, whatever header they stand in."""
+"""Names that C reserves for the implementation (C11 7.1.3): no header promises them, whichever header declares them."""
 _BUILTIN = "__builtin_"
-"""How names of functions that a compiler has without a header begin: the target's compiler may have one of the same name."""
+"""Prefix of functions built into the compiler, which need no header: the target's compiler may have one of the same name."""
 
 
 def called_functions(
@@ -34,10 +34,10 @@ def called_functions(
 
     Args:
         views: a view of each unit.
-        target: the target.
-        names: its names.
-        adapts: name, header -> whether there is an adapter for a function that the target's library has, since that does not do
-            there what it does on the source platform.
+        target: the target platform.
+        names: the names that the target declares.
+        adapts: (name, header) -> whether an adapter replaces this function although the target's library has one, since that one
+            behaves differently there.
     """
     own = _own_names(views)
     found: dict[str, CalledFunction] = {}
@@ -61,7 +61,7 @@ def called_functions(
 
 
 def _handed_on(view: CodeView) -> set[str]:
-    """Names that a unit uses as values, and those called in bodies of its macros."""
+    """The names that a unit uses as values, and those called in bodies of its macros."""
     named = {str(r.name) for r in view.of_kind(ccode.NameReference)}
     return named.union(*(matches(_CALLED, str(macro.body or "")) for macro in view.unit.macros))
 
@@ -76,7 +76,7 @@ def _own_names(views: Iterable[CodeView]) -> set[str]:
 
 
 def _referenced(view: CodeView) -> Iterable[CalledFunction]:
-    """Functions of the platform that are handed on without being called."""
+    """Platform functions that are used without a direct call: as values, or through a macro that is another name for one."""
     for reference in view.of_kind(ccode.NameReference):
         if isinstance(reference.target, ccode.ExternalSymbol) or (
             isinstance(reference.target, ccode.Function) and not reference.target.definition
@@ -98,7 +98,7 @@ def _referenced(view: CodeView) -> Iterable[CalledFunction]:
 
 
 def handed_on(views: Iterable[CodeView]) -> set[str]:
-    """Names of functions from elsewhere that are values somewhere: their types must be the ones the program expects."""
+    """Names of functions that the program uses as values and does not define; their types must be those the program expects."""
     references = (r for view in views for r in view.of_kind(ccode.NameReference))
     return {
         r.name
@@ -108,7 +108,7 @@ def handed_on(views: Iterable[CodeView]) -> set[str]:
 
 
 def own_prototypes(views: Sequence[CodeView]) -> dict[str, ccode.Function]:
-    """The first prototype of each function that the program declares and defines nowhere."""
+    """The first prototype of each function that the program declares and does not define."""
     own = _own_names(views)
     found: dict[str, ccode.Function] = {}
     for view in views:
@@ -119,7 +119,7 @@ def own_prototypes(views: Sequence[CodeView]) -> dict[str, ccode.Function]:
 
 
 def declared_in_lists(views: Sequence[CodeView]) -> set[int]:
-    """Identities of the functions whose declaration names others, too: `int f(int), g(int);`."""
+    """The `id()` of each function declared together with others in one declaration, such as `int f(int), g(int);`."""
     found: set[int] = set()
     for view in views:
         starts: dict[int, list[int]] = {}
@@ -180,7 +180,7 @@ def adapter(
 
 
 def hide_types(use: migration.AdapterUse) -> None:
-    """Take pointers to types of the program that a file with a call does not see as pointers to anything."""
+    """Change pointers to a program type to `void *` where a file that calls the function does not see the type's declaration."""
     units = {id(unit): unit for call in use.calls if (unit := ancestor_of_kind(call, ccode.SourceUnit)) is not None}
     seen = [{id(each) for each in (unit, *included(unit))} for unit in units.values()]
     for parameter in use.parameters:
@@ -198,7 +198,7 @@ def own_types(program: ccode.Program) -> dict[str, ccode.Declaration]:
 
 
 def target_type(spelling: str, own: Mapping[str, ccode.Declaration], language: str = CPLUSPLUS) -> migration.TargetType:
-    """A type of the target with the program's own types that it names, and its empty value in the target's language."""
+    """Make a type of the target: its spelling, the program's own types in it, and its empty value in the target's language."""
     spelling = spelling.strip()
     empty = nothing(spelling)
     if empty == "{}" and language == PLAIN_C:
@@ -210,7 +210,7 @@ def target_type(spelling: str, own: Mapping[str, ccode.Declaration], language: s
 def _signature(
     called: CalledFunction, function: platform.ApiFunction | None, prototype: ccode.Function | None
 ) -> tuple[Signature, str, Source]:
-    """Signature in parts, as it is shown, and where it comes from."""
+    """The signature of a function in parts, the same as text for the report, and where it was found."""
     name, inferred = called.name, called.callee
     if prototype is not None:
         types = tuple((_spelling(p.valueType), p.name) for p in prototype.parameters)
@@ -239,7 +239,9 @@ def _signature(
 
 
 def _handler(position: int, calls: Iterable[ccode.Call]) -> str:
-    """The type of a function pointer where every call gives a function of the program there, and all of one type."""
+    """The type of a function-pointer parameter, if every call passes a function of the program there and all have one type;
+    else empty.
+    """
     found: set[str] = set()
     for call in calls:
         value = call.arguments[position] if position < len(call.arguments) else None
@@ -253,7 +255,7 @@ def _handler(position: int, calls: Iterable[ccode.Call]) -> str:
 
 
 def _fits(signature: Signature, calls: Iterable[ccode.Call]) -> bool:
-    """Whether every call gives as many arguments as the signature takes; old programs call old versions of an API."""
+    """Whether the number of arguments of every call fits the signature; old programs call old versions of an API."""
     count = len([p for p in signature.parameters if p[0] != "void" or p[1]])
     return all(len(c.arguments) >= count if signature.variadic else len(c.arguments) == count for c in calls)
 

@@ -1,7 +1,8 @@
-"""Compound literals whose address is kept (C11 6.5.2.5): objects without a name, which C++ ends with their expression.
+"""Gives a named object to each compound literal whose address is kept (C11 6.5.2.5).
 
-Each gets a name. In a function it is declared before the statement, in the block that it lasts as long as; in main, which runs
-once and whose parts move, and at file scope it lasts for ever. Literals whose value alone is used stay as they are.
+In C such a literal lives as long as its block; in C++ it ends with its expression. In a function the object is declared before
+the statement, in the same block. In main, which runs once and whose statements move, and at file scope it becomes static.
+Literals of which only the value is used stay as they are.
 """
 
 from __future__ import annotations
@@ -19,12 +20,12 @@ from robosmi.transformations.queries.tokens import name_tokens
 from robosmi.typed import matches
 
 RULE = "named-literal"
-"""The rule of `edit_rules` that names one."""
+"""The rule of `edit_rules` that gives a literal a named object."""
 _REASON = "what a compound literal makes ends with its expression in C++"
 
 
 def compound_literals(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Literals whose address is taken, and arrays that stand for their first element."""
+    """Find literals whose address is taken with `&`, and array literals that decay to a pointer."""
     number, taken = 0, None
     for cast in view.of_kind(ccode.Cast):
         whole = _kept(cast, data) if isinstance(cast.operand, ccode.InitializerList) else None
@@ -38,7 +39,7 @@ def compound_literals(view: CodeView, data: bytes, functions: Mapping[str, Funct
 
 
 def _kept(cast: ccode.Cast, data: bytes) -> ccode.Expression | None:
-    """The expression that gives the address, or None where there is none or it stands in a macro."""
+    """The expression that yields the literal's address; None if its address is not taken or it stands in a macro."""
     around = cast.eContainer()
     if cast.target is None:
         return None
@@ -49,13 +50,13 @@ def _kept(cast: ccode.Cast, data: bytes) -> ccode.Expression | None:
 
 
 def size_of(cast: ccode.Cast) -> str:
-    """How many elements a literal has that is an array of one dimension, empty for all others."""
+    """The number of elements, as text, of a literal that is a one-dimensional array; empty for any other literal."""
     sizes = matches(r"\[(\d+)\]", (cast.target.canonical or "") if cast.target is not None and cast.target.arrayDims else "")
     return sizes[0] if len(sizes) == 1 else ""
 
 
 def place_before(whole: ccode.Expression) -> ccode.Statement | None:
-    """The statement that the object is declared before; None where it is to last for ever."""
+    """The statement before which the object is declared; None if the object has to be static."""
     function = ancestor_of_kind(whole, ccode.Function)
     if function is None or function.name == "main":
         return None
@@ -66,16 +67,16 @@ def place_before(whole: ccode.Expression) -> ccode.Statement | None:
 
 
 def _local(declared: object) -> bool:
-    """Whether a name is one of a function's own, which C++ wants to be told of."""
+    """Whether a declaration is a local variable or a parameter, which a C++ lambda has to capture."""
     return isinstance(declared, (ccode.Variable, ccode.Parameter)) and ancestor_of_kind(declared, ccode.Function) is not None
 
 
 def replacements(whole: ccode.Unary | ccode.Cast, name: str, data: bytes) -> list[tuple[int, int, str]]:
-    """What changes: the object's declaration, and the literal as its value (first byte, byte behind, new text).
+    """The changes that declare the object and assign the literal to it, as (first byte, byte after the last, new text).
 
     Args:
-        whole: the expression that gives the address.
-        name: of the object.
+        whole: the expression that yields the address.
+        name: the name of the object.
         data: the bytes of its unit.
     """
     cast = whole.operand if isinstance(whole, ccode.Unary) else whole

@@ -1,8 +1,8 @@
-"""Code that a program starts on other cores, as coroutines of a target with one core: the plan's decision about it.
+"""Decides how code that a program starts on other cores runs on a target with one core: as coroutines.
 
-A program that starts none has no such decision; neither has one whose starts no adapter serves. The only changes of text are
-calls of `yield` in loops that would keep the others waiting without end (`yielding`). What has to give way, and how much stack is
-needed, is told by `queries.cooperation`.
+A program that starts no such code, or only through functions without an adapter, has no such decision. The only changes of its
+text are calls of `yield` in loops that would otherwise starve the others (`yielding`). Which loops have to yield, and how much
+stack is needed, is computed by `queries.cooperation`.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from robosmi.transformations.queries.stack_depth import CORE_INTERRUPT, IDLE, in
 from robosmi.typed import distinct, paired
 
 SPARE = 1.25
-"""By what an estimate is multiplied."""
+"""Safety factor on the estimated stack size of a coroutine."""
 _ENDS = re.compile(r"_end\b|stop\b|join\b|exit\b")
 
 
@@ -39,7 +39,7 @@ def concurrency(
     divisions: Sequence[Division],
     texts: Sequence[SourceText],
 ) -> migration.Concurrency | None:
-    """How the code runs that the program starts on other cores; None where it starts none that an adapter serves.
+    """The decision how code started on other cores runs; None if the program starts none that an adapter supports.
 
     Args:
         views: a view of each unit.
@@ -83,6 +83,6 @@ def concurrency(
 
 
 def _functions(views: Sequence[CodeView], starts: Sequence[CogStart]) -> list[ccode.Function]:
-    """The program's functions that are started, each once."""
+    """The program's functions that are started on other cores, without duplicates."""
     own = {str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition}
     return [own[name] for name in distinct(s.function for s in starts) if name in own]

@@ -1,8 +1,8 @@
-"""Which component each pin of a board reaches: Algorithm 1 of the paper on the nets of a circuit (paper 3.2).
+"""Maps each pin of a board to the components it reaches: Algorithm 1 of the paper on the nets of a circuit (paper 3.2).
 
-`map_connectors` is the algorithm with everything decided that the printed one leaves open: supplies are cut, breadboards
-conduct row by row, only two-terminal passive parts are walked through, drivers and unknown parts end a path.
-`algorithm_1_as_printed` is the printed one, kept for comparison. docs/method/connector-mapping.md gives the reasons and the
+`map_connectors` is the algorithm with the open points of the printed version decided: supply nets are cut, breadboards conduct
+row by row, paths continue only through two-terminal passive parts, and drivers and unknown parts end a path.
+`algorithm_1_as_printed` is the printed version, kept for comparison. docs/method/connector-mapping.md gives the reasons and the
 figures. Nothing here knows a drawing tool.
 """
 
@@ -28,10 +28,10 @@ from robosmi.typed import distinct, paired
 Role = hardware.Role
 
 MAX_MAPPINGS = 20_000
-"""Connections of pins to components in one drawing; the largest public one has under 100."""
+"""Limit on the connections of pins to components in one drawing; the largest public drawing has under 100."""
 
 _NAMED = 3
-"""Pins of other boards that a finding names: of n boards on one net each would name all others."""
+"""How many pins of other boards a finding names; without a limit, n boards on one net would each name all others."""
 _SILENT = (Role.Board, Role.Power, Role.Decoration)
 _BY_ROLE = {"Input": "read", "Output": "write", "Both": "bus", "Unknown": "read"}
 _SUFFIX = {"read": "ReadP", "write": "WriteP", "bus": "BusP"}
@@ -39,7 +39,7 @@ _SIGNALS = {name: enum_literal(migration.Signal, name) for name in ("read", "wri
 
 
 class _Mapped(Struct):
-    """A mapping before it has a name."""
+    """A connection of a board pin to a component before it is given a name."""
 
     board: hardware.Component
     label: str
@@ -55,7 +55,7 @@ class _State(Struct):
     path: str
     findings: list[Finding] = []
     on_boards: dict[int, list[hardware.Connector]] = {}
-    """Of a net, by its identity: the connectors that boards have on it."""
+    """Cache by `id()` of a net: the connectors of boards on that net."""
 
     def report(self, rule: str, severity: Severity, message: str, fix: str | None = None, **evidence: Json) -> None:
         self.findings.append(Finding(rule, severity, message, Location(self.path), fix=fix, evidence=evidence))
@@ -140,9 +140,10 @@ def algorithm_1_as_printed(board: hardware.Component) -> list[tuple[hardware.Con
 
 
 def identifier(title: str) -> str:
-    """A title as the beginning of an identifier: `_` before a leading digit, nothing reserved; empty if nothing is left.
+    """Turn a component's title into the beginning of an identifier; empty if no usable character is left.
 
-    Followed by `ReadP1` and its like it can be no keyword and no macro of Arduino's: none ends in `P` and a number.
+    A leading digit gets `_` before it, and no reserved word results. Followed by `ReadP1` or the like the result can be neither
+    a keyword nor an Arduino macro: none of these ends in `P` and a number.
     """
     return quoting.identifier(title, begins=True)
 
@@ -227,7 +228,7 @@ def _report_net(board: hardware.Component, label: str, net: hardware.Net, state:
 
 
 def _signal(reached: ReachedComponent, label: str, known: PartNames) -> str:
-    """The direction on a pin: what the connector's name tells, else what the role and the place of the part tell."""
+    """The direction of a connection (read, write or bus): from the connector's name, else from the part's role and place."""
     component = reached.component
     ways = [name_direction(connector.name, known, component.driver) for connector in reached.connectors]
     told = next((way for way in ("bus", "write", "read") if way in ways), None)
@@ -246,7 +247,9 @@ def _signal(reached: ReachedComponent, label: str, known: PartNames) -> str:
 
 
 def _driver_signal(component: hardware.Component, default: str) -> str:
-    """For a chip that may be on either side of the board: read where it only senses, written where it only drives."""
+    """The direction for a driver chip that may face the board with either side: read if it only senses, write if it only
+    drives.
+    """
     drives, senses = either_side(component)
     if bool(drives) != bool(senses):
         return "write" if drives else "read"
@@ -254,7 +257,7 @@ def _driver_signal(component: hardware.Component, default: str) -> str:
 
 
 def _names(mapped: list[_Mapped], state: _State) -> list[str]:
-    """The names, in the order of the mappings."""
+    """The names of the connections, in the order given."""
     by_component: dict[hardware.Component, list[int]] = {}
     for place, one in enumerate(mapped):
         by_component.setdefault(one.reached.component, []).append(place)
@@ -281,10 +284,10 @@ def _names(mapped: list[_Mapped], state: _State) -> list[str]:
 
 
 def keep_apart(connections: Iterable[migration.Connection], words: Container[str], location: Location | None) -> list[Finding]:
-    """Give those connections other names whose names the program has already.
+    """Rename those connections whose names the program already declares.
 
     Args:
-        connections: of the drawing; their names are different.
+        connections: the connections of a drawing; their names differ from each other.
         words: the names that the program declares.
         location: the drawing, for the findings.
     """

@@ -1,7 +1,7 @@
-"""The ports that a program's libraries use without being told: those that its adapters declare, else those of the source.
+"""Finds the ports that libraries use by convention, without the program naming them.
 
-An adapter asks for what it uses on the target, which may be less than its function used on the source (encoders of a drive that
-is steered without them). A function without an adapter keeps the conventions of the platform's API.
+An adapter declares the ports it uses on the target. These may be fewer than its function used on the source, such as no
+encoders for a drive that is steered without them. A function without an adapter keeps the conventions of the platform's API.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from robosmi.transformations.queries.ports import Port, ProgramPorts, give_numbe
 
 _NUMBERED = re.compile(r"_(\d+)\Z")
 _DIRECTIONS = {platform.Direction.input: "in", platform.Direction.output: "out", platform.Direction.both: "both"}
-"""Direction of a port that an adapter declares -> that of a use of a pin."""
+"""Maps the direction of a port as an adapter declares it to the direction of a pin's use."""
 
 
 def with_conventions(found: ProgramPorts, uses: Iterable[migration.AdapterUse], views: Sequence[CodeView]) -> ProgramPorts:
-    """The ports of a program, with the conventions that its adapters have.
+    """Replace the conventional ports of functions that have an adapter by those that the adapter declares.
 
     Args:
         found: the ports, with the conventions of the source platform.
@@ -50,7 +50,7 @@ def with_conventions(found: ProgramPorts, uses: Iterable[migration.AdapterUse], 
 
 
 def _number(port: platform.ConventionalPort) -> int | None:
-    """Its number on the source board; a channel of a converter has none there."""
+    """The port's number on the source board; None for a channel of a converter, which has no pin number there."""
     return None if port.capability is platform.PinCapability.analog else int(port.number)
 
 
@@ -68,7 +68,7 @@ def _add(found: dict[str, Port], needed: platform.ConventionalPort, names: dict[
 
 
 def _calls(use: migration.AdapterUse, name: str, argument: int | None, views: Sequence[CodeView]) -> Iterator[ccode.Call]:
-    """The calls that use a port: of numbered ones only those whose argument may be its number."""
+    """The calls that use a port. For a numbered port these are only the calls whose argument may be its number."""
     numbered = _NUMBERED.search(name)
     if numbered is not None and argument is None:
         return
@@ -78,7 +78,7 @@ def _calls(use: migration.AdapterUse, name: str, argument: int | None, views: Se
 
 
 def _values(call: ccode.Call, argument: int, views: Sequence[CodeView]) -> set[int]:
-    """The numbers that an argument may have; any where the text does not say it."""
+    """The numbers that an argument may have; all channel numbers if its value is not known statically."""
     unit = unit_of(call)
     view = next((v for v in views if v.unit is unit), views[0])
     arguments = list(call.arguments)

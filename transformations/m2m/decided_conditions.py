@@ -1,7 +1,7 @@
-"""Conditions of the preprocessor that the target would decide otherwise (`#ifdef ARDUINO`, `#if INT_MAX > 40000`).
+"""Fixes preprocessor conditions that the target would decide differently (`#ifdef ARDUINO`, `#if INT_MAX > 40000`).
 
-What the source compiled is what the program means: such a condition becomes the number that it was there, with its text as a
-comment. Conditions on the program's own macros, and on macros that nobody defines, stay as they are.
+What was compiled on the source is what the program means, so such a condition is replaced by its value there (0 or 1), with the
+original text as a comment. Conditions on the program's own macros, and on macros that nobody defines, stay as they are.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ _WORD = re.compile(r"(?<![\w.'\"])[A-Za-z_]\w*")
 _OF_WIDTHS = re.compile(
     r"(?:U?(?:CHAR|SHRT|INT|LONG|LLONG)|SCHAR|SIZE|U?INT(?:PTR|MAX|\d+))_(?:MAX|MIN)|__\w+_MAX__|__SIZEOF_\w+__"
 )
-"""Macros that say how wide types are, which differ with the microcontroller."""
+"""Macros for sizes and limits of types, which differ between microcontrollers."""
 _CPLUSPLUS = "__cplusplus"
 
 
 def decided_conditions(views: Sequence[CodeView], sources: Mapping[str, bytes], names: TargetNames) -> Iterator[Change]:
-    """The directives whose condition is decided as on the source.
+    """Find the directives whose condition has to keep the value it had on the source.
 
     Args:
         views: a view of each unit.
@@ -48,7 +48,7 @@ def decided_conditions(views: Sequence[CodeView], sources: Mapping[str, bytes], 
 
 
 def _asked(unit: ccode.SourceUnit) -> Iterator[ccode.PreprocessorConditional]:
-    """The directives whose conditions were asked on the source: not those in text that was left out."""
+    """The directives whose conditions were evaluated on the source; those in excluded text were not."""
     around: list[bool] = []  # of each open condition, whether the text around it was compiled
     compiled: list[bool] = []  # of each, whether its branch is
     for directive in unit.conditionals:
@@ -67,7 +67,7 @@ def _asked(unit: ccode.SourceUnit) -> Iterator[ccode.PreprocessorConditional]:
 
 
 def _words(condition: str, bodies: dict[str, str]) -> list[str]:
-    """The names in a condition, those in bodies of the program's macros too."""
+    """The names in a condition, including those in the bodies of the program's macros that it uses."""
     pending, seen = [condition], dict[str, None]()
     while pending:
         for word in matches(_WORD, pending.pop()):
@@ -79,7 +79,7 @@ def _words(condition: str, bodies: dict[str, str]) -> list[str]:
 
 
 def _differs(word: str, view: CodeView, names: TargetNames) -> bool:
-    """Whether a name that the program does not define may be another macro on the target than on the source."""
+    """Whether a name that the program does not define may be a different macro on the target than on the source."""
     if word == _CPLUSPLUS or (word in names.macros and word not in names.same) or _OF_WIDTHS.fullmatch(word):
         return True
     if word in {str(define).partition("=")[0] for define in view.api.settings["parser"].get("defines", [])}:
@@ -89,7 +89,7 @@ def _differs(word: str, view: CodeView, names: TargetNames) -> bool:
 
 
 def as_decided(directive: ccode.PreprocessorConditional, text: SourceText) -> list[tuple[int, int, str]]:
-    """What changes (first byte, byte behind, new text): the directive asks for the number that its condition was."""
+    """The change, as (first byte, byte after the last, new text), that replaces the condition by its value on the source."""
     start, end = int(directive.startOffset), int(directive.endOffset)
     word = "elif" if str(directive.directive).startswith("elif") else "if"
     said = " ".join(text.data[start:end].decode("utf-8", "replace").replace("\\\n", " ").replace("\\\r\n", " ").split())

@@ -1,4 +1,4 @@
-"""Names that leave a declaration of several (`int a, b, a;`), as bytes of its text that go."""
+"""Finds the bytes to delete when some names leave a declaration of several (`int a, b, a;`)."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ _OPENING, _CLOSING = frozenset("([{"), frozenset(")]}")
 
 
 class Declarator(NamedTuple):
-    """One of the names that a declaration declares.
+    """One declarator of a declaration.
 
     Attributes:
-        name: the name.
-        start, end: its bytes with stars, sizes and initial value, without the types before and the comma behind it.
+        name: the declared name.
+        start, end: its byte range with stars, sizes and initial value, without the types before it and the comma after it.
     """
 
     name: str
@@ -24,11 +24,11 @@ class Declarator(NamedTuple):
 
 
 def declarators(data: bytes, start: int) -> list[Declarator]:
-    """The names of a declaration, in text order.
+    """The declarators of a declaration, in text order.
 
     Args:
         data: the bytes of its unit.
-        start: where the declaration begins.
+        start: the byte where the declaration begins.
     """
     end = data.find(b";", start)
     found: list[Declarator] = []
@@ -48,7 +48,7 @@ def declarators(data: bytes, start: int) -> list[Declarator]:
 
 
 def _behind(data: bytes, start: int, end: int) -> int:
-    """The end of the text to read: the first semicolon outside of braces."""
+    """The byte after the declaration: after the first semicolon outside of braces."""
     while end >= 0 and data.count(b"{", start, end) > data.count(b"}", start, end):
         end = data.find(b";", end + 1)
     return end + 1 if end >= 0 else len(data)
@@ -69,17 +69,17 @@ def _declarator(chunk: Sequence[Token], start: int, *, first: bool) -> Declarato
 
 
 def _within_star(chunk: Sequence[Token], number: int) -> bool:
-    """Whether a name within parentheses is the one that is declared, as in `(*name)(int)`."""
+    """Whether a name in parentheses is the declared one, as in `(*name)(int)`."""
     return number > 1 and chunk[number - 1][3] == "*" and chunk[number - 2][3] == "("
 
 
 def without(data: bytes, start: int, names: Sequence[int]) -> list[tuple[int, int, str]]:
-    """What goes of a declaration (first byte, byte behind, new text); at least one of its names stays.
+    """The deletions, as (first byte, byte after the last, new text), that remove names from a declaration; one name must stay.
 
     Args:
         data: the bytes of its unit.
-        start: where the declaration begins.
-        names: which of its names go, counted from 0.
+        start: the byte where the declaration begins.
+        names: the indices of the declarators to remove, from 0.
     """
     made: list[tuple[int, int, str]] = []
     begin, end, behind, gone = -1, -1, -1, False  # where the names that go begin, and the end of the last one that stays

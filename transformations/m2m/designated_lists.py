@@ -1,8 +1,8 @@
-"""Initial values that name the elements or members they are for (C11 6.7.9), as lists by position, which C++11 has.
+"""Rewrites designated initializers (C11 6.7.9) as positional ones, the only kind that C++11 has.
 
-Only what is to be changed is: designators go, `{}` comes where elements are left out. A list whose values stand in another order
-than their places is written anew (`reordered_lists`); one whose indices are not known stays, and `refused_forms.remarks` says so.
-Lists of structures whose members all come in their order stay, too: the target's compilers take them.
+Only what has to change does: designators are removed, and `{}` is inserted for elements left out. A list whose values are not
+in the order of their places is written anew (`reordered_lists`); one with unknown indices stays, and `refused_forms.remarks`
+reports it. Lists of structures whose members all come in order stay, too: the target's compilers accept them.
 """
 
 from __future__ import annotations
@@ -27,13 +27,14 @@ from robosmi.transformations.queries.expression_type import ValueType, element_t
 
 
 def list_holders(view: CodeView) -> Iterator[ccode.Variable | ccode.Cast]:
-    """What has a list: variables with an initial value, and compound literals."""
+    """The elements that may have an initializer list: variables with an initial value, and compound literals."""
     yield from (variable for variable in view.of_kind(ccode.Variable) if variable.initializer is not None)
     yield from (cast for cast in view.of_kind(ccode.Cast) if isinstance(cast.operand, ccode.InitializerList))
 
 
 def positional(holder: ccode.Variable | ccode.Cast, data: bytes) -> list[tuple[int, int, str]] | None:
-    """What of a list changes (first byte, byte behind, new text); None where it cannot be written by position.
+    """The changes that make an initializer list positional, as (first byte, byte after the last, new text); None if that is
+    impossible.
 
     Args:
         holder: a variable with an initial value in braces, or a compound literal.
@@ -87,7 +88,9 @@ def _list(
 
 
 def _place(designator: Sequence[Token], fields: Sequence[ccode.Field], constants: Mapping[str, int]) -> tuple[int, int]:
-    """The first and the last place that a designator names."""
+    """The indices of the first and the last element that a designator stands for; they differ for the range `[a ... b]` of GNU
+    C.
+    """
     texts = named_places(designator)
     if texts[0] == "." and len(texts) == 2:
         names = [field.name for field in fields]

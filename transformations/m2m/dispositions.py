@@ -1,8 +1,8 @@
-"""What happens to each element of the program: rules of ETL, from element to disposition (paper 3.1).
+"""ETL rules that give each element of the program its disposition: what happens to it (paper 3.1).
 
-Platform-agnostic constructs are retained, platform-dependent ones are adapted or dropped, `main` is divided. Each rule is one
-verdict: for which elements, what, why; every element that is judged has exactly one. What a name means is data of the
-platforms, how main is divided an operation on the code model (`queries.main_function`).
+Platform-agnostic constructs are retained, platform-dependent ones are adapted or dropped, and `main` is divided. Each rule
+states for which elements it holds, what happens to them and why; every element gets exactly one verdict. What a name means is
+data of the platforms; how main is divided is a query on the code model (`queries.main_function`).
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ STEP = "code"
 
 
 class Known(Struct, frozen=True):
-    """What the rules ask besides the code model.
+    """The facts that the rules use besides the code model.
 
     Attributes:
         api: the source platform's API.
-        target: the target.
+        target: the target platform.
         divisions: how each definition of main is divided.
         adapted: names with an adapter outside of the program's text.
-        placed: names with a placeholder.
+        placed: names with a placeholder declaration.
         served: headers for which there are adapters.
     """
 
@@ -51,7 +51,7 @@ class Known(Struct, frozen=True):
 
 
 def decide(d: Disposition, element: ccode.Located, action: migration.Action, rule: str, reason: str) -> None:
-    """Fill a new disposition with a rule's verdict."""
+    """Fill in a new disposition: the element, what happens to it, by which rule and why."""
     by, choice = migration.ChosenBy.rule, action.name  # all values at once: one after the other takes six times as long
     Disposition.__init__(
         d, element=element, action=action, rules=(rule,), reasons=(reason,), choice=choice, confidence=1.0, chosenBy=by
@@ -59,7 +59,9 @@ def decide(d: Disposition, element: ccode.Located, action: migration.Action, rul
 
 
 def dispositions(code: ProgramModel, known: Known) -> ETL:
-    """The transformation of a program to dispositions; its rule `Rewritten` is for elements that nothing else judges."""
+    """Build the transformation from a program to its dispositions; its rule `Rewritten` takes elements that no other rule
+    matches.
+    """
     t = ETL(code, step=STEP)
     declared = declarations(known.target.keeps_main)
     for module in (includes(known), declared, mains(known.divisions), externals(code.program, known)):
@@ -73,7 +75,7 @@ def dispositions(code: ProgramModel, known: Known) -> ETL:
 
 
 def includes(known: Known) -> ETL:
-    """Includes: which headers stay, go or are missing."""
+    """Rules for includes: whether a header stays, is dropped or is missing on the target."""
     t = ETL()
 
     def means(include: ccode.Include) -> str:
@@ -121,7 +123,7 @@ def includes(known: Known) -> ETL:
 
 
 def conditional(include: ccode.Include) -> bool:
-    """Whether an include stands under a condition."""
+    """Whether an include is inside a preprocessor condition."""
     depth = 0
     for directive in file_of(include).conditionals:
         if directive.startOffset > include.startOffset:
@@ -132,12 +134,12 @@ def conditional(include: ccode.Include) -> bool:
 
 
 def at_top(element: ccode.Located) -> bool:
-    """Whether an element stands directly in a file of the program."""
+    """Whether an element is directly at file scope."""
     return isinstance(element.eContainer(), ccode.SourceUnit)
 
 
 def declarations(keeps_main: bool) -> ETL:
-    """Macros and what is declared at the top of a file.
+    """Rules for macros and declarations at file scope.
 
     Args:
         keeps_main: whether main is a function like any other on the target.
@@ -168,7 +170,7 @@ def declarations(keeps_main: bool) -> ETL:
 
 
 def mains(divisions: Collection[Division]) -> ETL:
-    """main itself, its statements, what leaves it and what moves out of it."""
+    """Rules for main: the function itself, its statements, what is dropped from it and what moves out of it."""
     t = ETL()
     reasons = {v.main: v.reason for v in divisions}
     leaving = {s for v in divisions for s in (*v.returns, *v.continues, *v.breaks)}
@@ -245,13 +247,13 @@ def mains(divisions: Collection[Division]) -> ETL:
 
 
 def statements_of(loop: ccode.Loop | None) -> list[ccode.Statement]:
-    """What a loop repeats."""
+    """The statements of a loop's body."""
     body = loop.body if loop is not None else None
     return list(body.statements) if isinstance(body, ccode.Block) else [body] if body is not None else []
 
 
 def externals(program: ccode.Program, known: Known) -> ETL:
-    """What the program uses and does not declare: adapted, given a placeholder, or there on the target as it is."""
+    """Rules for names that the program uses and does not declare: adapted, given a placeholder, or available on the target."""
     t = ETL()
     own = {m.name for u in program.units for m in u.macros} | {d.name for u in program.units for d in u.declarations}
 

@@ -1,7 +1,8 @@
-"""Functions that run before main (`__attribute__((constructor))`): on a target that begins with setup, they run first there.
+"""Functions that run before main (`__attribute__((constructor))`): on a target whose program begins with setup, setup calls
+them.
 
-Before setup the target's core has not started its clock, so that a wait in such a function would never end. Those that main's
-file declares before main lose the attribute and are called at the beginning of setup; `refused_forms` tells the others.
+Before setup the target's core has not started its clock, so a wait in such a function would never end. Those that main's file
+declares before main lose the attribute and are called first in setup; `refused_forms` reports the others.
 """
 
 from __future__ import annotations
@@ -19,11 +20,11 @@ from robosmi.transformations.queries.plan import RUN_IN_SETUP
 _WORD = re.compile(rb"\b(?:__)?constructor(?:__)?\b(?:\s*\(\s*(\d+)\s*\))?")
 _ALONE = re.compile(rb"__attribute__\s*\(\(\s*(?:__)?constructor(?:__)?\s*(?:\(\s*\d+\s*\)\s*)?\)\)\s*")
 _LAST = 65535
-"""The priority of a constructor that is given none."""
+"""The priority of a constructor for which none is given."""
 
 
 def early(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Function, int]]:
-    """The declarations of a unit that have the attribute, with their priorities: the lowest runs first."""
+    """The functions of a unit with the constructor attribute, and their priorities: the lowest runs first."""
     if b"constructor" not in data:
         return
     for function in view.of_kind(ccode.Function):
@@ -37,7 +38,10 @@ def _head_end(function: ccode.Function) -> int:
 
 
 def _callable(view: CodeView, function: ccode.Function, found: Collection[tuple[ccode.Function, int]]) -> bool:
-    """Whether setup can call a function: it takes nothing, main's file declares it before main, and their order is the text's."""
+    """Whether setup can call a constructor in place of the run-time system.
+
+    It must take no parameters and be declared before main in main's file, and the priorities must agree with the text's order.
+    """
     if sorted(found, key=lambda each: (each[1], each[0].startOffset)) != sorted(found, key=lambda each: each[0].startOffset):
         return False
     main = main_of(view.unit)
@@ -47,7 +51,7 @@ def _callable(view: CodeView, function: ccode.Function, found: Collection[tuple[
 
 
 def run_in_setup(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """The functions that setup calls."""
+    """Find the constructors that setup is to call."""
     found = list(early(view, data))
     for function, _ in found:
         if _callable(view, function, found):
@@ -55,12 +59,12 @@ def run_in_setup(view: CodeView, data: bytes, functions: Mapping[str, FunctionTy
 
 
 def left_early(view: CodeView, data: bytes) -> Iterator[ccode.Function]:
-    """The functions that stay what they are."""
+    """The constructors that setup cannot call, which stay as they are."""
     found = list(early(view, data))
     return (function for function, _ in found if not _callable(view, function, found))
 
 
 def without_attribute(function: ccode.Function, data: bytes) -> list[tuple[int, int, str]]:
-    """The text of the attribute that goes (first byte, byte behind, new text)."""
+    """The deletion of the constructor attribute, as (first byte, byte after the last, new text)."""
     pattern = _ALONE if _ALONE.search(data, function.startOffset, _head_end(function)) else _WORD
     return [(m.start(), m.end(), "") for m in pattern.finditer(data, function.startOffset, _head_end(function))]

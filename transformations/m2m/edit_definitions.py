@@ -1,4 +1,4 @@
-"""What makes definitions of declarations: variables that are defined nowhere, arrays without a size, functions without a body."""
+"""Edits that turn declarations into definitions: variables without one, arrays without a size, functions without a body."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from robosmi.transformations.queries.signature_text import nothing
 from robosmi.transformations.queries.source_text import SourceText, is_header
 
 Replacement = tuple[int, int, str]
-"""First byte, byte behind the last, new text."""
+"""First byte, byte after the last, new text."""
 
 
 def name_place(variable: ccode.Variable | ccode.Parameter, data: bytes) -> int:
@@ -22,7 +22,7 @@ def name_place(variable: ccode.Variable | ccode.Parameter, data: bytes) -> int:
 
 
 def define_local(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """A declaration in a function of what is nowhere defined: it becomes a variable that lasts."""
+    """Turn a local declaration of a variable that is defined nowhere into the definition of a static variable."""
     changes = define_extern(element, choice, text)
     start = text.data.rfind(b"extern", 0, element.startOffset + len(b"extern"))
     found = re.compile(rb"extern\b").match(text.data, start) if start >= 0 else None
@@ -33,17 +33,17 @@ def define_local(element: ccode.Variable, choice: str, text: SourceText) -> list
 
 
 def define_extern(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """The declaration of a variable of all files becomes its definition."""
+    """Turn the declaration of a variable with external linkage into its definition."""
     return _defined("extern " * is_constant(element), element, choice, text)  # a constant of C++ is its file's own but for extern
 
 
 def define_without_extern(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """The declaration of a variable becomes its definition, without a word before it."""
+    """Turn the declaration of a variable into its definition by removing `extern`."""
     return _defined("", element, choice, text)
 
 
 def _defined(before: str, element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """The declaration of a variable as its definition, with a word before it."""
+    """Turn a declaration into a definition by replacing `extern` with another specifier."""
     found = re.compile(rb"\bextern\b\s*").search(text.data, element.startOffset, element.endOffset)
     kept = before + "__attribute__((weak)) " * is_header(text.unit)
     made = [(found.start(), found.end(), kept)] if found else []
@@ -51,26 +51,26 @@ def _defined(before: str, element: ccode.Variable, choice: str, text: SourceText
 
 
 def is_constant(variable: ccode.Variable) -> bool:
-    """Whether a variable is a constant, which C++ wants a value for."""
+    """Whether a variable is constant; C++ requires an initial value for it."""
     use = variable.valueType
     return use is not None and bool(use.constant) and not use.pointerDepth
 
 
 def sized(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """An array of which no size is known gets one, and a constant a value."""
+    """Give an array of unknown size a size, and a constant an initial value."""
     found = re.compile(rb"\[\s*\]").search(text.data, name_place(element, text.data), element.endOffset)
     value = [(int(element.endOffset), int(element.endOffset), " = {0}")] if is_constant(element) and choice else []
     return [*([(found.end() - 1, found.end() - 1, "16")] if found else []), *value]
 
 
 def one_element(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """An array without a size that no other declaration completes has one element (C11 6.9.2)."""
+    """Give an array without a size that no other declaration completes one element (C11 6.9.2)."""
     found = re.compile(rb"\[\s*\]").search(text.data, name_place(element, text.data), element.endOffset)
     return [(found.end() - 1, found.end() - 1, "1")] if found else []
 
 
 def define_behind(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """Behind a declaration of several names the definitions of some of them."""
+    """Add definitions of some of the names after a declaration of several."""
     place = text.data.find(b";", element.endOffset) + 1
     weak = "__attribute__((weak)) " if is_header(text.unit) else ""
     value = " = {0}" * is_constant(element)
@@ -82,9 +82,9 @@ _ATTRIBUTES_BEHIND = re.compile(rb"(?:\s*__attribute__\s*\(\((?:[^()]|\([^()]*\)
 
 
 def body(element: ccode.Function, choice: str, text: SourceText) -> list[Replacement]:
-    """The prototype becomes an adapter: the place of its semicolon takes a body that is to be written.
+    """Turn a prototype into an adapter: its semicolon is replaced by a body for a person to complete.
 
-    One of several names of a declaration is defined behind it, with the signature that is given.
+    If the prototype shares its declaration with other names, the function is defined after it, with the given signature.
     """
     returned = element.returnType.spelling if element.returnType is not None else "int"
     lines = ["  // TODO: complete method", *(f"  (void){p.name};" for p in element.parameters if p.name)]

@@ -1,7 +1,7 @@
-"""What the rule of a disposition does to the text: a table from the rule to the bytes that change and what comes there.
+"""The edit that each rule of a disposition makes: a table from the rule to the bytes that change and their new text.
 
-A change is as small as it can be, so that changes for different reasons meet in one expression without overlapping.
-Which rule applies is decided in the plan; what leaves main for file scope is in `hoisting`.
+An edit is as small as it can be, so that edits for different reasons in one expression do not overlap. Which rule applies is
+decided in the plan; edits that move declarations from main to file scope are in `hoisting`.
 """
 
 from __future__ import annotations
@@ -38,14 +38,16 @@ from robosmi.transformations.queries.tokens import name_tokens
 
 
 def _line(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    """The whole line goes; its comment stays as a line."""
+    """Delete the whole line of an element; a comment after the element stays as a line of its own."""
     start, end = text.line_start(element.startOffset), text.line_end(element.endOffset)
     comments = [c for c in text.unit.comments if element.endOffset <= c.startOffset < end]
     return [(start, comments[0].startOffset if comments else end, "")]
 
 
 def _line_with_comment(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    """The whole line goes, with a comment on it: that says what the header was for, or goes with the include to the head."""
+    """Delete the whole line of an include with its comment, which describes the header or moves with the include to the file's
+    head.
+    """
     end = text.line_end(element.endOffset)
     longer = [c for c in text.unit.comments if element.endOffset <= c.startOffset < end < c.endOffset]
     return [(text.line_start(element.startOffset), longer[0].startOffset if longer else end, "")]
@@ -59,7 +61,7 @@ def _keyword(word: str) -> Callable[[ccode.Located, str, SourceText], list[Repla
 
 
 def _end(element: ccode.Located, text: SourceText) -> int:
-    """The end of a statement without its semicolon."""
+    """The byte after a statement, not counting its semicolon."""
     end = element.endOffset
     while end > element.startOffset and text.data[end - 1 : end] in (b";", b" ", b"\t", b"\n", b"\r"):
         end -= 1
@@ -73,7 +75,7 @@ def _void_value(element: ccode.Return, choice: str, text: SourceText) -> list[Re
 
 
 def _go_on(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    """A statement that leaves the loop of main goes on in the function of that name."""
+    """Replace a statement that leaves main's loop by a return that calls the function with the statements after the loop."""
     return [(element.startOffset, _end(element, text), f"return {choice}()")]
 
 
@@ -83,7 +85,7 @@ def _value_and_go_on(element: ccode.Return, choice: str, text: SourceText) -> li
 
 
 def _out(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    """The declaration goes with its semicolon; the line, too, where nothing else stands on it."""
+    """Delete a declaration with its semicolon, and its line if nothing else is on it."""
     found = text.data.find(b";", element.endOffset - 1)
     end = found + 1 if found >= 0 else element.endOffset
     start = text.line_start(element.startOffset)
@@ -93,7 +95,7 @@ def _out(element: ccode.Located, choice: str, text: SourceText) -> list[Replacem
 
 
 def _out_of_list(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """Some names of a declaration of several go, said by their numbers."""
+    """Delete some declarators of a declaration, given by their indices."""
     return without(text.data, int(element.startOffset), [int(number) for number in choice.split()])
 
 
@@ -102,26 +104,26 @@ def _rename(element: ccode.Declaration | ccode.Macro, choice: str, text: SourceT
 
 
 def _rename_tag(element: ccode.Declaration, choice: str, text: SourceText) -> list[Replacement]:
-    """The name behind `struct`, `union` or `enum` alone; a type of the same name keeps its own."""
+    """Rename the tag after `struct`, `union` or `enum` only; a typedef of the same name keeps it."""
     names = list(name_tokens(text.data))
     pairs = itertools.pairwise(names)
     return [(start, end, choice) for (_, _, before), (start, end, name) in pairs if name == element.name and before in _TAGGED]
 
 
 def _qualify_type(element: ccode.Declaration, choice: str, text: SourceText) -> list[Replacement]:
-    """A member of its type's name: the type is said to be the one at file scope."""
+    """Qualify the type of a member that has its type's name with `::`, so that it means the type at file scope."""
     found = re.compile(rb"\b%s\b" % re.escape(element.name.encode())).search(text.data, element.startOffset, element.endOffset)
     return [(found.start(), found.start(), "::")] if found else []
 
 
 def _open_size(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """The first size of an array that is a parameter goes: it says nothing."""
+    """Delete the first size of an array parameter, which has no effect on its type."""
     found = re.compile(rb"\[([^\]]*)\]").search(text.data, name_place(element, text.data), element.endOffset)
     return [(found.start(1), found.end(1), "")] if found else []
 
 
 def _branch_out(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    """What a condition encloses goes, up to the next directive that belongs to it."""
+    """Delete what a preprocessor condition encloses, up to the next directive of the same condition."""
     depth, start = 0, text.line_end(element.endOffset)
     for directive in text.unit.conditionals:
         if directive.startOffset <= element.startOffset:
@@ -137,7 +139,7 @@ _TAGGED = frozenset({"struct", "union", "enum"})
 
 
 def undefine(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    """The target's macro goes before the program defines its own, as plans of version 0.1.0 have it."""
+    """Insert an `#undef` of the target's macro before the program's own definition; used by plans of version 0.1.0."""
     start = text.line_start(element.startOffset)
     return [(start, start, f"#undef {choice}\n")]
 
@@ -158,7 +160,7 @@ def _parentheses(element: ccode.Declaration, choice: str, text: SourceText) -> l
 
 
 def _parameters_behind(element: ccode.Function, choice: str, text: SourceText) -> list[Replacement]:
-    """The list takes the declarations behind it; what is commented there stays, behind the list."""
+    """Move K&R parameter declarations into the parameter list; comments among them stay after it."""
     assert element.body is not None  # only a definition has parameters there
     start = text.data.find(b"(", text.data.find(element.name.encode(), element.startOffset)) + 1
     end = element.startOffset + len(text.data[element.startOffset : element.body.startOffset].rstrip())
@@ -183,7 +185,7 @@ def _replace(element: ccode.Located, choice: str, text: SourceText) -> list[Repl
 
 
 def _comment(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    """The text becomes a comment, before an empty statement; comments within it do not end it."""
+    """Turn an element's text into a comment followed by an empty statement; comments inside do not end the new one."""
     start, end = element.startOffset, element.endOffset
     marks = re.compile(rb"/\*|\*/").finditer(text.data, start, end)
     inner = [(m.start(), m.end(), " ".join(m[0].decode())) for m in marks]
@@ -200,7 +202,7 @@ def _insert(words: str) -> Callable[[ccode.Located, str, SourceText], list[Repla
 
 
 def _static(words: str) -> Callable[[ccode.Located, str, SourceText], list[Replacement]]:
-    """What comes into the place of the word static, which may stand before or within the declaration."""
+    """Make the edit that replaces the word static, which may be before the declaration or within it."""
 
     def changed(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
         found = re.compile(rb"static\b\s*").search(text.data, text.line_start(element.startOffset), element.endOffset)
@@ -210,7 +212,9 @@ def _static(words: str) -> Callable[[ccode.Located, str, SourceText], list[Repla
 
 
 def _share_one(variable: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """One of several names of a declaration; its sizes stand behind the name."""
+    """Make one of several declared variables a weak symbol, so that several files can define it; the attribute follows the
+    array sizes.
+    """
     place = variable.endOffset
     return [(place, place, " __attribute__((weak))")]
 
@@ -250,7 +254,7 @@ def _more_arguments(element: ccode.Call, choice: str, text: SourceText) -> list[
 
 
 def _fewer_arguments(element: ccode.Call, choice: str, text: SourceText) -> list[Replacement]:
-    """The arguments behind so many go."""
+    """Delete the arguments of a call after the given number of them."""
     kept, given = int(choice), list(element.arguments)
     mark, before = (b",", given[kept - 1]) if kept else (b"(", element.calleeExpression)
     assert before is not None  # it is called through a pointer
@@ -259,7 +263,7 @@ def _fewer_arguments(element: ccode.Call, choice: str, text: SourceText) -> list
 
 
 def _own_header(element: ccode.Include, choice: str, text: SourceText) -> list[Replacement]:
-    """The include of a header that was carried over names the file in the sketch folder."""
+    """Let the include of a header that is carried over name the file in the sketch folder."""
     written = re.compile(rb'[<"][^>"\n]*[>"]').search(text.data, element.startOffset, text.line_end(element.startOffset))
     wanted = f'"{own_header(element)}"'
     if written is None or written[0] == wanted.encode():
@@ -268,7 +272,7 @@ def _own_header(element: ccode.Include, choice: str, text: SourceText) -> list[R
 
 
 EditRule = Callable[[Any, str, SourceText], list[Replacement]]
-"""Element, what the rule puts in, text of its unit -> what changes."""
+"""A function from an element, the rule's text and the text of the element's unit to the replacements."""
 
 RULES: dict[str, EditRule] = {
     "platform-include": _line,
@@ -333,7 +337,7 @@ RULES: dict[str, EditRule] = {
     "adapter-in-place": body,
     "adapter-declared": _out,
 }
-"""Rule of a disposition -> the changes of text that it asks for."""
+"""The edit of each rule of a disposition."""
 
 EVERYWHERE = frozenset({"rename", "rename-tag", "tag-of-member"})
-"""Rules that change every unit of the program, not only their element's."""
+"""Rules that change every unit of the program, not only the one with their element."""

@@ -1,7 +1,7 @@
-"""Types of functions that say nothing of parameters (`typedef int handler();`), which in C++ say that there are none.
+"""Function types with an empty parameter list (`typedef int handler();`): unspecified parameters in C, none in C++.
 
-Where all functions that the program keeps under such a type take the same, the type says so then. Where they do not, or where
-nothing tells what is called with arguments, `refused_forms` tells it.
+If all functions that the program stores under such a type take the same parameters, the type is given them. Where they differ,
+or nothing shows what the calls pass, `refused_forms` reports it.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ _EMPTY = re.compile(rb"\(\s*\)\s*\Z")
 
 
 class EmptyType(Struct, frozen=True):
-    """A type of functions that says nothing of parameters.
+    """A function type with an empty parameter list.
 
     Attributes:
         typedef: its definition.
-        parameters: what all functions take that are kept under it; None where they differ, or where none tells.
+        parameters: the parameter list of all functions stored under the type; None if they differ or none is known.
     """
 
     typedef: ccode.Typedef
@@ -37,7 +37,7 @@ class EmptyType(Struct, frozen=True):
 
 
 def empty_types(view: CodeView, data: bytes) -> Iterator[EmptyType]:
-    """The types of a unit that have to say what their functions take."""
+    """The types of a unit that need a parameter list in C++."""
     empty = [d for d in view.of_kind(ccode.Typedef) if d.name and _EMPTY.search(data[d.startOffset : d.endOffset])]
     if not empty:
         return
@@ -59,7 +59,7 @@ def empty_types(view: CodeView, data: bytes) -> Iterator[EmptyType]:
 
 
 def said_parameters(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """The types that say what their functions take."""
+    """Find the types that can be given a parameter list."""
     for found in empty_types(view, data):
         if found.parameters:
             yield Change(found.typedef, "empty-parentheses", found.parameters, "in C++ an empty list means no parameters")
@@ -70,7 +70,7 @@ def _words(spelling: str) -> set[str]:
 
 
 def _words_of_place(reference: ccode.NameReference) -> set[str]:
-    """The names of types that the place of a function's name is of."""
+    """The type names in the type of the place that a function's address is stored in or passed to."""
     value: ccode.Expression = reference
     place = reference.eContainer()
     while isinstance(place, (ccode.Unary, ccode.ConditionalExpression)):
@@ -93,7 +93,7 @@ def _words_of_place(reference: ccode.NameReference) -> set[str]:
 
 
 def _words_in_list(value: ccode.Expression) -> set[str]:
-    """The names in the type of the element or member that a value in a list is for."""
+    """The type names in the type of the array element or member that a value of an initializer list is for."""
     variable, given = ancestor_of_kind(value, ccode.Variable), value
     while isinstance(around := given.eContainer(), ccode.Expression):
         given = around

@@ -1,7 +1,7 @@
-"""Texts that fill an array of characters to its end, so that the zero byte has no room (C11 6.7.9): C++ refuses them.
+"""String literals with no room for their zero byte in the array they initialize (C11 6.7.9), which C++ refuses.
 
-So it does longer ones, of which compilers of C take as many characters as there is room for. Each becomes a list of characters.
-Texts that a macro writes, and those in lists that are written anew as a whole, stay; `refused_forms` tells them.
+Longer literals, which C compilers cut to the array's size, are refused, too. Each becomes a list of characters. Literals that
+come from a macro, and those in lists that are written anew as a whole, stay; `refused_forms` reports them.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ from robosmi.typed import matches
 
 _PIECE = re.compile(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)
 _CHARACTER = re.compile(r"\\(?:x[0-9a-fA-F]+|[0-7]{1,3}|.)|[^\\]", re.DOTALL)
-"""A character of a text in C, or its escape (C17, 6.4.4.4)."""
+"""A character of a C string literal, or an escape sequence (C17 6.4.4.4)."""
 _SIZE = re.compile(r"\[([^\]]*)\]")
 
 
 def exact_texts(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Changes of string literals that fill their array to the last character: written as a list of characters instead."""
+    """Find string literals that leave no room for their zero byte, to be written as lists of characters."""
     for literal, size in without_zero(view, data):
         if size:
             text = data[literal.startOffset : literal.endOffset].decode("utf-8", errors="surrogateescape")
@@ -34,7 +34,7 @@ def exact_texts(view: CodeView, data: bytes, functions: Mapping[str, FunctionTyp
 
 
 def without_zero(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Expression, int]]:
-    """The texts of a unit for which their array has no room, and how many characters it takes; 0 where no list can say them."""
+    """The string literals of a unit without room for their zero byte, each with its array's size; 0 if no list can replace it."""
     for variable in view.of_kind(ccode.Variable):
         if variable.initializer is None or variable.valueType is None:
             continue
@@ -47,7 +47,7 @@ def without_zero(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Expression
 
 
 def _sizes(use: ccode.TypeUse) -> list[str]:
-    """The sizes of an array as they are written, those of a type that the program names too."""
+    """The sizes of an array as written, including those of a typedef that it uses."""
     made = matches(_SIZE, str(use.arrayDims or ""))
     named = use.declaration.aliased if isinstance(use.declaration, ccode.Typedef) else None
     return made + (_sizes(named) if named is not None else [])
@@ -76,7 +76,7 @@ def _within(
 def _members(
     given: ccode.InitializerList, kind: ValueType, constants: Mapping[str, int]
 ) -> Iterator[tuple[ccode.Expression, int]]:
-    """The texts for the members of a structure, which come in their order or say their member."""
+    """The string literals without room among the values of a structure, which are positional or designated."""
     members = members_of(kind)
     places = {str(member.name): place for place, member in enumerate(members)}
     place = 0
@@ -91,7 +91,7 @@ def _members(
 
 
 def _text(value: ccode.Expression) -> str:
-    """The text that a value is, as it is written, also where a macro of the program stands for it; empty for any other value."""
+    """The string literal that a value is, as written, also if a macro of the program stands for it; empty for any other value."""
     if isinstance(value, ccode.StringLiteral):
         return str(value.text)
     unit = ancestor_of_kind(value, ccode.SourceUnit) if isinstance(value, ccode.NameReference) and value.target is None else None
@@ -113,7 +113,7 @@ def _known(size: str, constants: Mapping[str, int]) -> int | None:
 
 
 def characters(literal: str) -> list[str]:
-    """The bytes of a text in C as they are written, without the zero byte at its end; pieces that stand side by side are one."""
+    """The bytes of a C string literal as written, without the final zero byte; adjacent literals count as one."""
     made: list[str] = []
     for piece in matches(_PIECE, literal.replace("\\\n", "")):
         for each in matches(_CHARACTER, piece):
@@ -123,6 +123,6 @@ def characters(literal: str) -> list[str]:
 
 
 def _listed(literal: str, size: int) -> str:
-    """The first characters of a text as a list."""
+    """The first `size` characters of a string literal as an initializer list."""
     shown = characters(literal)[:size]
     return "{" + ", ".join("'" + {"'": "\\'", '\\"': '"'}.get(each, each) + "'" for each in shown) + "}"

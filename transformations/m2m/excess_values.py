@@ -1,7 +1,7 @@
-"""Lists with more values than their array or structure has places for: compilers of C leave the rest out, C++ refuses it.
+"""Initializer lists with more values than their array or structure has places: C compilers drop the rest, C++ refuses it.
 
-Only lists are looked at whose values say no place (`designated_lists` reads the others), and whose size is a number that the
-program writes.
+Only lists without designators (`designated_lists` handles the others) and with a size that the program writes as a number are
+considered.
 """
 
 from __future__ import annotations
@@ -30,14 +30,14 @@ _SIZE = re.compile(r"\[([^\]]*)\]")
 
 
 def excess_values(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """The variables whose lists have more values than places."""
+    """Find variables whose initializer lists have more values than places."""
     for variable in view.of_kind(ccode.Variable):
         if isinstance(variable.initializer, ccode.InitializerList) and places(variable, data):
             yield Change(variable, RULE, "", "a list in C++ has no more values than there are places for")
 
 
 def places(variable: ccode.Variable, data: bytes) -> list[tuple[int, int, str]]:
-    """What of a variable's list goes (first byte, byte behind, new text).
+    """The deletions of excess values from a variable's list, as (first byte, byte after the last, new text).
 
     Args:
         variable: the variable.
@@ -92,6 +92,6 @@ def _excess(
 
 
 def _whole(field: ccode.Field) -> bool:
-    """Whether a member takes several values, for which inner braces may be left out; a text may stand for those of an array."""
+    """Whether a member is an aggregate, so that the inner braces around its values may be omitted."""
     kind = of_use(field.valueType)
     return kind is not None and (is_record(kind) or kind.dimensions > 0)

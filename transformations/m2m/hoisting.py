@@ -1,7 +1,7 @@
-"""Locals of main that its loop needs, as changes of text: their declarations leave main for file scope.
+"""Text changes that move locals of main to file scope because main's loop needs them.
 
-Which locals these are is decided in `queries.main_locals`. A declaration moves with its line where nothing but a comment stands
-there beside it. Where an initial value is not constant, the declaration is copied without it and the assignment stays.
+Which locals these are is decided in `queries.main_locals`. A declaration moves with its line if nothing but a comment is on it
+besides. If an initial value is not constant, the declaration is copied without it and an assignment stays in main.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from robosmi.transformations.queries.main_locals import MovedDeclaration
 from robosmi.transformations.queries.source_text import SourceText
 
 HOIST, SPLIT, BESIDE = "hoist-local", "hoist-local-split", "hoist-local-beside"
-"""Rules of dispositions: the declaration moves as it is; it moves without initial values; it is moved with another name's."""
+"""Rules of dispositions: the declaration moves as it is, it moves without initial values, or it moves with another variable's."""
 _AUTOMATIC = re.compile(rb"\b(?:auto|register)\b\s*")
 _CONST = re.compile(rb"\bconst\b\s*")
 
 
 def hoist(moved: MovedDeclaration, verdicts: Mapping[ccode.Variable, migration.Disposition], text: SourceText) -> None:
-    """Give the dispositions of what a declaration declares their changes of text, and the first one what stands at file scope.
+    """Set the text changes of a declaration's variables, and on the first of them the copy that is written at file scope.
 
     Args:
         moved: the declaration.
@@ -62,7 +62,7 @@ def _change(text: SourceText, place: Replacement, rule: str, reason: str) -> mig
 
 
 def _assignments(moved: MovedDeclaration, text: SourceText) -> Iterator[Replacement]:
-    """What goes of a declaration so that assignments of the values that are not constant are left."""
+    """The deletions that turn a declaration into assignments of its non-constant initial values."""
     position = int(moved.statement.startOffset)
     for number, variable in enumerate(moved.assigned):
         assert variable.initializer is not None
@@ -79,7 +79,7 @@ def _assignments(moved: MovedDeclaration, text: SourceText) -> Iterator[Replacem
 
 
 def _without_values(moved: MovedDeclaration, data: bytes) -> Iterator[Replacement]:
-    """What the copy leaves out: the values that stay in main, and what makes such a variable itself constant."""
+    """The deletions in the copy at file scope: initial values that stay in main, and `const` of the variables assigned later."""
     begin = int(moved.statement.startOffset)
     specifiers = name_place(moved.variables[0], data)
     before = begin
@@ -100,9 +100,9 @@ def _without_values(moved: MovedDeclaration, data: bytes) -> Iterator[Replacemen
 
 
 def _moved(moved: MovedDeclaration, source: SourceText) -> tuple[int, int, tuple[int, int]]:
-    """The range that leaves main where the whole declaration moves, and the range that is copied.
+    """The byte range that is deleted from main if the whole declaration moves, and the range that is copied.
 
-    Whole lines move where nothing but a comment stands there beside the declaration.
+    Whole lines are moved if nothing but a comment is on them besides the declaration.
     """
     start = int(moved.statement.startOffset)
     end = source.statement_end(moved.statement)

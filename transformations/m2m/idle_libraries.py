@@ -1,4 +1,4 @@
-"""Choices of libraries that would change nothing: adapters do without one what the program does with a component."""
+"""Closes open choices of libraries that would change nothing, because the adapters handle the component without a library."""
 
 from __future__ import annotations
 
@@ -12,7 +12,9 @@ _READY = (migration.AdapterStatus.filled, migration.AdapterStatus.care)
 
 
 def close_idle_choices(plan: migration.MigrationPlan) -> None:
-    """Decide for none where a library is open, all calls at the component's ports have a body, and no body uses one of them."""
+    """Choose no library for a component if all calls at its ports have adapters with bodies, and none of these uses a
+    candidate.
+    """
     uses = {str(use.name): use for use in plan.adapterUses}
     for choice in plan.libraryChoices:
         if not choice.open or choice.component is None:
@@ -30,7 +32,7 @@ def close_idle_choices(plan: migration.MigrationPlan) -> None:
 
 
 def _calls(plan: migration.MigrationPlan, component: hardware.Component) -> list[ccode.Call]:
-    """The calls at the ports of a component; none where one of these is open, or is used by no call that is known."""
+    """The platform calls at the ports of a component; empty if one of these ports is open or has no known call."""
     found: list[ccode.Call] = []
     for binding in plan.portBindings:
         connections = [each for each in (binding.connection, binding.answer) if each is not None]

@@ -1,8 +1,8 @@
-"""C that is no C++: what a compiler of the target's language refuses although C allows it, and the edit that fits each.
+"""C constructs that a compiler for the target's language (C++) refuses, each with the edit that mends it.
 
-A table of rules over the code model. Each finds elements and says which rule of `edit_rules` changes their text; what no
-simple edit mends is told by `refused_forms`. Which way a value is converted is read off `queries.expression_type`;
-declarations in the manner of old C are in `old_c`, variables that several declarations or files share in `shared_names`.
+A table of rules over the code model. Each rule finds elements and names the rule of `edit_rules` that changes their text; what
+no simple edit mends is reported by `refused_forms`. Conversions of values follow from `queries.expression_type`. Declarations
+in the style of old C are in `old_c`, variables that several declarations or files share in `shared_names`.
 """
 
 from __future__ import annotations
@@ -42,14 +42,14 @@ from robosmi.typed import matches
 
 
 def changes(view: CodeView, data: bytes, functions: Mapping[str, FunctionType], *, cplusplus: bool = True) -> list[Change]:
-    """What has to change in a unit.
+    """The changes of text that a unit needs for the target's language.
 
     Args:
         view: the unit.
         data: its bytes.
-        functions: what adapters take and give.
-        cplusplus: whether the target's language is C++; in C all stays but what the program nowhere defines, registers
-            that are only read, and assembler.
+        functions: types of the adapters' functions, by name.
+        cplusplus: whether the target's language is C++; in C only undefined variables, read-only registers and inline assembler
+            are changed.
     """
     functions = {**_library(view), **functions}
     found: dict[tuple[int, int, str], Change] = {}
@@ -61,14 +61,14 @@ def changes(view: CodeView, data: bytes, functions: Mapping[str, FunctionType], 
 
 
 def _sizes_of_characters(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """`sizeof 'a'`: a character is an int in C."""
+    """`sizeof 'a'`: a character constant has type int in C and char in C++."""
     for size in view.of_kind(ccode.SizeOf):
         if isinstance(size.operand, ccode.CharacterLiteral):
             yield Change(size, "replace", "sizeof(int32_t)", "a character has the size of an int in C")
 
 
 def _name_of_main(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """`__func__` in main, whose statements stand in functions of other names on the target."""
+    """`__func__` in main: on the target main's statements are in functions of other names."""
     main = main_of(view.unit) if b"__func__" in data or b"__FUNCTION__" in data else None
     for literal in all_of_kind(main, ccode.StringLiteral) if main is not None else ():
         if data[literal.startOffset : literal.endOffset] in (b"__func__", b"__FUNCTION__"):
@@ -76,7 +76,7 @@ def _name_of_main(view: CodeView, data: bytes, functions: Mapping[str, FunctionT
 
 
 def _library(view: CodeView) -> dict[str, FunctionType]:
-    """What the functions of the standard library that a unit calls take and give, as their header says."""
+    """Types of the standard library functions that a unit calls, by name, as their headers declare them."""
     made: dict[str, FunctionType] = {}
     for call in view.calls:
         entry = view.resolve(call.calleeName) if call.calleeName and call.calleeName not in made else None
@@ -88,7 +88,7 @@ def _library(view: CodeView) -> dict[str, FunctionType]:
 
 
 def _comparisons(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Comparisons of a pointer with a number, which are one of numbers in C."""
+    """Comparisons of a pointer with a number, and of pointers to functions of different types: C accepts them, C++ does not."""
     for binary in view.of_kind(ccode.Binary):
         left, right = binary.left, binary.right
         if binary.operator not in COMPARISONS or left is None or right is None:
@@ -109,7 +109,7 @@ def _comparisons(view: CodeView, data: bytes, functions: Mapping[str, FunctionTy
 
 
 def _function(value: ccode.Expression, view: CodeView) -> ccode.Function | None:
-    """The function whose address a value is, also where macros of the program stand for its name."""
+    """The function whose address a value is, resolved through macros of the program; None for any other value."""
     inner = value.operand if isinstance(value, ccode.Unary) and value.operator == "&" else value
     if not isinstance(inner, ccode.NameReference):
         return None
@@ -124,7 +124,7 @@ def _function(value: ccode.Expression, view: CodeView) -> ccode.Function | None:
 
 
 def _signature(function: ccode.Function) -> tuple[str, ...]:
-    """What tells the types of functions apart; one that says nothing of its parameters is like no other."""
+    """A key that is equal for functions of one type; a function with unspecified parameters equals no other."""
     taken = [plain_type(p.valueType.spelling) for p in function.parameters if p.valueType is not None]
     gives = plain_type(function.returnType.spelling) if function.returnType is not None else ""
     unsaid = str(function.name) if re.search(r"\(\s*\)$", function.signature) and not function.definition else ""
@@ -132,7 +132,7 @@ def _signature(function: ccode.Function) -> tuple[str, ...]:
 
 
 def _enumerations(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Counting and adding in an enumeration: the sum is a number in C++, which has to be made a value again."""
+    """Increments and compound assignments of enumeration variables, whose result needs a cast in C++."""
     for step in view.of_kind(ccode.Unary):
         kind = _enumeration(step.operand, functions, data) if step.operator in ("++", "--") else ""
         if kind and step.operand is not None and not all_of_kind(step.operand, ccode.Call):
@@ -154,7 +154,7 @@ def _text(expression: ccode.Expression, data: bytes) -> str:
 
 
 def _enumeration(expression: ccode.Expression | None, functions: Mapping[str, FunctionType], data: bytes) -> str:
-    """How the enumeration is written that an expression is of, empty for any other type."""
+    """How the enumeration type of an expression is written; empty for an expression of any other type."""
     kind = type_of(expression, functions)
     if expression is None or kind is None or kind.depth or not isinstance(kind.declaration, ccode.Enumeration):
         return ""
@@ -164,7 +164,7 @@ def _enumeration(expression: ccode.Expression | None, functions: Mapping[str, Fu
 
 
 def _tags(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Tags and types, which have names of their own in C: where C++ cannot tell one name's two meanings apart."""
+    """Tags that clash with other type names: they have a name space of their own in C, but not in C++."""
     units = view.program.units
     typedefs = {d.name: d for u in units for d in u.declarations if isinstance(d, ccode.Typedef) and d.aliased is not None}
     words = {word for u in units for d in u.declarations for word in (str(d.name),)}
@@ -180,13 +180,13 @@ def _tags(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) ->
 
 
 def _type_names(use: ccode.TypeUse) -> list[str]:
-    """The names of types that stand in a type, without the tags of records."""
+    """The names in a type, without the tags of records and enumerations."""
     words = matches(r"[A-Za-z_]\w*", use.spelling)
     return [word for before, word in itertools.pairwise(["", *words]) if before not in ("struct", "union", "enum")]
 
 
 def _same(aliased: ccode.TypeUse, record: ccode.Record | ccode.Enumeration) -> bool:
-    """Whether a typedef is only another way to write a type's tag."""
+    """Whether a typedef only gives a tag's type the same name."""
     return not aliased.pointerDepth and not aliased.arrayDims and aliased.spelling.split()[1:] == [record.name]
 
 
@@ -258,4 +258,4 @@ TEXT_RULES = frozenset(
         "zero-value",
     }
 )
-"""Rules that each change a place of their own in a declaration, so that several may apply to one."""
+"""Rules that each change a separate part of a declaration, so that several may apply to one."""

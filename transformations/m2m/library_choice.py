@@ -1,8 +1,8 @@
-"""Which library drives which component: the ranking as decisions of the plan (paper 3.3).
+"""Decides which library drives which component: the ranking as decisions of the plan (paper 3.3).
 
-A choice is made by a person (flag, project file), by history, or by the ranking where it is sure enough; else it stays open.
-Every component that a board pin reaches gets a decision, with the candidates, the evidence and who chose. How libraries are
-ranked is `library_ranking`'s business, how a person is asked the command line's.
+A choice is made by a person (flag, project file), by history, or by the ranking if it is sure enough; else it stays open. Every
+component that a board pin reaches gets a decision with its candidates, the evidence and who chose. Libraries are ranked by
+`library_ranking`; the command line asks the person.
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ from robosmi.transformations.m2m.stored_choices import Said, explain
 from robosmi.transformations.queries.circuit import component_named
 
 NO_LIBRARY = "none"
-"""What a person says, instead of a library's name, when a component needs none."""
+"""The choice that a component needs no library."""
 
 
 def component_query(component: hardware.Component) -> ComponentQuery:
-    """What a ranker is told of a drawn component."""
+    """The description of a drawn component that a ranker searches with."""
     return ComponentQuery(
         id=component.elementId,
         title=component.partTitle or component.title,
@@ -44,7 +44,7 @@ def component_query(component: hardware.Component) -> ComponentQuery:
 
 
 class LibraryModels(Struct, dict=True):
-    """Library elements of the target's platform model by name, made when first named.
+    """The target's libraries as model elements, made when they are first asked for.
 
     Attributes:
         target: the target.
@@ -58,7 +58,7 @@ class LibraryModels(Struct, dict=True):
 
     @cached_property
     def takes(self) -> Mapping[str, Takes]:
-        """What libraries take of the target, by name."""
+        """The hardware resources (timers, pins) that each library occupies, by name."""
         return library_takes(self.target.libraries, self.board)
 
     @cached_property
@@ -67,7 +67,7 @@ class LibraryModels(Struct, dict=True):
         return library_index(self.target.libraries)
 
     def get(self, name: str) -> platform.Library:
-        """The element of a library, with those that it depends on.
+        """The model element of a library; the libraries it depends on are made with it.
 
         Raises:
             UsageError: no library has that name.
@@ -94,14 +94,14 @@ class LibraryModels(Struct, dict=True):
         return self.elements[name]
 
     def taken_by(self, library: platform.Library | None) -> list[Takes]:
-        """What a library and those that it depends on take of the target, as far as is known."""
+        """The known hardware resources (timers, pins) that a library and its dependencies occupy."""
         if library is None:
             return []
         return [self.takes[name] for name in (library.name, *library.depends) if name in self.takes]
 
 
 class _OfTarget(Struct, frozen=True):
-    """Earlier choices without those of libraries that the target does not have, made for another platform perhaps."""
+    """The history of choices restricted to libraries that the target has; others were chosen for another platform."""
 
     history: Choices
     models: LibraryModels
@@ -221,7 +221,7 @@ def _decide(
 
 
 def _by_rule(recommendation: Recommendation) -> tuple[str, str]:
-    """What follows from an answer that is sure enough: a library or none, and why."""
+    """The choice that a sufficiently sure ranking implies: a library or none, and the reasons as text."""
     if not recommendation.candidates:  # the target has no libraries
         return NO_LIBRARY, "; ".join(recommendation.reasons)
     first = recommendation.candidates[0]

@@ -1,4 +1,4 @@
-"""The values of a list in braces, with what names their places: tokens in, values and places out.
+"""Parses initializer lists in braces into values and designators.
 
 How a list is written by position is decided in `designated_lists` and `reordered_lists`.
 """
@@ -14,22 +14,22 @@ from robosmi.transformations.knowledge.lexer import Token
 from robosmi.transformations.queries.expression_type import ValueType, of_use
 
 MOST = 256
-"""Elements in a row that are left out and still written as `{}`."""
+"""Limit on consecutive omitted elements that are written out as `{}`."""
 
 
 class ListValue(Struct, frozen=True):
-    """A value of a list: the tokens of its designator (none for most), and those of its own."""
+    """A value of an initializer list: the tokens of its designator (none for most values) and those of the value."""
 
     designator: Sequence[Token]
     value: Sequence[Token]
 
 
 class UnknownList(Exception):
-    """The list cannot be written by position."""
+    """Raised when a list cannot be written by position."""
 
 
 def constants_of(variable: ccode.Variable | ccode.Cast) -> Mapping[str, int]:
-    """Numbers that names stand for: enumerators, and macros that are a number."""
+    """The values of named constants visible at an element: enumerators, and macros that are a number."""
     element = variable.eContainer()
     while element is not None and not isinstance(element, ccode.SourceUnit):
         element = element.eContainer()
@@ -56,19 +56,19 @@ def _integer(text: str) -> int | None:
 
 
 def is_record(kind: ValueType | None) -> bool:
-    """Whether a type is a structure or union, and no pointer to one."""
+    """Whether a type is a structure or union, not a pointer to one."""
     return kind is not None and kind.depth == 0 and isinstance(kind.declaration, ccode.Record)
 
 
 def members_of(kind: ValueType | None) -> Sequence[ccode.Field]:
-    """The members of a structure or union that take a value, in their order; none of any other type."""
+    """The members of a structure or union that take an initial value, in order; none for any other type."""
     record = kind.declaration if kind is not None and is_record(kind) else None
     fields = record.fields if isinstance(record, ccode.Record) else ()
     return [field for field in fields if field.name or not _is_gap(field)]
 
 
 def _is_gap(field: ccode.Field) -> bool:
-    """Whether a member without a name is a gap between bit fields, and no record whose members are the outer one's."""
+    """Whether an unnamed member is padding (an unnamed bit field) rather than an anonymous record."""
     kind = of_use(field.valueType)
     return kind is not None and kind.arithmetic
 
@@ -80,7 +80,7 @@ def is_union(kind: ValueType | None) -> bool:
 
 
 def values_of(words: Sequence[Token]) -> list[ListValue]:
-    """The values of a list, from the tokens between its braces.
+    """Split the tokens between the braces of a list into its values.
 
     Raises:
         UnknownList: a designator has no value behind it.
@@ -105,7 +105,7 @@ def values_of(words: Sequence[Token]) -> list[ListValue]:
 
 
 def _behind_designator(part: Sequence[Token]) -> int:
-    """How many tokens a designator takes, with its `=`, or the `:` of GNU C (`name: value`); 0 for a value without one."""
+    """The number of tokens of a value's designator, including `=` or GNU C's `:` (`name: value`); 0 if it has none."""
     if part[0][0] == "name" and len(part) > 1 and part[1][3] == ":":
         return 2
     if part[0][3] not in ("[", "."):
@@ -115,13 +115,13 @@ def _behind_designator(part: Sequence[Token]) -> int:
 
 
 def named_places(designator: Sequence[Token]) -> list[str]:
-    """What a designator names, as words: `.` and a member, or `[`, an index and `]`, one after the other."""
+    """The steps of a designator as a list of words: `.` and a member's name, or `[`, an index and `]`."""
     texts = [word[3] for word in designator[:-1]]
     return [".", *texts] if designator[-1][3] == ":" else texts
 
 
 def index_value(text: str, constants: Mapping[str, int]) -> int:
-    """The value of an index: numbers, names of numbers and characters, added and subtracted.
+    """Evaluate an array index: sums and differences of numbers, named constants and character constants.
 
     Raises:
         UnknownList: it has something else in it.

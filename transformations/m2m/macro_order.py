@@ -1,7 +1,7 @@
-"""Whether a conversion that is written in the body of a macro leaves it to every use what is calculated first.
+"""Whether a cast in a macro's body keeps the order of evaluation of every use of the macro.
 
-`#define SCALE(v, k) v * k` used as `SCALE(a + 1, 2)` is `a + 1 * 2`. A conversion of `v` needs parentheses, which would make it
-`(a + 1) * 2`. So there all uses have to give one operand for it, as far as their text tells.
+`#define SCALE(v, k) v * k` used as `SCALE(a + 1, 2)` is `a + 1 * 2`. A cast of `v` needs parentheses, which would make it `(a +
+1) * 2`. So a cast is written there only if, as far as the text tells, every use passes a single operand for `v`.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _BEHIND = frozenset([")", "]", "}", ",", ";"])
 
 
 class _Use(Struct, frozen=True):
-    """A use of a macro: its arguments, the words before and behind it, and the parameters of the macro whose body it is in."""
+    """A use of a macro: its arguments, the tokens before and after it, and the parameters of the macro whose body contains it."""
 
     given: Sequence[Sequence[Token]]
     before: str
@@ -32,10 +32,10 @@ class _Use(Struct, frozen=True):
 
 
 class MacroOrder(Struct, dict=True):
-    """The macros of a program and their uses.
+    """The macros of a program and their uses, for judging where parentheses may be inserted.
 
     Attributes:
-        units: of the program.
+        units: the program's units.
         texts: path of a unit -> its bytes.
     """
 
@@ -47,20 +47,22 @@ class MacroOrder(Struct, dict=True):
         self._loose: dict[str, bool] = {}
 
     def stays(self, place: TextPlace) -> bool:
-        """Whether parentheses around a place of a macro's body change nothing for any use."""
+        """Whether parentheses around a part of a macro's body keep the meaning of every use."""
         if place not in self._stays:
             self._stays[place] = self._judged(place)
         return self._stays[place]
 
     def computed_before(self, place: TextPlace) -> bool:
-        """Whether a place stands in a macro that a directive computes with (`#if PIN(3) > 12`), which knows no types."""
+        """Whether a place is in a macro that a preprocessor condition evaluates (`#if PIN(3) > 12`), where no casts are
+        allowed.
+        """
         return place.body and any(
             m.unit == place.unit and m.name in self._in_conditions and _within(m.body, place) for m in self._macros
         )
 
     @cached_property
     def _in_conditions(self) -> set[str]:
-        """The macros that conditions of directives use, and those that these use."""
+        """The macros that preprocessor conditions use, directly or through other macros."""
         conditions = " ".join(str(each.condition or "") for unit in self.units for each in unit.conditionals)
         waiting = [name for _, _, name in name_tokens(conditions.encode())]
         found: set[str] = set()
@@ -89,17 +91,19 @@ class MacroOrder(Struct, dict=True):
         )
 
     def _alone(self, words: Sequence[Token], at: int) -> bool:
-        """Whether a word has parentheses of its own, which are not those of a macro's arguments."""
+        """Whether a token is enclosed by parentheses that are not those of a macro call."""
         inside = 0 < at < len(words) - 1 and words[at - 1][3] == "(" and words[at + 1][3] == ")"
         return inside and (at < 2 or words[at - 2][3] not in self._by_name)
 
     def _one_operand(self, words: Sequence[Token], names: Collection[str]) -> bool:
-        """Whether an argument is one operand, whatever stands beside it; what a parameter stands for is not known."""
+        """Whether an argument is a single operand regardless of its context; unknown, and so false, for a parameter of another
+        macro.
+        """
         whole, first = _operand(words)
         return whole and first not in names and not self._is_loose(first)
 
     def _is_loose(self, name: str) -> bool:
-        """Whether a name is a macro that stands for more than one operand; the macro that it begins with counts, too."""
+        """Whether a name is a macro that expands to more than one operand, directly or through the macro its body begins with."""
         chain: list[str] = []
         loose = False
         while name in self._by_name and name not in self._loose and name not in chain:
@@ -123,7 +127,7 @@ class MacroOrder(Struct, dict=True):
 
     @cached_property
     def _uses(self) -> dict[str, list[_Use]]:
-        """Name of a macro -> its uses, in the text of the units and in bodies of macros."""
+        """The uses of each macro by its name, in the text of the units and in bodies of macros."""
         found: dict[str, list[_Use]] = {}
         for unit in self.units:
             for name, use in self._uses_in(TokenText(self.texts[unit.path]), ()):
@@ -154,7 +158,7 @@ def _within(words: Sequence[Token], place: TextPlace) -> list[Token]:
 
 
 def _operand(words: Sequence[Token]) -> tuple[bool, str]:
-    """Whether words are one operand as they are written, and the first word behind its signs."""
+    """Whether tokens form a single operand (prefix signs and postfix operators included), and its first token after the signs."""
     at = 0
     while at < len(words) - 1 and words[at][3] in _SIGNS:
         at += 1

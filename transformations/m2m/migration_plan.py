@@ -1,7 +1,7 @@
-"""The migration plan: partition, connections, port bindings and library choices put together (the hub of the method).
+"""Assembles the migration plan, the hub of the method, from partition, connections, port bindings and library choices.
 
-Each decision is made by its own module; here they are given the same trace and become one model. Inputs are recorded
-with their digests, so that a stored plan can tell whether it still belongs to its sources.
+Each decision is made by a module of its own; here they get a common trace and become one model. The digests of the inputs are
+recorded, so that a stored plan can tell whether it still belongs to its sources.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from robosmi.typed import distinct
 
 
 class LibrariesSaid(Struct, frozen=True):
-    """What persons said of libraries, and how far rules may go.
+    """What persons chose about libraries, and how sure rules must be to choose.
 
     Attributes:
         libraries: component (title or `#model_index`) -> library.
@@ -54,7 +54,7 @@ class LibrariesSaid(Struct, frozen=True):
 
 
 class Hardware(Struct, frozen=True):
-    """The hardware side of a migration: the drawing, its board component, the connections, what was odd."""
+    """The hardware side of a migration: the drawing's circuit, its board component and the board's connections."""
 
     circuit: hardware.Circuit
     board: hardware.Component
@@ -64,7 +64,7 @@ class Hardware(Struct, frozen=True):
 def judge_program(
     views: Sequence[CodeView], target: TargetFacts, choice: AdapterChoice, files: Mapping[str, bytes], look_up: Sequence[str] = ()
 ) -> tuple[Dependence, Trace]:
-    """What happens to each element of the program, and from what that was made.
+    """Decide what happens to each element of the program; returns this partition and the trace of what it was made from.
 
     Args:
         views: a view of each unit of the program; paths of units are relative to the models' folder.
@@ -84,7 +84,7 @@ def decide_libraries(
     ranker: Ranker | None,
     history: EarlierChoices,
 ) -> tuple[list[migration.LibraryChoice], LibraryModels]:
-    """The decision about libraries for each component that a board pin reaches, and the libraries that these name.
+    """The library decision of each component that a board pin reaches, and the libraries that these decisions name.
 
     Args:
         drawn: the hardware, or None where there is no drawing.
@@ -153,7 +153,7 @@ class Decided(Struct, frozen=True):
 def put_together(
     d: Decided, check: Callable[[migration.MigrationPlan], Sequence[Finding]]
 ) -> tuple[migration.MigrationPlan, platform.PlatformRepository]:
-    """The plan of a migration, and the part of the platform models that it refers to.
+    """Assemble the plan of a migration and the part of the platform models that it refers to.
 
     Args:
         d: the decisions; those that were part of an earlier plan are moved into this one.

@@ -1,7 +1,7 @@
-"""Types that are defined among the members of a record: C++ keeps their names to the record, C does not.
+"""Types defined among the members of a record: C++ scopes their names to the record, C does not.
 
-An enumeration is defined before the record instead; one without a name gets one. A record is told where it is used by the name of
-the one around it. What else of C is no C++ is in `language_gap`.
+An enumeration is moved before the record, with a new name if it has none. A nested record is named through the enclosing one
+(`outer::inner`) where it is used. Other C constructs that C++ refuses are in `language_gap`.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from robosmi.transformations.queries.tokens import name_tokens
 
 
 def nested_enumerations(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Enumerations within records, each with its text and its name."""
+    """Find enumerations defined inside records, each with the text of its definition under a name."""
     taken: set[str] = set()
     for enumeration in view.of_kind(ccode.Enumeration):
         record = _record_around(enumeration)
@@ -58,7 +58,7 @@ def _record_around(enumeration: ccode.Enumeration) -> ccode.Record | None:
 
 
 def before_record(enumeration: ccode.Enumeration, text: str) -> list[tuple[int, int, str]]:
-    """What changes: the definition comes before the declaration that the record is in, and its name stays in its place.
+    """The changes that move an enumeration's definition before the record's declaration and leave its name in its place.
 
     Args:
         enumeration: the enumeration.
@@ -77,12 +77,12 @@ RECORDS = frozenset({"struct", "union"})
 
 
 def tags_within(data: bytes, record: ccode.Located, owner: str) -> dict[str, str]:
-    """The tags of records that are defined among the members of another one -> their names in C++.
+    """The tags of records defined inside another record, each with its qualified name in C++.
 
     Args:
         data: the bytes of its unit.
-        record: the one around them.
-        owner: its name.
+        record: the enclosing record.
+        owner: the enclosing record's name.
     """
     words = [word for word in tokens(data[record.startOffset : record.endOffset]) if word[0] not in ("comment", "directive")]
     found: dict[str, str] = {}
@@ -104,7 +104,7 @@ def _tag_before(words: Sequence[Token], brace: int) -> str:
 
 
 def nested_tags(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Records whose members' records are used by their tags outside of them."""
+    """Find records whose nested records may be named by their tags elsewhere."""
     for record in view.of_kind(ccode.Record):
         owner = str(record.name or "") or _typedef_of(record)
         for tag, name in tags_within(data, record, owner).items() if owner else ():
@@ -112,7 +112,7 @@ def nested_tags(view: CodeView, data: bytes, functions: Mapping[str, FunctionTyp
 
 
 def _typedef_of(record: ccode.Record) -> str:
-    """The name of the type that a record without a name is defined for."""
+    """The typedef name that an unnamed record is defined for; empty if there is none."""
     around = record.eContainer()
     beside = around.declarations if isinstance(around, (ccode.SourceUnit, ccode.DeclarationStatement)) else ()
     types = (d for d in beside if isinstance(d, ccode.Typedef) and d.startOffset <= record.startOffset < d.endOffset)
@@ -120,11 +120,11 @@ def _typedef_of(record: ccode.Record) -> str:
 
 
 def tag_places(record: ccode.Record, choice: str, unit: ccode.SourceUnit, data: bytes) -> list[tuple[int, int, str]]:
-    """Where a unit names a record that is defined in another one, outside of that.
+    """The replacements of a nested record's tag in a unit, outside of the enclosing record, by its qualified name.
 
     Args:
-        record: the one around it.
-        choice: its tag and, behind a blank, its name in C++.
+        record: the enclosing record.
+        choice: the nested record's tag and its qualified name in C++, separated by a blank.
         unit: the unit.
         data: its bytes.
     """

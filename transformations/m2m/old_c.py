@@ -1,8 +1,8 @@
-"""Declarations in the manner of old C: what C++ wants of them.
+"""Declarations in the style of old C that C++ refuses, each with the edit that mends it.
 
-Parameter lists that say nothing, parameters declared behind the list, types that are left out, functions that end without
-the value they promise. Each finds elements and says which rule of `edit_rules` changes their text. Conversions of values
-are in `language_gap`.
+These are empty parameter lists, parameters declared after the list (K&R), implicit int, and functions that end without
+returning their value. Each rule finds elements and names the rule of `edit_rules` that changes their text. Conversions of
+values are in `language_gap`.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _QUALIFIERS = re.compile(r"(?:\b(?:static|const|volatile|extern|register|auto|in
 
 
 def empty_lists(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """`f()` says nothing of its parameters in C and that there are none in C++."""
+    """Declarations `f()`, which leave the parameters unspecified in C and mean none in C++."""
     units = view.program.units
     others = (d for u in units if u is not view.unit for d in u.declarations if isinstance(d, ccode.Function) and d.definition)
     defined = {d.name: d for d in others if d.storage.name != "staticStorage"}
@@ -41,7 +41,7 @@ def empty_lists(view: CodeView, data: bytes, functions: Mapping[str, FunctionTyp
 
 
 def missing_arguments(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """A call with fewer arguments than its function takes, before a list of parameters says which those are."""
+    """Calls with fewer arguments than their function takes, which compile in C while the prototype is empty."""
     for call in view.of_kind(ccode.Call):
         function = call.callee
         if function is None or not function.definition or call.viaMacro or not data[: call.endOffset].endswith(b")"):
@@ -54,7 +54,7 @@ def missing_arguments(view: CodeView, data: bytes, functions: Mapping[str, Funct
 
 
 def parameters_behind(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """`f(a) int a; {`: the types of the parameters come into the list."""
+    """K&R definitions, `f(a) int a; {`: the parameters' types have to move into the list."""
     for function in view.of_kind(ccode.Function):
         names = [p.name for p in function.parameters]
         inner = function.signature[function.signature.find("(", function.signature.find(function.name)) + 1 :].removesuffix(")")
@@ -63,7 +63,7 @@ def parameters_behind(view: CodeView, data: bytes, functions: Mapping[str, Funct
 
 
 def implicit_int(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """A declaration without a type is one of type int."""
+    """Declarations without a type, which C reads as int."""
     for element in (*view.of_kind(ccode.Function), *view.of_kind(ccode.Variable)):
         if element.name == "main" or (isinstance(element, ccode.Variable) and declared_with_others(element)):
             continue
@@ -74,13 +74,13 @@ def implicit_int(view: CodeView, data: bytes, functions: Mapping[str, FunctionTy
 
 
 def _without_macros(head: str, view: CodeView) -> str:
-    """What stands before a name, without the platform's macros that say where a thing lies."""
+    """The text before a declared name without the platform's attribute macros, which only say where an object is placed."""
     places = set(view.api.settings["parser"].get("attribute_macros", []))
     return re.sub(r"\w+", lambda word: "" if word[0] in places else word[0], head)
 
 
 def missing_returns(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """A function that ends without its value: harmless in C where nobody uses the value, undefined in C++ in any case."""
+    """Functions that may end without returning a value: harmless in C if the value is unused, undefined behaviour in C++."""
     for function in view.of_kind(ccode.Function):
         body, returned = function.body, function.returnType
         if body is None or returned is None or function.name == "main":
@@ -93,7 +93,7 @@ def missing_returns(view: CodeView, data: bytes, functions: Mapping[str, Functio
 
 
 def _leaves(statement: ccode.Statement | None) -> bool:
-    """Whether nothing gets behind a statement, as far as is plain; a function that never comes back is not known."""
+    """Whether control certainly never passes the end of a statement; calls are assumed to return."""
     pending = [statement]
     while pending:
         current = pending.pop()
@@ -112,7 +112,7 @@ def _leaves(statement: ccode.Statement | None) -> bool:
 
 
 def returns(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """`return;` where a value is promised, `return value;` where none is."""
+    """`return;` in a function with a value, and `return value;` in a void function."""
     for leave in view.of_kind(ccode.Return):
         function = ancestor_of_kind(leave, ccode.Function)
         if function is None or function.name == "main" or function.returnType is None:
@@ -129,14 +129,18 @@ def returns(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) 
 
 
 def jumped_over(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """A jump over a local's initial value: the value becomes an assignment, which may be jumped over."""
+    """Locals whose initialization a jump skips, which C++ refuses: the initial value becomes an assignment, which may be
+    skipped.
+    """
     for variable in _over(view):
         if _assignable(variable):
             yield Change(variable, "assign-behind", variable.name, "C++ jumps over no initial value")
 
 
 def jumped_over_for_good(view: CodeView) -> Iterator[ccode.Variable]:
-    """Locals with an initial value that is jumped over and that nothing assigns: arrays, constants, one of several names."""
+    """Locals whose skipped initialization cannot become an assignment: arrays, constants, variables declared together with
+    others.
+    """
     return (variable for variable in _over(view) if not _assignable(variable) and variable.storage.name != "staticStorage")
 
 
@@ -147,7 +151,7 @@ def _assignable(variable: ccode.Variable) -> bool:
 
 
 def _over(view: CodeView) -> Iterator[ccode.Variable]:
-    """Locals with an initial value that is jumped over."""
+    """Locals whose initialization a jump skips."""
     jumps = _Jumps(view)
     for statement in view.of_kind(ccode.DeclarationStatement):
         scope, function = statement.eContainer(), ancestor_of_kind(statement, ccode.Function)
@@ -157,7 +161,7 @@ def _over(view: CodeView) -> Iterator[ccode.Variable]:
 
 
 class _Jumps:
-    """Where a unit jumps to: looked up once for each function and block, since a function may have thousands of locals.
+    """The jumps of a unit, indexed once by function and block, since a function may have thousands of locals.
 
     Args:
         view: the unit.
@@ -173,7 +177,7 @@ class _Jumps:
         self._entries: dict[ccode.Block, list[tuple[int, str | None]]] = {}
 
     def over(self, statement: ccode.Statement, scope: object, function: ccode.Function) -> bool:
-        """Whether there is a jump from before a statement to behind it in its block."""
+        """Whether a jump leads from before a statement to after it within the statement's block."""
         if not isinstance(scope, ccode.Block):
             return False
         if scope not in self._entries:
@@ -185,7 +189,9 @@ class _Jumps:
         return any(at > start and self._first_jump.get((function, label or ""), start) < start for at, label in reversed(entries))
 
     def _entries_of(self, block: ccode.Block) -> Iterator[tuple[int, str | None]]:
-        """Where a block can be entered: the offset of a statement in it, and a label in that or None for a case of its switch."""
+        """Where jumps may enter a block: the offset of a statement, and the label in it, or None for a case of the block's
+        switch.
+        """
         if isinstance(block.eContainer(), ccode.Switch):
             yield from ((s.startOffset, None) for s in block.statements if isinstance(s, (ccode.Case, ccode.Default)))
         elif self._first_jump:
@@ -193,7 +199,7 @@ class _Jumps:
 
 
 def zero_constants(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """A constant without a value, which is zero in C."""
+    """Constants without an initial value, which are zero in C and refused in C++."""
     for variable in view.unit.declarations:
         if not isinstance(variable, ccode.Variable):
             continue
@@ -210,11 +216,11 @@ def zero_constants(view: CodeView, data: bytes, functions: Mapping[str, Function
 
 
 _SIZE_WORDS = re.compile(r"(?:static|const|volatile|restrict)\b")
-"""Words within the brackets of a parameter, which say nothing of its values (C11 6.7.6.3)."""
+"""Keywords inside the brackets of an array parameter, which do not change its type (C11 6.7.6.3)."""
 
 
 def sizes_of_parameters(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """An array as a parameter whose size is another parameter, or no constant otherwise."""
+    """Array parameters whose size is another parameter or otherwise not constant."""
     for parameter in view.of_kind(ccode.Parameter):
         sizes = parameter.valueType.arrayDims if parameter.valueType is not None else ""
         function = ancestor_of_kind(parameter, ccode.Function)
@@ -232,13 +238,13 @@ WORDS = {
     "_Alignof": "alignof",
     "auto": "",
 }
-"""Words of C99 and C11 -> what C++ or its GNU compilers call the same; empty where they want none."""
+"""Keywords of C99 and C11 and their equivalents in C++ or GNU C++; empty where none is needed."""
 _ONCE = frozenset({"const", "volatile"})
-"""Words that C takes twice in a row (C11 6.7.3) and C++ once."""
+"""Qualifiers that C allows twice in a row (C11 6.7.3) and C++ only once."""
 
 
 def word_places(data: bytes) -> Iterator[tuple[int, int, str]]:
-    """The words of C that C++ has by other names (first byte, byte behind, new text)."""
+    """The replacements, as (first byte, byte after the last, new text), of C keywords that have another name in C++."""
     last, before = 0, ""
     for start, end, name in name_tokens(data):
         repeated = name in _ONCE and name == before and not data[last:start].strip()
@@ -250,7 +256,7 @@ def word_places(data: bytes) -> Iterator[tuple[int, int, str]]:
 
 
 def words_of_c(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Declarations with words of C that C++ has by other names; words between declarations come with one of these."""
+    """Declarations with C keywords that have another name in C++; keywords between declarations are attributed to a neighbour."""
     if not any(word.encode() in data for word in (*WORDS, *_ONCE)):
         return
     found = {start for start, _, _ in word_places(data)}
@@ -272,7 +278,7 @@ def words_of_c(view: CodeView, data: bytes, functions: Mapping[str, FunctionType
 
 
 def hidden_counters(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """A body of a loop that declares a name which the loop's head declares, too: in C the body is a block within."""
+    """Loop bodies that redeclare a name from the loop's head, allowed in C, where the body is a scope of its own."""
     for loop in view.of_kind(ccode.For):
         body, head = loop.body, loop.initial if isinstance(loop.initial, ccode.DeclarationStatement) else loop.declaration
         if head is None or not isinstance(body, ccode.Block) or is_torn(body):
@@ -295,4 +301,4 @@ RULES = (
     sizes_of_parameters,
     words_of_c,
 )
-"""The rules, by which of them comes first in a function's text."""
+"""The rules, in the order in which their edits come in a function's text."""

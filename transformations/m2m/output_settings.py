@@ -1,7 +1,7 @@
-"""What pins get before the program moves them, and what was measured of the servos on them, as parts of the plan's connections.
+"""Sets on the plan's connections the levels that outputs have before the program sets them, and the measured values of servos.
 
-The level at which a device does nothing is data of its kind; what a person has measured stands in robosmi.toml. Texts of the
-target are made elsewhere (`m2t`).
+The inactive level of a device is data of its kind; what a person has measured is in robosmi.toml. The target's text is
+generated elsewhere (`m2t`).
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ from robosmi.typed import distinct
 
 
 def set_rest_levels(connections: Sequence[migration.Connection]) -> None:
-    """Give each connection that drives something the level at which that does nothing, where its kind has one.
+    """Set the level at which the driven device is inactive, for each output connection whose kind of device has one.
 
     Args:
-        connections: of the target board, their circuit described.
+        connections: the connections of the target board, with their circuit described.
     """
     for connection in connections:
         device = connection.component.device if connection.component is not None else None
@@ -30,7 +30,7 @@ def set_rest_levels(connections: Sequence[migration.Connection]) -> None:
 def set_servo_trims(
     connections: Sequence[migration.Connection], bindings: Sequence[migration.PortBinding], servos: Mapping[str, ServoTrim]
 ) -> None:
-    """Give connections of servos the neutral pulses and speeds that persons have measured.
+    """Set the measured neutral pulses and speeds (in microseconds) on the connections of servos.
 
     Args:
         connections: of the target board.
@@ -66,7 +66,7 @@ def set_servo_trims(
 def _named(
     name: str, connections: Sequence[migration.Connection], bindings: Sequence[migration.PortBinding]
 ) -> list[migration.Connection]:
-    """The connections that a name means, by its likeliest meaning."""
+    """The connections that a name refers to: by their ports if any has that name, else by component or connection."""
     bound = [b.connection for b in bindings if b.connection is not None and name in (b.name, *b.names)]
     drawn = [
         c

@@ -1,8 +1,8 @@
-"""Placeholders for names of the source platform that are no functions: constants, registers, variables, types, attributes.
+"""Placeholder declarations for source platform names other than functions: constants, registers, variables, types, attributes.
 
-Each becomes a declaration that lets the retained code compile and a task that says what it has to mean. Types are
-guessed from their uses: members, pointers and arithmetic tell a record from a number. A name that the target has
-already is put aside for the program only (see `target_names`).
+Each placeholder lets the retained code compile and comes with a task that says what it has to mean. Types are inferred from
+their uses: members, pointers and arithmetic tell a record from a number. A name that the target already has is hidden for the
+program only (see `target_names`).
 """
 
 from __future__ import annotations
@@ -42,13 +42,13 @@ _NO_TYPES = ARITHMETIC | {
 }
 
 _PREDEFINED = frozenset({"__LINE__", "__FILE__", "__DATE__", "__TIME__", "__func__", "__FUNCTION__", "__COUNTER__"})
-"""What every compiler has and none lists among its macros."""
+"""Macros that every compiler predefines but does not list."""
 
 
 def used_symbols(
     views: Sequence[CodeView], adapted: Iterable[str], target: TargetFacts, names: TargetNames
 ) -> dict[str, list[ccode.NameReference]]:
-    """The values that need a placeholder, with their uses: the platform's, and those that nobody knows.
+    """The platform's values and unknown values that need a placeholder, with their uses.
 
     Args:
         views: a view of each unit.
@@ -89,7 +89,7 @@ def used_symbols(
 
 
 def standard_values(views: Sequence[CodeView], target: TargetFacts) -> Iterable[tuple[str, str, list[ccode.NameReference]]]:
-    """Values of standard headers that the program uses: the name, its header and its uses; a target may have them with others.
+    """Values of standard headers that the program uses, as (name, header, uses); the target may give them other values.
 
     Args:
         views: a view of each unit.
@@ -110,7 +110,7 @@ def standard_values(views: Sequence[CodeView], target: TargetFacts) -> Iterable[
 
 
 def size_names(views: Sequence[CodeView]) -> set[str]:
-    """Names in the sizes of arrays that nothing in the program declares: the model has sizes as text."""
+    """Names in array sizes that nothing in the program declares; the model keeps sizes as text only."""
     written = {w for v in views for t in v.of_kind(ccode.TypeUse) for w in names_in(t.arrayDims or "")}
     declared = {d.name for v in views for d in v.of_kind(ccode.Declaration)} if written else set()
     return written - declared - _own(views) - _NO_TYPES - {"sizeof"}
@@ -127,7 +127,7 @@ def _own(views: Sequence[CodeView]) -> set[str]:
 
 
 def _macros_of_others(view: CodeView, views: Sequence[CodeView]) -> set[str]:
-    """Macros of the platform that a file uses and that only another file defines for itself, too."""
+    """Platform macros that a file uses and that the program also defines, but only in files it does not include."""
     seen = {id(u) for u in (view.unit, *included(view.unit))}
     macros = {m.name for u in (view.unit, *included(view.unit)) for m in u.macros}
     others = {m.name for v in views if id(v.unit) not in seen for m in v.unit.macros} - macros
@@ -136,7 +136,7 @@ def _macros_of_others(view: CodeView, views: Sequence[CodeView]) -> set[str]:
 
 
 def implied_headers(views: Iterable[CodeView], target: TargetFacts, names: TargetNames) -> list[migration.SymbolUse]:
-    """Standard headers that reach the program only through the platform's, and that the target's main header does not bring."""
+    """Standard headers that the program gets only through platform headers and that the target's main header does not include."""
     there = names.declared | names.macros | names.keywords
     missing: set[str] = set()
     for view in views:
@@ -220,7 +220,7 @@ def _value(name: str, spelled: str, indexed: bool, mutable: bool, number: int, t
 
 
 def wanted_types(views: Iterable[CodeView], functions: Mapping[str, FunctionType]) -> dict[str, str]:
-    """Name nobody declares -> the pointer type that a place expects of it."""
+    """For each undeclared name used where a pointer is expected, the type of that pointer."""
     found: dict[str, str] = {}
     for view in views:
         for expression, kind in expectations(view, functions):
@@ -237,7 +237,7 @@ def type_uses(
     names: TargetNames,
     declare: Callable[[str, str], platform.Adapter | None],
 ) -> list[migration.SymbolUse]:
-    """What declares the types that nobody declares, in the program and in the signatures that are generated.
+    """Declarations for the types that nobody declares, in the program and in the generated signatures.
 
     Args:
         views: a view of each unit.
@@ -282,7 +282,7 @@ def type_uses(
 
 
 def _inner_first(types: Iterable[migration.SymbolUse]) -> list[migration.SymbolUse]:
-    """Types in an order in which each stands behind those that its members have."""
+    """Sort types so that each follows the types of its members."""
     left = {str(each.name): each for each in types}
     ordered: list[migration.SymbolUse] = []
 
@@ -311,7 +311,7 @@ struct {ANY_VALUE} {{
 
 
 def _meant(name: str, views: Sequence[CodeView]) -> str:
-    """The type of the platform that a typedef of its gives another name; empty for others."""
+    """The platform type that another type is a typedef of; empty if it is none."""
     entry = next((e for e in (v.resolve(name) for v in views) if e is not None), None)
     other = entry.detail.removeprefix("typedef ") if entry is not None and entry.kind == "type" else ""
     return other if other != "typedef" and other != name and any(v.resolve(other) is not None for v in views) else ""
@@ -343,6 +343,6 @@ def _type(
 
 
 def _member_name(declarator: str) -> str:
-    """The name of a member as `record_members` declares it."""
+    """The name in a member's declarator, as `record_members` writes it."""
     words: list[str] = matches(r"[A-Za-z_]\w*", declarator.partition(")")[0].partition("[")[0])
     return words[-1] if words else ""

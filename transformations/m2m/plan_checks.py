@@ -1,7 +1,7 @@
-"""What a person should see on the bench before the robot runs on its own: one check for each component that the program uses.
+"""The checks for a person at the bench before the robot runs on its own: one for each component that the program uses.
 
-A check names the component with its connectors and pins, the ports that are bound there, and the functions by which the program
-drives or reads them. Where no drawing was given, each pin that a port is bound to takes the component's place.
+A check names the component with its connectors and pins, the ports bound there, and the functions by which the program drives
+or reads them. Without a drawing, each pin that a port is bound to takes the component's place.
 """
 
 from __future__ import annotations
@@ -19,16 +19,16 @@ from robosmi.transformations.queries.port_pins import of_own_serial_port
 from robosmi.typed import distinct
 
 RULE = "RS340"
-"""The rule of checks."""
+"""The id of the rule under which checks are reported."""
 _CONSOLE = re.compile(r"Serial\.begin\((\d+)\)")
 _MOST = 4
-"""Functions that a check names."""
+"""Limit on the functions that a check names."""
 _OTHERWISE = ("see that it answers {}", platform.Direction.unknown)
 _SEEN = {
     hardware.Role.Input: ("see that {} what is there", platform.Direction.input),
     hardware.Role.Output: ("see that it does what {} asks", platform.Direction.output),
 }
-"""Role of a component -> what is to be seen of it, and the direction of the functions that show it."""
+"""For each role of a component, what a person should observe, and the direction of the functions that show it."""
 
 
 def plan_checks(plan: migration.MigrationPlan) -> list[migration.PlanTask]:
@@ -49,7 +49,7 @@ def _console(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
 
 
 def _bauds(plan: migration.MigrationPlan) -> list[str]:
-    """The rates at which the program opens its console at the start."""
+    """The baud rates at which the program opens its console in setup."""
     return [found[1] for statement in setup_statements(plan) if (found := _CONSOLE.search(statement))]
 
 
@@ -94,7 +94,7 @@ def _check(
 
 
 def _expected(plan: migration.MigrationPlan, ports: list[migration.PortBinding]) -> str:
-    """What is to be seen of what is at some ports."""
+    """The instruction what a person should observe at the given ports."""
     calls = [call for port in ports for call in port_calls(plan, port)]
     component = ports[0].connection.component if ports[0].connection is not None else None
     role = component.role if component is not None else None
@@ -111,11 +111,11 @@ def _expected(plan: migration.MigrationPlan, ports: list[migration.PortBinding])
 
 
 def port_calls(plan: migration.MigrationPlan, binding: migration.PortBinding) -> list[ccode.Call]:
-    """The calls of platform functions that drive or read a port, in text order; those in bodies of macros are not known.
+    """The calls of platform functions that drive or read a port, in text order, except calls in macro bodies.
 
     Args:
         plan: the plan.
-        binding: of the port.
+        binding: the port's binding.
     """
     calls = [c for flow in plan.portFlows if any(b is binding for b in flow.bindings) for c in flow.calls]
     if (port := binding.conventionalPort) is not None:

@@ -1,7 +1,7 @@
-"""Tasks and findings of a plan, derived from its decisions: what is left for a person, and what is worth knowing.
+"""Derives the tasks and findings of a plan from its decisions: what is left for a person, and what is worth knowing.
 
-A table of makers; each gives the tasks of one kind. Findings that readers gave are added as they are. Severities are
-those of the work, not of a fault: a task never makes a run fail.
+A table of functions, each of which makes the tasks of one kind. Findings of the readers are added as they are. The severity of
+a task is that of the work, not of a fault: a task never makes a run fail.
 """
 
 from __future__ import annotations
@@ -29,18 +29,19 @@ from robosmi.transformations.queries.source_text import SourceText
 from robosmi.transformations.queries.verdicts import UNDEFINED, body_effort, unserved_headers
 
 _BARE_KEY = re.compile(r"[\w-]+")
-"""A key that TOML takes without quotation marks."""
+"""A TOML key that needs no quotation marks."""
 Task = migration.PlanTask
 Level = migration.SeverityLevel
 
 
 def plan_tasks(plan: migration.MigrationPlan) -> list[migration.PlanTask]:
-    """All tasks of a plan, by the order of the makers and then of the plan."""
+    """All tasks of a plan, in the order of the table and then of the plan."""
     return [task for maker in _MAKERS for task in maker(plan)]
 
 
 def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Mapping[str, str]) -> list[migration.PlanFinding]:
-    """What readers and checks found, as part of the plan. What the source does on other cores is none where adapters do it here.
+    """The findings of readers and checks as part of the plan, without those about other cores that adapters resolve on the
+    target.
 
     Args:
         plan: the plan, complete but for its findings and tasks.
@@ -62,7 +63,7 @@ def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Map
 
 
 def _adapted(finding: Finding, plan: migration.MigrationPlan) -> bool:
-    """Whether a finding is about functions that run on other cores there, and no body of them is left to be written."""
+    """Whether a finding is about functions that run on other cores of the source, all of which now have adapters with bodies."""
     if finding.rule != "RS108":
         return False
     left = {str(use.name) for use in plan.adapterUses if use.status is migration.AdapterStatus.todo and not use.written}
@@ -70,12 +71,13 @@ def _adapted(finding: Finding, plan: migration.MigrationPlan) -> bool:
 
 
 def _stored(path: str, paths: Mapping[str, str], kept: set[str]) -> str:
-    """The path of a file in the plan's folder, given as the user has it or already so."""
+    """The path of a file inside the plan's folder, given the user's path or the stored one."""
     return path if path in kept else paths.get(path, path.rpartition("/")[2])
 
 
 def settle(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
-    """Bring a plan that a person may have edited in line with itself: what a decision refers to counts, texts and tasks follow.
+    """Make a plan that a person may have edited consistent: references decide, and recorded choices, texts and tasks follow
+    them.
 
     Args:
         plan: the plan; decisions whose reference differs from their recorded choice become the person's.
@@ -101,7 +103,7 @@ def settle(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> None:
 
 
 def settle_tasks(plan: migration.MigrationPlan) -> None:
-    """Bring the tasks of a plan in line with its decisions, and its uses with the adapters and bodies that they have."""
+    """Derive a plan's tasks and checks anew, after bringing the uses of functions in line with their adapters and bodies."""
     unserved = [header.reason for header in plan.target.unsupportedHeaders] if plan.target is not None else []
     for use in plan.adapterUses:
         settle_use(use, unserved)
@@ -123,7 +125,7 @@ def _settle(decision: migration.Decision, choice: str) -> None:
 
 
 DERIVED = frozenset({"RS330", "RS331", "RS401", "RS501", "RS502", "RS503", "RS504"})
-"""Rules whose tasks follow from decisions, so that they are made anew when a decision changes."""
+"""Rules whose tasks follow from decisions and are derived anew when a decision changes."""
 
 
 def _place(element: ccode.Located | None) -> dict[str, object]:
@@ -134,7 +136,7 @@ def _place(element: ccode.Located | None) -> dict[str, object]:
 
 
 def _where(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> str:
-    """Which file has the adapter."""
+    """The name of the file that contains the adapter."""
     beside = beside_its_declaration(adapter) or needs_own_types(adapter)
     return f"in the {called(plan)}" if beside else "in adapters.h"
 
@@ -164,7 +166,7 @@ def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 def _declared(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> ccode.Function | None:
-    """Where the program declares a function whose body is to be written there."""
+    """Where the program declares a function whose body a person has to write there."""
     units = plan.program.units if plan.program is not None and beside_its_declaration(adapter) else ()
     own = (d for unit in units for d in unit.declarations if isinstance(d, ccode.Function) and d.name == adapter.name)
     return next(own, None)
@@ -189,7 +191,7 @@ def _symbols(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 def _undefined(plan: migration.MigrationPlan) -> Iterator[Task]:
-    """Variables that the program declares and that no file given defines."""
+    """Tasks for variables that the program declares and none of the given files defines."""
     for disposition in plan.dispositions:
         variable = disposition.element
         if isinstance(variable, ccode.Variable) and not UNDEFINED.isdisjoint(disposition.rules):
@@ -244,7 +246,7 @@ def _libraries(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 def _assembler(plan: migration.MigrationPlan) -> Iterator[Task]:
-    """Assembler of the source: one task for all of a function, or of a file outside of functions."""
+    """Tasks for the source's inline assembler: one for each function, and one for each file with some outside of functions."""
     left: dict[ccode.Function | ccode.SourceUnit, list[migration.Disposition]] = {}
     for disposition in plan.dispositions:
         element = disposition.element
@@ -284,7 +286,7 @@ def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
-    """Text that is no C, or no C++ where the target wants that: it is carried over, and a person has to mend it."""
+    """Tasks for text that is not valid C (or C++, if the target needs it): it is carried over for a person to mend."""
     for finding in plan.findings:
         if finding.rule == "RS101":
             yield Task(
@@ -311,7 +313,7 @@ def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
-    """Drawn components that no port of the program is bound to, and ports that are bound for nothing."""
+    """Tasks for drawn components that no port is bound to, and for bound ports that no called function uses."""
     for binding in plan.portBindings:
         if is_idle(plan, binding) and binding.pin is not None:
             yield Task(

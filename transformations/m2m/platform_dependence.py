@@ -1,8 +1,8 @@
 """Platform dependence: what happens to each element of the program (paper 3.1), and which names need an adapter (3.4).
 
-Platform-agnostic constructs are retained, platform-dependent ones are adapted or dropped, `main` is divided. Each gets
-a disposition with the rule that decided and the reason; nothing is left without one. What a name means is data of the
-platforms; no rule knows a function by its name.
+Platform-agnostic constructs are retained, platform-dependent ones are adapted or dropped, and `main` is divided. Every element
+gets a disposition with the rule that decided and the reason. What a name means is data of the platforms; no rule knows a
+function by its name.
 """
 
 from __future__ import annotations
@@ -59,22 +59,22 @@ T = TypeVar("T")
 _WORD = re.compile(r"\b[A-Za-z_]\w*")
 rewrite, OWN = migration.Action.rewrite, migration.SignatureSource.program
 TEXT_RULES = LANGUAGE_RULES | {RENAME}
-"""Rules that each change a little of an element's text, so that several of them can apply to it."""
+"""Rules that each change a small part of an element's text, so that several of them can apply to one element."""
 
 
 class Dependence:
-    """The result of the partition, to become part of the plan.
+    """The result of the partition, which becomes part of the plan.
 
     Attributes:
         dispositions: one for each element of the program.
         adapters: the platform functions that are used.
-        symbols: other names of the platform that are used.
-        pieces: of adapter text that these refer to, and what they need, each behind what it needs.
-        helpers: those that only the changed text of the program calls.
-        unserved: headers of which the target can serve nothing.
+        symbols: other platform names that are used.
+        pieces: the pieces of adapter text that these refer to and those they need, in order of dependency.
+        helpers: pieces that only the changed text of the program calls.
+        unserved: headers whose contents the target cannot provide.
         source: the part of the source platform that is used.
         divisions: how main is divided.
-        concurrency: how code runs that the program starts on other cores.
+        concurrency: how code runs that the program starts on other cores; None if it starts none.
     """
 
     def __init__(self) -> None:
@@ -97,15 +97,15 @@ def partition(
     trace: Trace,
     look_up: Sequence[str] = (),
 ) -> Dependence:
-    """Judge every element of the program.
+    """Decide what happens to each element of the program.
 
     Args:
         views: a view of each unit of the program.
-        target: the target.
-        choice: the adapters that there are.
+        target: the target platform.
+        choice: the available adapters.
         sources: path of a unit -> its bytes.
-        trace: where links are recorded.
-        look_up: header and name of each piece that calls of the changed text look ports up with.
+        trace: where links from sources to decisions are recorded.
+        look_up: (header and name) of the pieces by which calls in the changed text look up ports.
     """
     result = Dependence()
     program, api = views[0].program, views[0].api
@@ -165,7 +165,7 @@ def partition(
 def _resolved(
     declared: Mapping[tuple[str, str], T], api: ApiIndex, names: Iterable[str], includes: Sequence[str]
 ) -> dict[str, T]:
-    """Of elements by header and name those that the names mean in the whole program, by name."""
+    """Resolve names with all of the program's includes: for each name the declared element with its header and name."""
     entries = ((name, api.resolve(name, includes)) for name in names)
     keys = {name: (entry.header or COMPILER, name) for name, entry in entries if entry is not None}
     return {name: declared[key] for name, key in keys.items() if key in declared}
@@ -182,7 +182,9 @@ def _symbols(
     names: TargetNames,
     choice: AdapterChoice,
 ) -> list[migration.SymbolUse]:
-    """What declares other names than functions, pieces or placeholders: of headers, then types, then values."""
+    """The declarations of names other than functions, by adapter pieces or placeholders: first headers, then types, then
+    values.
+    """
     assert result.source is not None
     there = {(h.name, s.name): s for h in result.source.headers for s in h.symbols}
     known = _resolved(there, api, used, [i.header for v in views for i in v.unit.includes])
@@ -220,7 +222,7 @@ def _symbols(
 
 
 def _standard_names(views: Sequence[CodeView], target: TargetFacts, symbols: Iterable[migration.SymbolUse]) -> frozenset[str]:
-    """The program's own names that headers of the standard library declare, too, which the sketch includes."""
+    """The program's variables whose names are also declared by standard headers that the sketch includes."""
     there = {str(include.header) for view in views for include in view.unit.includes} | {str(use.name) for use in symbols}
     there &= set(target.standard_headers)
     own = {str(d.name) for view in views for d in view.of_kind(ccode.Variable)} if there else set()
@@ -228,10 +230,10 @@ def _standard_names(views: Sequence[CodeView], target: TargetFacts, symbols: Ite
 
 
 def _beside_adapters(names: TargetNames, views: Sequence[CodeView], result: Dependence, index: str) -> TargetNames:
-    """The target's names with those of the adapters and of their libraries, which the program's own cannot have in the sketch.
+    """The target's names extended by those of the adapters and their libraries, which the program's names must not clash with.
 
-    A function that the program declares and an adapter defines is the adapter's. What only the changed text calls must not be
-    hidden by a local either.
+    A function that the program declares and an adapter defines counts as the adapter's. A name that only the changed text calls
+    must not be hidden by a local either.
     """
     served = {str(use.name) for use in result.adapters if use.adapter is not None}
     own = {str(d.name) for view in views for d in view.of_kind(ccode.Declaration)}
@@ -253,9 +255,9 @@ def _change_unit_texts(
     judged: ETL,
     cplusplus: bool,
 ) -> None:
-    """Dispositions for what the target's names and language want otherwise, and what all dispositions change in the text.
+    """Add dispositions for what the target's names and language require, and set the text changes of all dispositions.
 
-    An element keeps its one disposition.
+    An element keeps a single disposition, which may combine several rules.
     """
 
     wanted: dict[migration.Disposition, list[tuple[str, str, str]]] = {}

@@ -1,9 +1,9 @@
-"""Which open port is on which free connection, weighed by what both are called and for what the program uses the port.
+"""Assigns open ports to free connections, by the similarity of their names and by what the program uses the port for.
 
-An assignment, not a list of guesses: a port is bound to a connection only where each is the other's single best, so that two
-ports never share a pin and one of two like components is never taken. Where no name or library speaks for one, a port and a
-component are bound that fit nothing else, if such ports are usually on such components. What speaks for a pair, and against it,
-is told by `port_evidence`.
+This is an assignment, not a list of guesses: a port is bound to a connection only if each is the other's single best match, so
+that two ports never share a pin and one of two like components is never picked at random. Without evidence by name or library,
+a port and a component are bound if neither fits anything else and such ports are usually on such components. The evidence for a
+pair is computed in `port_evidence`.
 """
 
 from __future__ import annotations
@@ -15,15 +15,15 @@ from robosmi.transformations.m2m.port_evidence import Fit, Seat, fit, may_meet
 from robosmi.typed import sum_of
 
 NAME_CONFIDENCE = 0.9
-"""Confidence of a binding by a name or by a role that fits one free component only."""
+"""Confidence of a binding by name alone, or by a role that fits one free component only."""
 BOTH_CONFIDENCE = 0.95
-"""Confidence where role and name say the same."""
+"""Confidence of a binding for which both role and name speak."""
 LEFT_CONFIDENCE = 0.85
-"""Confidence where only one component is left once others are bound."""
+"""Confidence of a binding made because a single component was left after the others were bound."""
 
 
 def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: float, *, complete: bool = True) -> None:
-    """Bind what the evidence decides, and give each of the others its options, best first.
+    """Bind the ports for which the evidence is decisive, and give the others their options, best first.
 
     Args:
         seats: the open ports.
@@ -60,7 +60,7 @@ def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: f
 
 
 def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
-    """Give a port its options among connections, best first: those for which something speaks, else all that it can be on."""
+    """Set a port's options, best first: connections with evidence for them, or else all that are possible."""
     fits = [(found, connection) for connection in free if (found := fit(seat, connection)) is not None]
     ranked = sorted(fits, key=lambda pair: -pair[0].points)
     for found, connection in [pair for pair in ranked if pair[0].points > 0] or ranked:
@@ -73,7 +73,7 @@ def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
 
 
 def _best(fits: dict[tuple[int, int], Fit], i: int, k: int) -> bool:
-    """Whether a port and a connection are each other's single best."""
+    """Whether a port and a connection are each other's single best match."""
     points = fits[i, k].points
     return all(f.points < points for (a, b), f in fits.items() if (a == i) != (b == k))
 
@@ -81,7 +81,7 @@ def _best(fits: dict[tuple[int, int], Fit], i: int, k: int) -> bool:
 def _only(
     fits: Mapping[tuple[int, int], Fit], seats: Sequence[Seat], free: Sequence[migration.Connection], i: int, k: int
 ) -> bool:
-    """Whether a port is usually on such a component, and neither can belong to anything else that is left."""
+    """Whether a port is usually on such a component, and neither of them could be matched with any other that is left."""
     component = free[k].component
     if not may_meet(seats[i], free[k]) or sum_of(c.component is component for c in free) > 1:
         return False

@@ -1,8 +1,8 @@
-"""Port binding: which connection of the target each port of the source becomes (paper Listing 4: `leftQTI` becomes 10).
+"""Binds each port of the source program to a connection of the target (paper Listing 4: `leftQTI` becomes 10).
 
-What a person says counts first, then where a port leads that is wired on the source board itself (console, EEPROM), then the
-evidence that `port_assignment` weighs. What none of them decides stays open with its options. The drawing alone never says which
-of two like components is left and which is right.
+A person's choice counts first, then the place of ports wired on the source board itself (console, EEPROM), then the evidence
+that `port_assignment` weighs. What none of these decides stays open with its options. The drawing alone never tells which of
+two like components is left and which is right.
 """
 
 from __future__ import annotations
@@ -32,11 +32,11 @@ _ANOTHER_PROGRAM = "take it out there, or give each program a folder of its own 
 
 
 class SaidPins(Struct, frozen=True):
-    """Which pins one source of choices gives to ports.
+    """The pins that one source of choices (a flag, the project file) assigns to ports.
 
     Attributes:
-        pins: NAME -> PIN (a label, a connection's name, or `none`).
-        places: NAME -> where that is said, for messages; empty where it is in no file.
+        pins: port name -> pin: a label, a connection's name, or `none`.
+        places: port name -> the place of the choice, for messages; without choices that are in no file.
     """
 
     pins: Mapping[str, str]
@@ -44,7 +44,7 @@ class SaidPins(Struct, frozen=True):
 
 
 class _Pin(Struct, frozen=True):
-    """What a port is to be bound to, and where that is said."""
+    """The pin chosen for a port, and the place of the choice for messages."""
 
     name: str
     place: Location | None = None
@@ -61,7 +61,7 @@ def bind_ports(
     stored: Mapping[str, Said] | None = None,
     split: frozenset[str] = frozenset(),
 ) -> list[migration.PortBinding]:
-    """A decision for each port of the program.
+    """Make the binding decision for each port of the program.
 
     Args:
         found: the ports.
@@ -112,7 +112,7 @@ def bind_ports(
 def _within_reach(
     binding: migration.PortBinding, bindings: Sequence[migration.PortBinding], connections: Sequence[migration.Connection]
 ) -> list[migration.Connection]:
-    """The connections that a port may have: those on pins that no other port is bound to."""
+    """The connections available to a port: those whose pins no other port is bound to."""
     others = {id(b.pin) for b in bindings if b is not binding and b.pin is not None}
     return [c for c in connections if c.pin is None or id(c.pin) not in others]
 
@@ -125,7 +125,7 @@ def _kept(
     connections: Sequence[migration.Connection],
     board: platform.Board,
 ) -> dict[str, _Pin]:
-    """Port -> pin of a stored plan, without what the program or its hardware does not have any more."""
+    """The pins that a stored plan chose, by port, without those that the program or its hardware no longer has."""
     found: dict[str, _Pin] = {}
     for name, kept in stored.items():
         try:
@@ -141,7 +141,9 @@ def _kept(
 def _split(
     port: Port, binding: migration.PortBinding, connections: Sequence[migration.Connection], functions: frozenset[str]
 ) -> None:
-    """Let a port on a component with a wire for each direction have the other wire, too, where its functions can serve both."""
+    """If the port's component has a wire for each direction and the functions can use both, bind the second wire for the
+    answer.
+    """
     component = binding.connection.component if binding.connection is not None else None
     wires = wires_of(component, connections)
     if binding.answer is not None or not wires or not _is_split(port, functions):
@@ -169,7 +171,9 @@ def _seat(port: Port, binding: migration.PortBinding, found: ProgramPorts, api: 
 
 
 def _layer(layer: SaidPins, ports: list[Port], program: ProgramPorts, api: ApiIndex) -> dict[str, _Pin]:
-    """Port -> pin of one source of choices; a number that the program may reach at run time becomes a port of it."""
+    """The pins that one source of choices gives, by port; a pin number that the program may compute at run time is added as a
+    port.
+    """
     found: dict[str, tuple[str, str]] = {}
     for name, pin in layer.pins.items():
         port = next((p for p in ports if name == p.name or name in p.names), None)
@@ -213,7 +217,7 @@ def _binding(port: Port, source: platform.Platform) -> migration.PortBinding:
 
 
 def _take(binding: migration.PortBinding, said: str, connections: Sequence[migration.Connection], board: platform.Board) -> None:
-    """Bind a port as a person said."""
+    """Bind a port as a person chose."""
     if said == NOT_WIRED:
         binding.choice = NOT_WIRED
     else:
@@ -226,7 +230,13 @@ def _take(binding: migration.PortBinding, said: str, connections: Sequence[migra
 def bind_by_hand(
     binding: migration.PortBinding, said: str, connections: Sequence[migration.Connection], board: platform.Board
 ) -> None:
-    """Let a stored binding refer to what a person says; an empty text leaves it unbound.
+    """Set the reference of a stored binding to what a person chose; an empty text leaves the port unbound.
+
+    Args:
+        binding: the binding.
+        said: a pin's label, a connection's name, or `none`.
+        connections: the connections of the target board.
+        board: the target board.
 
     Raises:
         UsageError: it is neither a pin of the board, nor a connection, nor `none`.
@@ -240,7 +250,7 @@ def bind_by_hand(
 def _chosen(
     said: str, connections: Sequence[migration.Connection], board: platform.Board
 ) -> tuple[migration.Connection | None, platform.Pin | None]:
-    """The connection or, where none has it, the pin that a person means."""
+    """The connection that a person's choice names, or the pin if no connection is there."""
     named = [c for c in connections if c.name == said]
     on_pin = [c for c in connections if c.pin is not None and said in (c.pin.label, *c.pin.aliases)]
     if named or on_pin:
@@ -265,7 +275,7 @@ def _on_board(
     board: platform.Board,
     taken: set[int],
 ) -> None:
-    """Bind a port that is wired on the source board to what takes its place on the target, where the target has it."""
+    """Bind a port that is wired on the source board to its counterpart on the target board, if there is one."""
     known = api.settings.get("ports", {}).get("board", {}).get(f"P{port.pin}") if port.pin is not None else None
     if known is None or (port.origin != "convention" and any(use.function not in known["functions"] for use in port.uses)):
         return
@@ -284,13 +294,13 @@ def _on_board(
 
 
 def signal_of(port: Port) -> str:
-    """read, write or bus: what the program does with the port."""
+    """The direction in which the program uses a port: read, write, or bus for both."""
     directions = port.directions
     return _SIGNALS[first_of(directions)] if len(directions) == 1 and directions <= set(_SIGNALS) else "bus"
 
 
 def _words(port: Port, api: ApiIndex) -> list[str]:
-    """What the program and its platform call the port, and the libraries whose functions are given it."""
+    """The names of a port in the program and its platform, and the libraries whose functions receive it."""
     if port.origin == "convention":
         return [port.what]
     headers = {entry.header.rpartition(".")[0] for use in port.uses for entry in api.entries(use.function)}
@@ -298,7 +308,7 @@ def _words(port: Port, api: ApiIndex) -> list[str]:
 
 
 def _arguments(port: Port, found: ProgramPorts) -> list[PinArgument]:
-    """The arguments of functions of the platform that may be a port."""
+    """The arguments of platform functions that may have the port's number."""
     return [
         argument
         for each in found.flows
@@ -313,7 +323,7 @@ def _pins(function: str, api: ApiIndex) -> list[PinParameter]:
 
 
 def _usual(port: Port, usual: Mapping[str, Sequence[str]]) -> frozenset[str]:
-    """The kinds of components that the functions which are given a port are usually used with; empty where they do not agree."""
+    """The kinds of components that the functions receiving a port are usually used with; empty if they disagree."""
     called = {use.function for use in port.uses}
     called = called - set(usual.get("anything", ())) or called
     kinds = [frozenset(usual[function]) for function in called if function in usual]
@@ -321,7 +331,7 @@ def _usual(port: Port, usual: Mapping[str, Sequence[str]]) -> frozenset[str]:
 
 
 def _role(port: Port, roles: Mapping[str, str], api: ApiIndex) -> str:
-    """The kind of component that the functions expect at a port, empty where they do not agree or do not say."""
+    """The kind of component that the functions receiving a port expect; empty if they disagree or expect none."""
     if port.origin == "convention":
         return str(port.conventional.componentRole) if port.conventional is not None else ""
     found = set()

@@ -1,6 +1,6 @@
-"""What speaks for a port being on a connection, and what against it: directions, kinds of components, names, connectors.
+"""Evidence for and against a port being on a connection: directions, kinds of components, names, connectors.
 
-Words and kinds are those of `queries.component_kinds`. Who gets what is decided in `port_assignment`.
+Words and kinds are those of `queries.component_kinds`. Which port gets which connection is decided in `port_assignment`.
 """
 
 from __future__ import annotations
@@ -31,16 +31,16 @@ _ELEMENT = re.compile(r"(row|col)[a-z]*\[(\d+)\]\Z", re.IGNORECASE)
 
 
 class Seat(Struct, frozen=True):
-    """A port that looks for its connection.
+    """A port that is to be bound to a connection, with what is known about it.
 
     Attributes:
-        binding: its decision, open.
-        words: what the program and its platform call it.
-        parameters: what the functions call the parameter that is given it.
-        siblings: what they call all of their parameters that are ports, and what the program calls its ports.
-        role: the kind of component that the functions expect, empty for any.
-        usual: the kinds that such functions are usually used with, empty where nothing is known.
-        split: whether its functions can serve a component with a wire for each direction.
+        binding: its decision, which is open.
+        words: its names in the program and the platform.
+        parameters: the names of the function parameters that receive it.
+        siblings: the names of all parameters of these functions that are ports, and those of the program's declared ports.
+        role: the kind of component that the functions expect; empty for any.
+        usual: the kinds that such functions are usually used with; empty if unknown.
+        split: whether its functions can use a component with a separate wire for each direction.
     """
 
     binding: migration.PortBinding
@@ -53,7 +53,9 @@ class Seat(Struct, frozen=True):
 
 
 class Fit(Struct, frozen=True):
-    """How a port fits a connection: points (0: in direction only), what speaks for it, whether the functions expect its kind."""
+    """How well a port fits a connection: points (0: only the direction fits), the reasons, and whether the expected kind
+    matches.
+    """
 
     points: float
     reasons: tuple[str, ...]
@@ -61,9 +63,9 @@ class Fit(Struct, frozen=True):
 
 
 def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
-    """How a port fits a connection; None where direction, role, side or the connector's purpose speak against it.
+    """How well a port fits a connection; None if direction, kind, side (left, right) or the connector's purpose contradict.
 
-    None, too, where the port is a channel of a converter and the connection's pin has none.
+    It is None, too, for a channel of an analog-to-digital converter on a pin without one.
     """
     known = known_roles()
     if connection.pin is not None and not measures(connection.pin, seat.binding):
@@ -113,14 +115,14 @@ def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
 
 
 def may_meet(seat: Seat, connection: migration.Connection) -> bool | None:
-    """Whether a port is usually connected to such a component; None where nothing speaks for or against it."""
+    """Whether a port is usually connected to such a component; None if the kind of either is unknown."""
     kinds = kinds_of(connection)
     expected = frozenset([seat.role]) if seat.role else seat.usual
     return bool(kinds & expected) if kinds and expected else None
 
 
 def _same_direction(signal: str, connection: migration.Connection, own: set[str], serial: bool, known: PortWords) -> bool:
-    """Whether what the program does with a port can be done at a connection; connectors of known purpose say it themselves."""
+    """Whether a connection allows the direction in which the program uses a port; connectors of known purpose determine it."""
     if serial or not signal:
         sends, receives = bool(own & SENDS), bool(own & RECEIVES)
         return signal == "bus" or (sends if signal == "read" else receives)
@@ -134,7 +136,7 @@ def _same_direction(signal: str, connection: migration.Connection, own: set[str]
 
 
 def _only_answers(connection: migration.Connection, own: set[str], known: PortWords) -> bool:
-    """Whether a component answers at a connection that is asked at another one."""
+    """Whether a connection is the output of a component whose requests go to another connection, such as an echo pin."""
     component = connection.component
     every = _purposes(connector_words(c.name for c in component.connectors), known) if component is not None else set()
     ways = {known.connectors[purpose][1] for purpose in _purposes(own, known)}
@@ -146,7 +148,7 @@ def _purposes(words: set[str], known: PortWords) -> set[str]:
 
 
 def _goes_together(seat: Seat, connection: migration.Connection, known: PortWords) -> bool:
-    """Whether a component has connectors for several ports of one function, so that one purpose is no chance."""
+    """Whether a component has connectors for several ports of one function, so that a matching purpose is not a coincidence."""
     component = connection.component
     every = _purposes(connector_words(c.name for c in component.connectors), known) if component is not None else set()
     asked = {frozenset(_purposes(connector_words([name]), known)) for name in seat.siblings} - {frozenset()}
@@ -154,7 +156,7 @@ def _goes_together(seat: Seat, connection: migration.Connection, known: PortWord
 
 
 def _numbers(connection: migration.Connection) -> tuple[str, int] | None:
-    """Row or column of a keypad, and its number from 1."""
+    """The row or column of a keypad that a connection leads to, as ("r" or "c", number on the connector); None for others."""
     for connector in connection.connectors:
         if (found := _NUMBERED.match(str(connector.name).strip())) is not None:
             return found[1][0].lower(), int(found[2])
@@ -162,9 +164,10 @@ def _numbers(connection: migration.Connection) -> tuple[str, int] | None:
 
 
 def _same_number(seat: Seat, connection: migration.Connection) -> bool | None:
-    """Whether an element of an array of rows or columns has the number of the connector, which counts from 1; None for others.
+    """Whether a port and a connection are the same row or column of a keypad; None if either is no numbered row or column.
 
-    A component whose connectors count from 0 says it by one with that number.
+    The port is an element of an array counted from 0, such as `rows[2]`. Connectors count from the lowest number that the
+    component has for its rows or columns.
     """
     theirs = _numbers(connection)
     element = next((m for name in (seat.binding.name, *seat.binding.names) if (m := _ELEMENT.match(str(name)))), None)

@@ -1,7 +1,7 @@
-"""Changes of the carried-over text that ports want: a number is its pin where it stands, or a call looks it up; never both.
+"""Text changes that bind ports: a port's number is replaced by its pin, or calls look up the pin at run time; never both.
 
-Which of the two, the flows of the program decide (`queries.port_flows`). Each number that is moved is a change of the port's
-binding, each look-up one of the flow. A number that is on no pin of the target becomes one that is none, never stays another's.
+Which of the two is decided by the program's data flow (`queries.port_flows`). A replaced number is a change of the port's
+binding, a look-up one of the flow. A number that is on no pin of the target becomes an invalid pin, never another port's.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from robosmi.transformations.queries.values import Value
 from robosmi.typed import distinct, paired
 
 RULE = "port"
-"""Id of the rule that writes a pin in the place of a port's number."""
+"""Id of the rule that replaces a port's number by a pin."""
 LOOK_UP = "port-look-up"
-"""Id of the rule that looks up a port where it is given to a function of the platform."""
+"""Id of the rule that looks up a port's pin where the port is passed to a platform function."""
 NEXT = "enumerator-after-port"
-"""Id of the rule that keeps the value of an enumerator behind one that is a port."""
+"""Id of the rule that keeps the value of an enumerator that follows a replaced one."""
 _NAME = re.compile(r"[A-Za-z_]\w*")
 _REASONS = 4
 
@@ -30,15 +30,15 @@ _REASONS = 4
 def port_changes(
     ports: ProgramPorts, bindings: Sequence[migration.PortBinding], sources: Mapping[str, bytes], *, arrays: bool = False
 ) -> list[migration.PortFlow]:
-    """The flows of a plan, and the changes of text that they and the bindings want.
+    """Make the flows of a plan, and the text changes of flows and bindings.
 
-    A flow without a number, such as the parameter of a function that nobody calls, is one too: its calls were looked at.
+    A flow without a number, such as the parameter of a function that is never called, is included: its calls were considered.
 
     Args:
         ports: the program's ports.
-        bindings: a decision for each; they are given their changes.
+        bindings: the decision for each port; their changes are set here.
         sources: path of a unit -> its bytes.
-        arrays: whether the target has something that looks up an array of ports.
+        arrays: whether the target has a helper that looks up arrays of ports.
     """
     numbers = {b.sourcePin: b for b in bindings if b.sourcePin >= 0 and b.origin != "convention"}
     for binding in bindings:
@@ -72,7 +72,7 @@ def port_changes(
 
 
 def looked_up(ports: ProgramPorts) -> list[str]:
-    """What the calls of the program have to ask for the pins of ports: `port`, `ports` for arrays."""
+    """The names of the look-up helpers that the program's calls need: `port` for single ports, `ports` for arrays."""
     asked = [
         "port" if argument.parameter.number is None else "ports"
         for each in ports.flows
@@ -103,7 +103,7 @@ def _flow(
 
 
 def _where(argument: PinArgument) -> str:
-    """Where a call that takes a pin stands: its line, or the macro in whose body it is."""
+    """The place of a call that takes a pin: its line, or the macro whose body contains it."""
     macros = [m for m in argument.unit.macros if m.startOffset <= argument.start < m.endOffset] if argument.call is None else []
     line = argument.call.line if argument.call is not None else 0
     return f"in the macro '{macros[0].name}'" if macros else f"in line {line}"
@@ -127,7 +127,7 @@ def _moved(place: PortPlace, binding: migration.PortBinding, sources: Mapping[st
 
 
 def _next(place: PortPlace, moved: set[int], sources: Mapping[str, bytes]) -> list[migration.TextChange]:
-    """The change that gives an enumerator its own value whose value followed that of a port."""
+    """The change that gives an enumerator an explicit value if its value followed from a replaced one."""
     literal = place.element
     owner = literal.eContainer() if isinstance(literal, ccode.EnumerationLiteral) else None
     if not isinstance(literal, ccode.EnumerationLiteral) or not isinstance(owner, ccode.Enumeration):
@@ -146,20 +146,20 @@ def _next(place: PortPlace, moved: set[int], sources: Mapping[str, bytes]) -> li
 
 
 def replacement(binding: migration.PortBinding, original: bytes) -> str:
-    """What stands for a port instead of the original text; an enumerator keeps its name."""
+    """The text that replaces a port's number; an enumerator keeps its name."""
     value = text_in_place(binding)
     name = _NAME.match(original.decode("utf-8", errors="replace"))
     return f"{name[0]} = {value}" if name is not None else value
 
 
 def _asks(argument: PinArgument, known: Sequence[Value]) -> bool:
-    """Whether the adapter takes a pin of the target where it is given a number of the source; a negative one means the same."""
+    """Whether an argument's source number has to be translated to a target pin; constants that are all negative are no pins."""
     numbers = [value.number for value in known]
     return argument.translated and not (numbers and all(n is not None and n < 0 for n in numbers))
 
 
 def _look_up(argument: PinArgument, around: tuple[str, str]) -> list[migration.TextChange]:
-    """The insertions that look up the pin where a number of the source is given to an adapter."""
+    """The insertions that wrap an argument in a look-up of its pin."""
     reason = f"the number that '{argument.function}' is given is one of the source"
     places = ((argument.start, around[0]), (argument.end, around[1]))
     return [
@@ -172,7 +172,7 @@ def _look_up(argument: PinArgument, around: tuple[str, str]) -> list[migration.T
 
 
 def _around(argument: PinArgument, sources: Mapping[str, bytes], place: int, arrays: bool) -> tuple[str, str] | None:
-    """What stands around an argument; None for an array that nothing on the target looks up."""
+    """The text before and after an argument that looks up its pin; None for an array if the target has no helper for arrays."""
     if argument.parameter.number is None:
         return "port(", ")"
     given = list(argument.call.arguments) if argument.call is not None else []

@@ -1,7 +1,7 @@
-"""Writing to registers of the source that only can be read there (`waitcnt(CNT += 80000)`): what is left is the value.
+"""Removes writes to registers that are read-only on the source (`waitcnt(CNT += 80000)`): only the value remains.
 
-The source's compiler takes such an assignment, and the microcontroller keeps nothing of it: the next reading gives what the
-register counts or sees. On the target the register is no variable, so that the expression becomes the value that it has.
+The source's compiler accepts such an assignment, but the register does not change: the next read gives what it counts or
+senses. On the target the register is not a variable, so the expression is replaced by its value.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ RULE = "value-of-register"
 
 
 def read_only_registers(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Assignments to registers that the platform says are only read, and steps of them."""
+    """Find assignments, increments and decrements of registers that the platform declares read-only."""
     names = set(view.api.settings.get("registers", {}).get("read_only", []))
     if not any(name.encode() in data for name in names):
         return
@@ -38,7 +38,7 @@ def _register(expression: ccode.Expression | None, names: set[str], data: bytes)
 
 
 def value_of_register(element: ccode.Assignment | ccode.Unary, choice: str, data: bytes) -> list[tuple[int, int, str]]:
-    """What changes (first byte, byte behind, new text): the expression becomes its value, of which a statement makes no use."""
+    """The changes, as (first byte, byte after the last, new text), that replace a write by its value; a statement discards it."""
     start, end = int(element.startOffset), int(element.endOffset)
     made: list[tuple[int, int, str]] = []
     before, behind = ("(void)(", ")") if isinstance(element.eContainer(), ccode.ExpressionStatement) else ("", "")

@@ -1,7 +1,7 @@
-"""RS312: forms of C that C++ has no like of and that no small edit mends, each told with its place before anything is compiled.
+"""RS312: C constructs without an equivalent in C++ that no small edit mends, reported with their places before compiling.
 
-Forms that the tokens show are found there, since the parser's model leaves some of them out; others are read off the model.
-What an edit mends is in `language_gap` and the modules that it lists.
+Constructs visible in the tokens are found there, since the parser's model leaves out some of them; others are found in the
+model. What an edit can mend is in `language_gap` and the modules that it lists.
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ from robosmi.transformations.queries.tokens import name_tokens
 from robosmi.typed import matches
 
 Form = tuple[int, str, str]
-"""Offset of its first byte, what it is, what to do."""
+"""Offset of the first byte, message, suggested fix."""
 _TYPES = RECORDS | {"enum"}
 _OPENING, _CLOSING = frozenset("([{"), {")": "(", "]": "[", "}": "{"}
 _BEFORE = "define the type before, and use its name here"
 
 
 def remarks(view: CodeView, data: bytes, path: str) -> Iterator[Finding]:
-    """RS312: what no simple edit mends.
+    """The findings of RS312 for a unit.
 
     Args:
         view: the unit.
@@ -53,7 +53,7 @@ def remarks(view: CodeView, data: bytes, path: str) -> Iterator[Finding]:
 
 
 def refused_forms(view: CodeView, data: bytes) -> list[Form]:
-    """The forms of a unit that C++ refuses, in text order.
+    """The constructs of a unit that C++ refuses, in text order.
 
     Args:
         view: the unit.
@@ -84,7 +84,7 @@ def _choices_by_type(data: bytes) -> Iterator[Form]:
 
 
 def _types_in_place(words: Sequence[Token]) -> Iterator[Form]:
-    """Types that are defined within parentheses, or where the type of a function's value is written."""
+    """Types defined inside parentheses, or in the return type of a function."""
     opened: list[str] = []
     for number, (_, start, _, text) in enumerate(words):
         if text in _TYPES and (brace := _definition(words, number)):
@@ -99,20 +99,20 @@ def _types_in_place(words: Sequence[Token]) -> Iterator[Form]:
 
 
 def _definition(words: Sequence[Token], number: int) -> int:
-    """The number of the brace that a type's definition opens behind the word that begins it; 0 for a mere use."""
+    """The index of the opening brace if a type is defined after the given keyword; 0 if it is only named."""
     behind = number + 1 + (number + 1 < len(words) and words[number + 1][0] == "name")
     return behind if behind < len(words) and words[behind][3] == "{" else 0
 
 
 def _gives(words: Sequence[Token], number: int) -> bool:
-    """Whether a function's name and list follow."""
+    """Whether a function's name and parameter list follow."""
     while number < len(words) and words[number][3] in ("*", "const"):
         number += 1
     return number + 1 < len(words) and words[number][0] == "name" and words[number + 1][3] == "("
 
 
 def _late_enumerations(words: Sequence[Token]) -> Iterator[Form]:
-    """Enumerations that are named before they are defined in the same file."""
+    """Enumerations used before their definition in the same file."""
     named: dict[str, int] = {}
     for number, (_, start, _, text) in enumerate(words[:-2]):
         if text != "enum" or words[number + 1][0] != "name":
@@ -128,7 +128,7 @@ def _late_enumerations(words: Sequence[Token]) -> Iterator[Form]:
 
 
 def _hidden_types(view: CodeView) -> Iterator[Form]:
-    """Variables that have the name of their own type."""
+    """Variables with the name of their own type."""
     variables: Iterator[ccode.Variable | ccode.Parameter] = chain(view.of_kind(ccode.Variable), view.of_kind(ccode.Parameter))
     for variable in variables:
         words = variable.valueType.spelling.replace("*", " ").split() if variable.valueType is not None else []
@@ -138,7 +138,7 @@ def _hidden_types(view: CodeView) -> Iterator[Form]:
 
 
 def _pointer_sizes(words: Sequence[Token]) -> Iterator[Form]:
-    """Assertions on the size of a pointer."""
+    """Static assertions on the size of a pointer, which differs on the target."""
     for number, (_, start, _, text) in enumerate(words):
         if text not in ("_Static_assert", "static_assert") or number + 1 >= len(words):
             continue
@@ -154,7 +154,7 @@ _NAME = re.compile(r"[A-Za-z_]\w*")
 
 
 def _rows_of_parameters(view: CodeView, data: bytes) -> Iterator[Form]:
-    """Parameters whose rows are as long as another parameter says, and pointers to such rows."""
+    """Variably modified array types in parameters and variables, such as rows whose length is another parameter."""
     for parameter in view.of_kind(ccode.Parameter):
         function = ancestor_of_kind(parameter, ccode.Function)
         text = data[parameter.startOffset : parameter.endOffset]
@@ -178,7 +178,7 @@ def _is_local(view: CodeView, name: str) -> bool:
 
 
 def _flexible_values(view: CodeView) -> Iterator[Form]:
-    """Values for the last member of a structure that has no size of its own."""
+    """Initial values for a flexible array member."""
     for variable in view.of_kind(ccode.Variable):
         kind, given = of_use(variable.valueType), variable.initializer
         record = kind.declaration if kind is not None and not kind.depth else None
@@ -195,7 +195,7 @@ def _flexible_values(view: CodeView) -> Iterator[Form]:
 
 
 def _record_casts(view: CodeView) -> Iterator[Form]:
-    """Values that are converted to a structure or union."""
+    """Casts of a value to a structure or union."""
     for cast in view.of_kind(ccode.Cast):
         kind = of_use(cast.target)
         record = kind is not None and kind.depth == 0 and isinstance(kind.declaration, ccode.Record)
@@ -213,7 +213,7 @@ _RECORD_WITHIN = re.compile(rb"\)\s*\{")
 
 
 def _taken(holder: ccode.Variable | ccode.Cast, data: bytes) -> bool:
-    """Whether C++ takes a list: as it is made by position, or as it is, its members in their order."""
+    """Whether C++ accepts an initializer list, after it was made positional or as it is."""
     given = holder.operand if isinstance(holder, ccode.Cast) else holder.initializer
     changes = positional(holder, data)
     if changes == [] and given is not None:

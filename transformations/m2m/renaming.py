@@ -1,8 +1,8 @@
-"""Names of the program's own that the target needs for itself: what they are called in the sketch.
+"""Renames the program's names that the target needs for itself.
 
-C leaves words to programs that C++ has reserved, and a sketch shares its names with the target's core and with its adapters.
-Such a name is renamed wherever it stands, macros too, so that what is generated goes on meaning the target's. A local that
-merely hides a name stays.
+C++ reserves words that C does not, and a sketch shares its names with the target's core and its adapters. Such a name is
+renamed at every place, in macros too, so that generated text keeps meaning the target's. A local that merely hides a name
+stays.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.tokens import name_tokens
 
 RENAME = "rename"
-"""Rule of dispositions: the name is another one in the sketch."""
+"""Rule of dispositions: the name differs in the sketch."""
 
 
 class Renaming(Struct, frozen=True):
@@ -26,9 +26,9 @@ class Renaming(Struct, frozen=True):
 
     Attributes:
         element: the first declaration or macro with the name.
-        name: as it is.
-        new: as it will be.
-        reason: why, one sentence.
+        name: the name in the source.
+        new: the name in the sketch.
+        reason: the reason, in one sentence.
     """
 
     element: ccode.Located
@@ -72,7 +72,7 @@ def renamings(views: Sequence[CodeView], sources: Mapping[str, bytes], names: Ta
 
 
 def _in_c_alone(macro: ccode.Macro, unit: ccode.SourceUnit) -> bool:
-    """Whether a macro is defined only where the text is not compiled as C++."""
+    """Whether a macro is defined only if the text is not compiled as C++."""
     conditions: list[str] = []
     for directive in unit.conditionals:
         if directive.startOffset > macro.startOffset:
@@ -90,7 +90,7 @@ _C_ALONE = re.compile(r"ifndef\s+__cplusplus\b|if\s+!\s*defined\s*\(?\s*__cplusp
 
 
 def _declarations(views: Iterable[CodeView]) -> Iterator[tuple[ccode.Declaration | ccode.Macro | ccode.Label, bool]]:
-    """Every declaration, label and macro of the program with whether it is visible outside of a function."""
+    """Every declaration, label and macro of the program, and whether it is visible outside of a function."""
     for view in views:
         if view.unit.language != "C":
             continue

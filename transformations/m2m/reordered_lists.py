@@ -1,8 +1,8 @@
-"""Initial values whose designators stand in another order than their places, as lists in the order of the places.
+"""Writes designated initializers as positional ones if the designators are not in the order of their places.
 
-Such a list is written anew as a whole: designators in a row (`.at.x`, `[1][0]`), places given twice, of which the last counts,
-and comments beside their values. Refused is what is calculated or called in such a list, because changes within it would be
-lost, and members of unions but the first. Lists in order are `designated_lists`'.
+Such a list is written anew as a whole, with nested designators (`.at.x`, `[1][0]`), places initialized twice (the last counts),
+and comments beside values. Lists with computations or calls are refused, because changes within them would be lost, and so are
+lists for union members other than the first. Lists in order are handled by `designated_lists`.
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ _BEFORE_A_SIGN = frozenset(["=", ",", "{", "("])
 
 
 class _Slot(Struct):
-    """What comes to a place: a text, or places within it."""
+    """The content of one place: a text, or the places inside it."""
 
     text: str = ""
     inner: dict[int, _Slot] | None = None
     comments: list[str] = []
 
     def shown(self) -> str:
-        """The value as it is written."""
+        """The value as C text."""
         value = self.text or ("{}" if self.inner is None else "{" + ", ".join(_in_order(self.inner)) + "}")
         return " ".join([value, *self.comments])
 
@@ -49,12 +49,12 @@ def _in_order(slots: Mapping[int, _Slot]) -> Iterator[str]:
 
 
 def reordered(words: Sequence[Token], kind: ValueType | None, constants: Mapping[str, int], data: bytes) -> str:
-    """A list in braces as one by position.
+    """Write an initializer list by position.
 
     Args:
-        words: its tokens with both braces, and the comments.
-        kind: what it gives values to.
-        constants: numbers that names stand for.
+        words: its tokens including both braces, and the comments.
+        kind: the type that it initializes.
+        constants: values of named constants.
         data: the bytes of its unit.
 
     Raises:
@@ -73,7 +73,7 @@ def reordered(words: Sequence[Token], kind: ValueType | None, constants: Mapping
 
 
 def _calculates_nothing(words: Sequence[Token]) -> None:
-    """Refuse what a change within the list might have to keep on the source's width."""
+    """Raise `UnknownList` if a list contains computations or calls, which may need changes of their own to keep widths."""
     inside = 0  # of a designator
     for place, (kind, _, _, text) in enumerate(words):
         before = words[place - 1] if place else words[0]
@@ -85,14 +85,14 @@ def _calculates_nothing(words: Sequence[Token]) -> None:
 
 
 class _Filler(Struct):
-    """Puts values to their places."""
+    """Assigns the values of a list to their places."""
 
     constants: Mapping[str, int]
     data: bytes
     comments: list[Token]
 
     def places_of(self, words: Sequence[Token], kind: ValueType | None) -> dict[int, _Slot]:
-        """The places of a list, from its tokens with both braces."""
+        """The content of each place of a list, given its tokens including both braces."""
         slots: dict[int, _Slot] = {}
         position, chained = 0, False
         for each in values_of(words[1:-1]):
@@ -127,7 +127,7 @@ class _Filler(Struct):
                 slots[place] = _Slot(text, comments=self._beside(each))
 
     def _beside(self, each: ListValue) -> list[str]:
-        """The comments that stand behind a value on its line."""
+        """The comments after a value on its line."""
         found = []
         for comment in self.comments:
             between = self.data[each.value[-1][2] : comment[1]]
@@ -137,7 +137,7 @@ class _Filler(Struct):
         return found
 
     def _steps(self, designator: Sequence[Token], kind: ValueType | None) -> Iterator[tuple[int, int]]:
-        """The first and last place of each part of a designator."""
+        """The first and last index that each part of a designator stands for, from the outermost part."""
         texts = named_places(designator)
         while texts:
             if texts[0] == ".":
@@ -157,7 +157,7 @@ class _Filler(Struct):
 
 
 def _part(kind: ValueType | None, place: int) -> ValueType | None:
-    """The type of a place within another type; members of a union but the first are refused."""
+    """The type of a place within an aggregate; `UnknownList` is raised for members of a union other than the first."""
     if not is_record(kind):
         return element_type(kind)
     members = members_of(kind)

@@ -1,7 +1,7 @@
-"""Variables that several declarations or files of a program share: one for all of them in C, a definition each in C++.
+"""Variables declared several times or in several files: one object in C, a definition each in C++.
 
-C joins the declarations of a variable that has no initial value (C11 6.9.2, and common storage of older compilers across
-files). Each rule finds declarations and says which rule of `edit_rules` changes their text.
+C merges tentative definitions of a variable (C11 6.9.2), and older compilers merge common symbols of several files. Each rule
+finds declarations and names the rule of `edit_rules` that changes their text.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from robosmi.transformations.queries.source_text import is_header
 
 
 def shared(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """A variable that a header declares without extern: one for all files in C, one for each in C++."""
+    """Variables declared in a header without extern: shared by all files in C, defined once in each file in C++."""
     unit = view.unit
     units = [u for u in unit.program.units if not is_header(u)] if is_header(unit) and unit.program is not None else []
     defined = {
@@ -48,7 +48,7 @@ def shared(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -
 
 
 def constants_of_others(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """A constant that other files use: in C++ it belongs to its own file alone, unless it is said to be extern."""
+    """Constants used by other files: in C++ they have internal linkage unless declared extern."""
     unit = view.unit
     if is_header(unit) or unit.program is None:
         return
@@ -67,7 +67,7 @@ def constants_of_others(view: CodeView, data: bytes, functions: Mapping[str, Fun
 
 
 def tentative(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Globals that are declared twice: all but one become mere declarations."""
+    """Globals with several tentative definitions in a file: all but one become declarations."""
     by_name: dict[str, list[ccode.Variable]] = {}
     for declaration in view.unit.declarations:
         if (
@@ -102,12 +102,12 @@ def tentative(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]
 
 
 def _repeated_in_lists(view: CodeView, data: bytes, repeated: Mapping[ccode.Variable, bool]) -> Iterator[Change]:
-    """Names that leave a declaration of several, since another declaration defines them.
+    """Variables to remove from a declaration of several, because another declaration defines them.
 
     Args:
         view: the unit.
         data: its bytes.
-        repeated: the variables -> whether they are used before that other declaration.
+        repeated: the variables, each with whether it is used before the other declaration.
     """
     reason = "the variable is declared a second time"
     declared = (d for d in view.unit.declarations if isinstance(d, ccode.Variable))
@@ -128,28 +128,28 @@ def _repeated_in_lists(view: CodeView, data: bytes, repeated: Mapping[ccode.Vari
 
 
 def _open_array(variable: ccode.Variable) -> bool:
-    """Whether a declaration leaves the size of an array to another one."""
+    """Whether a declaration leaves an array's size open (`int a[];`)."""
     use = variable.valueType
     return use is not None and not use.pointerDepth and bool(re.match(r"\[\s*\]", (use.arrayDims or "").strip()))
 
 
 def _used_before(kept: ccode.Variable, declared: ccode.Variable) -> bool:
-    """Whether uses of a variable stand between one of its declarations and the one that is kept."""
+    """Whether a variable is used between one of its declarations and the kept one after it."""
     uses = (use for variable in (kept, declared) for use in variable.references)
     return declared.startOffset < kept.startOffset and any(declared.startOffset < u.startOffset < kept.startOffset for u in uses)
 
 
 def _elsewhere(unit: ccode.SourceUnit, variable: ccode.Variable) -> bool:
-    """Whether another file of the program declares something of a variable's name."""
+    """Whether another file of the program declares the same name."""
     others = (u for u in unit.program.units if u is not unit) if unit.program is not None else ()
     return any(d.name == variable.name for u in others for d in u.declarations)
 
 
 def extern(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Variables that the program declares and defines nowhere: their declaration becomes the definition.
+    """Variables that the program declares extern and never defines: the declaration becomes the definition.
 
-    Of several files that declare one, the first defines it. Where a declaration names others that are defined, the definitions
-    stand behind it.
+    If several files declare one, the first defines it. If the declaration also names defined variables, the definitions follow
+    it.
     """
     program = view.unit.program
     units = list(program.units) if program is not None else []
@@ -176,13 +176,13 @@ def extern(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -
 
 
 def _extern_in_c(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """The same in C, where a definition with a value is not called extern: compilers warn of it."""
+    """The same in C, where a definition is written without extern: compilers warn of an initialized extern variable."""
     for change in extern(view, data, functions):
         yield change._replace(rule="define-without-extern") if change.rule == "define-extern" else change
 
 
 def _declared_together(variables: Iterable[ccode.Variable]) -> list[list[ccode.Variable]]:
-    """Variables by the declaration that names them, in text order."""
+    """Group variables by the declaration that declares them, in text order."""
     found: dict[tuple[int, int], list[ccode.Variable]] = {}
     for variable in variables:
         around = variable.eContainer()
@@ -192,7 +192,7 @@ def _declared_together(variables: Iterable[ccode.Variable]) -> list[list[ccode.V
 
 
 def common(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """A variable that several files define without a value: the one with a value, else the first, is the definition."""
+    """Variables that several files define tentatively: the initialized definition counts, or else the first."""
     unit = view.unit
     units = [u for u in unit.program.units if not is_header(u)] if unit.program is not None and not is_header(unit) else []
     valued = {d.name for d in unit.declarations if _plain(d) and not _common(d)}
@@ -207,7 +207,7 @@ def common(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -
 
 
 def linkage(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """`extern "C"` for compilers of C++: all files of the sketch are C++, and some declare the functions without it."""
+    """`extern "C"` under `#ifdef __cplusplus`, which is removed: all files of the sketch are C++, and some declare without it."""
     for opening, closing in _branches(view.unit):
         body = data[opening.endOffset : closing.startOffset]
         if _FOR_CPLUSPLUS.fullmatch(opening.condition or "") and _LINKAGE.fullmatch(_COMMENTS.sub(b"", body)):
@@ -220,7 +220,7 @@ _COMMENTS = re.compile(rb"/\*.*?\*/|//[^\n]*", re.DOTALL)
 
 
 def _branches(unit: ccode.SourceUnit) -> Iterator[tuple[ccode.PreprocessorConditional, ccode.PreprocessorConditional]]:
-    """The first branch of each condition: its directive and the next one that belongs to it."""
+    """The first branch of each preprocessor condition: its directive and the next directive of the same condition."""
     opened: list[ccode.PreprocessorConditional | None] = []
     for directive in unit.conditionals:
         if directive.directive in ("if", "ifdef", "ifndef"):
@@ -234,14 +234,14 @@ def _branches(unit: ccode.SourceUnit) -> Iterator[tuple[ccode.PreprocessorCondit
 
 
 def _plain(declaration: ccode.Declaration) -> bool:
-    """Whether it is a variable that other files see, and no mere declaration."""
+    """Whether a declaration defines a variable with external linkage, tentatively or not."""
     if not isinstance(declaration, ccode.Variable) or not declaration.name:
         return False
     return declaration.storage.name == "unspecified" or (declaration.storage.name == "externStorage" and declaration.initialised)
 
 
 def _common(declaration: ccode.Declaration) -> bool:
-    """Whether it is such a variable without a value, and no constant."""
+    """Whether a declaration is a tentative definition of a non-constant variable with external linkage."""
     if not isinstance(declaration, ccode.Variable) or not _plain(declaration) or declaration.initialised:
         return False
     return not (declaration.valueType is not None and declaration.valueType.constant)
@@ -249,4 +249,4 @@ def _common(declaration: ccode.Declaration) -> bool:
 
 RULES: tuple[Rule, ...] = (tentative, common, shared, extern, constants_of_others, linkage)
 IN_C: tuple[Rule, ...] = (_extern_in_c, common)
-"""Of these the ones that C wants, too: nothing is common to files there by default any more."""
+"""The rules that C needs, too: current C compilers no longer merge common symbols by default."""

@@ -1,7 +1,8 @@
-"""Directives that give no pin to calls of macros whose ports nothing can look up: they would drive other pins of the target.
+"""Redirects calls inside macros to an invalid pin if their ports cannot be looked up: they would drive other pins of the
+target.
 
-Neither the text of the macro nor that of its use is the port's alone, so the function is given no pin around the use: a macro of
-the function's name, which the preprocessor meets when it has expanded the use. That such calls wait is told by RS335.
+Neither the macro's text nor its use belongs to the port alone. So around the use a macro with the function's name passes no
+pin; the preprocessor meets it when it has expanded the use. RS335 reports that such calls do nothing yet.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from robosmi.typed import distinct
 
 
 class _Use(Struct, frozen=True):
-    """A place at which macros make such calls: the outermost use of a macro there."""
+    """The text range of a macro's outermost use that expands to such calls."""
 
     unit: ccode.SourceUnit
     start: int
@@ -25,14 +26,14 @@ class _Use(Struct, frozen=True):
 
 
 def shut_pins(arguments: Iterable[PinArgument], sources: Mapping[str, bytes]) -> dict[int, list[migration.TextChange]]:
-    """The changes around each use of a macro that makes such calls.
+    """Make the directives around each macro use that expands to calls whose ports cannot be looked up.
 
     Args:
-        arguments: the pins of the program's calls; only those that no text says are looked at.
+        arguments: the pin arguments of the program's calls; only those without a place in the text are considered.
         sources: path of a unit -> its bytes.
 
     Returns:
-        id of the first call at each place -> the changes there.
+        `id()` of the first call at each use -> the changes there.
     """
     found: dict[tuple[str, int], tuple[_Use, list[PinArgument]]] = {}
     for one in arguments:
@@ -50,7 +51,7 @@ def _outermost(unit: ccode.SourceUnit, call: ccode.Call) -> _Use:
 
 
 def _around(use: _Use, given: list[PinArgument], data: bytes) -> Iterator[migration.TextChange]:
-    """Directives on lines of their own: in place of the blanks before the use where nothing else is there, and behind it."""
+    """Put the directives on lines of their own before and after the use; before it they replace the indentation if possible."""
     functions = distinct(each.function for each in given)
     before = "".join(f"{_directive(name, [each for each in given if each.function == name])}\n" for name in functions)
     after = "".join(f"\n#undef {name}" for name in functions)
@@ -66,7 +67,7 @@ def _around(use: _Use, given: list[PinArgument], data: bytes) -> Iterator[migrat
 
 
 def _directive(function: str, given: list[PinArgument]) -> str:
-    """A macro that calls the function with no pin, and with no elements of arrays of pins."""
+    """A macro definition that calls the function with an invalid pin, and with a length of 0 for arrays of pins."""
     calls = [each.call for each in given if each.call is not None]
     names = [f"a{i}" for i in range(min(len(call.arguments) for call in calls))]
     texts = list(names)

@@ -1,8 +1,8 @@
-"""Signatures for the target: a source function's signature with the widths it has on the source platform.
+"""Signatures for the target: a source function's signature with the widths its types have on the source platform.
 
-Adapters are called by code that was written for the source's widths (paper 3.4 copies signatures; copied as they are, a
-32-bit argument would arrive cut to 16 bits on some targets). Values keep their width; pointers keep their type, since
-they must fit what they point to. The table of types is data of the target platform.
+Adapters are called by code written for the source's widths; with the signatures copied as they are (paper 3.4), a 32-bit
+argument would be truncated to 16 bits on some targets. Types by value keep their width; pointer types stay, since they must fit
+what they point to. The table of types is data of the target platform.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ class Signature(Struct, frozen=True):
     """A function's signature in parts.
 
     Attributes:
-        name: its name.
-        returns: type of its value as written.
+        name: the function's name.
+        returns: the return type as written.
         parameters: (type as written, name) in order; the name may be empty.
         variadic: whether it takes further arguments.
     """
@@ -37,7 +37,7 @@ class Signature(Struct, frozen=True):
     variadic: bool = False
 
     def named(self, reserved: Collection[str] = ()) -> Signature:
-        """The same with a name for every parameter and no name twice; `void` as the only parameter is none.
+        """The signature with a unique name for every parameter, and without the parameter list `(void)`.
 
         Args:
             reserved: names that no parameter may have.
@@ -55,13 +55,13 @@ class Signature(Struct, frozen=True):
         return Signature(self.name, self.returns, tuple(named), self.variadic)
 
     def text(self) -> str:
-        """The declarator: return type, name, parameters."""
+        """The function's declarator as C text: return type, name, parameters."""
         shown = [declare(spelling, name) for spelling, name in self.parameters] + (["..."] if self.variadic else [])
         return declare(self.returns, f"{self.name}({', '.join(shown)})")
 
 
 def widened(spelling: str, widths: Mapping[str, str]) -> str:
-    """The type that holds the same values on the target.
+    """The type of the target that holds the values which a type has on the source.
 
     Args:
         spelling: a type as written.
@@ -77,7 +77,13 @@ def widened(spelling: str, widths: Mapping[str, str]) -> str:
 
 
 def for_target(signature: Signature, widths: Mapping[str, str], reserved: Collection[str] = ()) -> Signature:
-    """The signature with named parameters and the source's widths; no parameter is called by a reserved name."""
+    """The signature for the target: all parameters named, types by value with the source's widths.
+
+    Args:
+        signature: the signature on the source.
+        widths: type of the source -> type of the target, for types by value.
+        reserved: names that no parameter may have.
+    """
     named = signature.named(reserved)
     parameters = tuple((widened(spelling, widths), name) for spelling, name in named.parameters)
     return Signature(named.name, widened(named.returns, widths), parameters, named.variadic)

@@ -1,8 +1,8 @@
-"""Inline assembler of the source: instructions that the target's microcontroller does not have leave the program.
+"""Removes the source's inline assembler, whose instructions the target's microcontroller does not have.
 
-What every GNU assembler takes stays: an empty text (a barrier for the compiler), directives, labels, `nop`. Any other
-instruction is the source's own: its statement, or its use of a macro that stands for it, becomes a comment, so that the rest
-of the program compiles. Assembler written at file scope without a macro is not in the code model and stays as it is.
+What every GNU assembler accepts stays: an empty text (a compiler barrier), directives, labels, `nop`. A statement with any
+other instruction, or a use of a macro that contains one, becomes a comment, so that the rest of the program compiles. Assembler
+at file scope that is not in a macro is not part of the code model and stays as it is.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
 
 LEFT_OUT = "source-assembler"
-"""The rule of `edit_rules` that makes a comment of it."""
+"""The rule of `edit_rules` that turns assembler into a comment."""
 REASON = "another microcontroller does not have the source's instructions"
 _ASSEMBLER = re.compile(r"\b(?:__asm__|__asm|asm)\b")
 _PIECE = re.compile(r'"((?:[^"\\]|\\.)*)"\s*|(:)|([A-Za-z_]\w*)|(.)', re.DOTALL)
 _WORDS_BEFORE = frozenset(["volatile", "__volatile__", "__volatile", "inline", "goto"])
 _COMMON = re.compile(r"(?:[\w.$]+:\s*)*(?:\..*|nop)?", re.IGNORECASE | re.DOTALL)
-"""A line of assembler without an instruction of one microcontroller alone."""
+"""A line of assembler that is valid on any microcontroller: labels, directives and `nop`."""
 
 
 def assembler(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Statements of assembler, and uses of the program's own macros that stand for it."""
+    """Find assembler statements, and uses of the program's macros that expand to them."""
     macros = {str(m.name): str(m.body) for unit in view.program.units for m in unit.macros}
     foreign: dict[str, bool] = {}
     for statement in view.of_kind(ccode.UnknownStatement):
@@ -44,7 +44,7 @@ def _in_a_declaration(use: ccode.MacroUse, view: CodeView) -> bool:
 
 
 def _foreign(text: str, macros: Mapping[str, str], known: dict[str, bool]) -> bool:
-    """Whether a text is assembler of the source, or begins with a macro that is."""
+    """Whether a text is the source's assembler, or begins with a macro that expands to it."""
     found = _ASSEMBLER.match(text.lstrip())
     if found is not None:
         return not all(_COMMON.fullmatch(line.strip()) for line in _lines(text.lstrip()[found.end() :]))
@@ -58,7 +58,7 @@ def _foreign(text: str, macros: Mapping[str, str], known: dict[str, bool]) -> bo
 
 
 def _lines(text: str) -> Iterator[str]:
-    """The lines of the instructions, up to the operands; what is no plain text, such as a macro's argument, is one of them."""
+    """The instruction lines up to the operands; a part that is no string literal, such as a macro argument, counts as a line."""
     template: list[str] = []
     for piece in _PIECE.finditer(text):
         if piece[1] is not None:

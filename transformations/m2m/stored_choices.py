@@ -1,8 +1,8 @@
-"""Choices that a person has made in a stored plan, taken over by the plan that is made anew, and which of several counted.
+"""Takes over a person's choices from a stored plan into the plan made anew, and decides which of several choices counts.
 
-The order is: flag, project file, the stored plan, history, rule. What a stored plan chooses for something that is no more is
-left out with a finding; so is said where a flag, the project file and the plan choose differently. Reading the stored plan is
-`chains.adopted`'s business.
+The order is: flag, project file, stored plan, history, rule. A stored choice for something that no longer exists is dropped
+with a finding; differences between flag, project file and stored plan are reported as well. `chains.adopted` reads the stored
+plan.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ DIFFERENT, GONE = "RS413", "RS414"
 
 
 class Said(Struct, frozen=True):
-    """What a person has chosen: the value, why, and when (as `Decision.chosenAt`)."""
+    """A person's choice: the value, the reason, and the time (as `Decision.chosenAt`)."""
 
     value: str
     why: tuple[str, ...] = ()
@@ -27,12 +27,12 @@ class Said(Struct, frozen=True):
 
 
 class StoredChoices(Struct, frozen=True):
-    """The choices of persons in a stored plan.
+    """A person's choices in a stored plan.
 
     Attributes:
         ports: name of a port -> pin or connection, or `none`.
         libraries: (elementId, title) of a component -> library, or `none`.
-        place: the plan, for messages.
+        place: the plan's file, for messages.
     """
 
     ports: Mapping[str, Said] = {}
@@ -41,7 +41,7 @@ class StoredChoices(Struct, frozen=True):
 
 
 NOTHING = StoredChoices()
-"""Of no stored plan."""
+"""The choices if there is no stored plan."""
 
 
 def choices_of_persons(plan: migration.MigrationPlan, place: Path | None = None) -> StoredChoices:
@@ -68,7 +68,7 @@ def _said(decision: migration.Decision) -> Said:
 
 
 def explain(decision: migration.Decision, said: Said | None) -> None:
-    """Let a decision of a person keep why and when it was made, where the stored plan has chosen the same."""
+    """Copy reason and time of a person's decision from the stored plan, if it chose the same."""
     if said is not None and said.value == decision.choice and decision.chosenBy is migration.ChosenBy.person:
         decision.chosenAt = said.at
         if said.why or said.at:  # one that is made without a reason has none
@@ -83,14 +83,14 @@ def differences(
     project_place: Path | None,
     stored: StoredChoices,
 ) -> list[Finding]:
-    """What is worth knowing of choices that several places make, and of stored ones that no longer fit.
+    """Findings about choices that several places make differently, and about stored choices that no longer apply.
 
     Args:
-        plan: the plan that was made of them.
-        flags: `bind` and `libraries` -> what the command line says.
-        project: the same of the project file.
+        plan: the plan that was made from them.
+        flags: the command line's choices under the keys `bind` and `libraries`.
+        project: the project file's choices under the same keys.
         project_place: the project file.
-        stored: what the stored plan says.
+        stored: the stored plan's choices.
     """
     found: list[Finding] = []
     for decision, subject, kind, kept in _subjects(plan, stored):
@@ -120,7 +120,7 @@ def _subjects(plan: migration.MigrationPlan, stored: StoredChoices) -> Iterator[
 
 
 def _of(said: Mapping[str, str], decision: migration.Decision) -> str | None:
-    """What one place says of a decision, by any of the names of its subject."""
+    """The value that one source of choices gives a decision, under any of the names of its subject."""
     if isinstance(decision, migration.PortBinding):
         return next((said[name] for name in (decision.name, *decision.names) if name in said), None)
     component = decision.component if isinstance(decision, migration.LibraryChoice) else None
@@ -129,7 +129,7 @@ def _of(said: Mapping[str, str], decision: migration.Decision) -> str | None:
 
 
 def _meant(value: str, plan: migration.MigrationPlan) -> object:
-    """What a value stands for: a pin has several names, and so have connections."""
+    """A value in normal form, so that different names of one pin or connection compare equal."""
     for connection in plan.connections:
         if connection.pin is not None and value in (connection.name, connection.pin.label, *connection.pin.aliases):
             return id(connection.pin)
@@ -138,7 +138,7 @@ def _meant(value: str, plan: migration.MigrationPlan) -> object:
 
 
 def _lost(plan: migration.MigrationPlan, stored: StoredChoices) -> list[Finding]:
-    """Stored choices whose port or component is no more."""
+    """Findings about stored choices whose port or component no longer exists."""
     ports = {str(b.name) for b in plan.portBindings}
     components = {(str(c.component.elementId), str(c.component.title)) for c in plan.libraryChoices if c.component is not None}
     gone = [_gone(f"the port '{name}'", said, stored) for name, said in stored.ports.items() if name not in ports]

@@ -1,6 +1,6 @@
-"""A change of text that the target's language wants: what the rules of `language_gap` and `old_c` give.
+"""The change of text that the target's language needs at one element, as the rules of `language_gap` and `old_c` return it.
 
-What a rule does to the text is in `edit_rules`; what becomes of it in the plan is `platform_dependence`'s.
+What a rule does to the text is in `edit_rules`; `platform_dependence` enters the changes into the plan.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from robosmi.transformations.queries.expression_type import FunctionType
 
 
 class Change(NamedTuple):
-    """A change of text that C++ wants.
+    """A change of text that C++ needs.
 
     Attributes:
-        element: what is changed.
+        element: the element that changes.
         rule: the rule of `edit_rules` that changes it.
-        text: what the rule puts in.
-        reason: why, one sentence.
+        text: the text that the rule inserts.
+        reason: the reason, in one sentence.
     """
 
     element: ccode.Located
@@ -30,4 +30,4 @@ class Change(NamedTuple):
 
 
 Rule = Callable[[CodeView, bytes, Mapping[str, FunctionType]], Iterator[Change]]
-"""View of a unit, its bytes, what adapters take and give -> the changes."""
+"""A function from a unit's view, its bytes and the types of the adapters' functions to the changes it finds."""

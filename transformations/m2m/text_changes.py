@@ -1,8 +1,8 @@
-"""Changes of the carried-over text, made when planning: each belongs to the decision that wants it.
+"""Applies the rules to texts when planning: each change of the carried-over text belongs to the decision that needs it.
 
-What a rule does to the text is a table (`edit_rules`), what moves out of main is `hoisting`. A generator applies the changes
-that are in the plan and derives none. When a person binds a port otherwise in a stored plan, its change is made anew
-(`settle_bindings`), and with it the verdict on the element whose text it is in.
+What a rule does to the text is a table (`edit_rules`); what moves out of main is in `hoisting`. A generator applies the changes
+in the plan and derives none. When a person changes a port's binding in a stored plan, its change is made anew
+(`settle_bindings`), and so is the disposition of the element that contains it.
 """
 
 from __future__ import annotations
@@ -30,13 +30,13 @@ def change_texts(
     texts: Sequence[SourceText],
     table: Mapping[str, EditRule] = RULES,
 ) -> None:
-    """Give a disposition the changes of text that its rules ask for.
+    """Set the text changes of a disposition from its rules.
 
     Args:
-        disposition: the disposition; what it had is replaced.
-        wanted: (rule, what it puts in, why); rules that change no text are left out.
+        disposition: the disposition; earlier changes are replaced.
+        wanted: (rule, text to insert, reason); rules that change no text are skipped.
         texts: the text of each unit.
-        table: what the rules do.
+        table: the edit of each rule.
     """
     element, made = disposition.element, []
     for rule, word, reason in wanted if element is not None else ():
@@ -67,7 +67,7 @@ def _change(
 
 
 def bind_texts(plan: migration.MigrationPlan, texts: Sequence[SourceText]) -> None:
-    """Give every port binding of a plan without flows, as earlier versions made them, its change of text.
+    """Set the text change of each port binding in a plan of an earlier version, which has no flows.
 
     Raises:
         ModelError: a binding's element cannot be rewritten as the binding says.
@@ -79,7 +79,7 @@ def bind_texts(plan: migration.MigrationPlan, texts: Sequence[SourceText]) -> No
 
 
 def settle_bindings(plan: migration.MigrationPlan, texts: Sequence[SourceText]) -> None:
-    """Write the changes of ports anew that do not say the pin they are bound to; a stored plan may have been edited.
+    """Make the text changes of ports anew whose text differs from the bound pin, as in a plan edited by a person.
 
     Raises:
         ModelError: a binding's element cannot be rewritten as the binding says, or one port has two bindings.
@@ -103,7 +103,7 @@ def settle_bindings(plan: migration.MigrationPlan, texts: Sequence[SourceText]) 
 
 
 def _decided_once(plan: migration.MigrationPlan) -> None:
-    """Refuse a plan in which a port of the source, or a name, has two bindings: which of them counts nobody could say."""
+    """Raise `ModelError` if a port or a name has two bindings: it would be undefined which one counts."""
     seen: dict[object, migration.PortBinding] = {}
     for binding in plan.portBindings:
         numbered = binding.sourcePin >= 0 and binding.origin != "convention"
@@ -124,7 +124,7 @@ def _text_of(change: migration.TextChange, texts: Sequence[SourceText]) -> Sourc
 
 
 def mark_rewritten(plan: migration.MigrationPlan) -> None:
-    """What a port binding changes the text of is rewritten, and retained again when the binding is gone."""
+    """Mark elements whose text a port binding changes as rewritten, and as retained again if the binding is gone."""
     ports: dict[int, list[tuple[int, int]]] = {}
     for c in effective(all_changes(plan)):  # in text order, and none within another
         if isinstance(decision_of(c), (migration.PortBinding, migration.PortFlow)):
@@ -143,7 +143,7 @@ def mark_rewritten(plan: migration.MigrationPlan) -> None:
 
 
 def _binding_changes(binding: migration.PortBinding, texts: Sequence[SourceText]) -> list[migration.TextChange]:
-    """The change that gives a port of the source its new pin; none where no text has its number: by convention, in a mask."""
+    """The change that replaces a port's number by its pin; none if the text has no number (conventional ports, masks)."""
     value = port_text(binding)
     if value is None or binding.element is None or binding.origin not in ("declaration", "literal"):
         return []
@@ -160,14 +160,14 @@ def _binding_changes(binding: migration.PortBinding, texts: Sequence[SourceText]
 
 
 def _whole(element: ccode.Located, place: tuple[int, int], text: SourceText) -> bool:
-    """Whether the place holds what the model says: a macro's body with comments or over several lines has no one place."""
+    """Whether a place contains exactly the text in the model; a macro body with comments or several lines may not."""
     if not isinstance(element, ccode.Macro):
         return True
     return text.data[place[0] : place[1]] == element.body.encode(text.unit.encoding or "utf-8", errors="replace")
 
 
 def port_place(element: ccode.Located) -> tuple[int, int] | None:
-    """The bytes that hold a port's value: an initial value, a macro's body, an enumerator's value, a literal."""
+    """The byte range of a port's number: an initial value, a macro's body, an enumerator's value, a literal."""
     finder = _PLACES.get(element.__class__)
     if finder is not None:
         return finder(element)

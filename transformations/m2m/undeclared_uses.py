@@ -1,4 +1,4 @@
-"""How a program uses a name that nothing declares: as a pointer, in lists, in calculations."""
+"""Infers from its uses what a type that nothing declares must support: pointers, initializer lists, arithmetic."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from robosmi.transformations.queries.expression_type import type_of
 
 
 def pointers_in(views: Iterable[CodeView]) -> set[str]:
-    """Names of members that some text gives a pointer or a function."""
+    """The names of members to which the program assigns a pointer or a function."""
     assigned = (a for view in views for a in view.of_kind(ccode.Assignment) if isinstance(a.left, ccode.Member))
     return {str(a.left.name) for a in assigned if isinstance(a.left, ccode.Member) and is_pointer(a.right)}
 
 
 def is_pointer(value: ccode.Expression | None) -> bool:
-    """Whether a value is a pointer: a text, a function, or what has such a type."""
+    """Whether a value is a pointer: a string literal, a function, or an expression of pointer type."""
     if isinstance(value, ccode.StringLiteral) or (
         isinstance(value, ccode.NameReference) and isinstance(value.target, ccode.Function)
     ):
@@ -26,7 +26,7 @@ def is_pointer(value: ccode.Expression | None) -> bool:
 
 
 def listed_values(name: str, views: Iterable[CodeView]) -> list[ccode.Expression]:
-    """The longest list of values that a variable of the type is given."""
+    """The longest initializer list of a variable of the type."""
     variables = (v for view in views for v in view.of_kind(ccode.Variable) if isinstance(v.initializer, ccode.InitializerList))
     kinds = [(v.valueType, v.initializer) for v in variables if v.valueType is not None]
     lists = [
@@ -41,7 +41,7 @@ def listed_values(name: str, views: Iterable[CodeView]) -> list[ccode.Expression
 
 
 def is_computed(name: str, views: Iterable[CodeView]) -> bool:
-    """Whether a value of the type is calculated with or is given a number."""
+    """Whether a value of the type is used in arithmetic or is assigned a number."""
     for view in views:
         variables: tuple[ccode.Variable | ccode.Parameter, ...] = (
             *view.of_kind(ccode.Variable),

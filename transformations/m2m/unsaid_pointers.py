@@ -1,7 +1,7 @@
-"""What C++ wants of pointers to functions whose type says nothing of parameters, and of the calls through them.
+"""Pointers to functions with unspecified parameters, and calls through them, which C++ refuses.
 
-Where all that is kept in them takes the same, their types say so then. A call that gives more leaves that out, and one that gives
-less gives zeros. What neither mends is told by `refused_forms`.
+If all functions stored in such a pointer take the same parameters, its type is given them; a call with more arguments loses the
+surplus, and one with fewer is filled up with zeros. `refused_forms` reports what cannot be mended so.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from robosmi.transformations.queries.value_uses import changes_nothing
 
 
 def said_of_pointers(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """The types that say what their functions take, and the calls that give as much."""
+    """Find pointer types that can be given a parameter list, and calls through them whose number of arguments changes."""
     for kept in unsaid_pointers(view.program) if concerns(view.unit) else ():
         if kept.said and not _left(kept):
             for pointer in kept.pointers:
@@ -31,13 +31,13 @@ def said_of_pointers(view: CodeView, data: bytes, functions: Mapping[str, Functi
 
 
 def said_values(view: CodeView) -> dict[int, str]:
-    """What the types of pointers say then that takes a value, by the value's identity."""
+    """The parameter list that such a pointer's type is given, by the `id()` of each value stored in the pointer."""
     groups = unsaid_pointers(view.program) if concerns(view.unit) else ()
     return {id(value): kept.said for kept in groups if kept.said and not _left(kept) for value in kept.values}
 
 
 def untold_pointers(view: CodeView) -> Iterator[tuple[int, str]]:
-    """Pointers of a unit whose calls C++ refuses, since nothing or not one thing says what they take; offset and message."""
+    """Pointers of a unit that C++ refuses to call because their parameters are unknown or ambiguous, as (offset, message)."""
     for kept in unsaid_pointers(view.program) if concerns(view.unit) else ():
         message = _left(kept)
         first = next((pointer for pointer in kept.pointers if unit_of(pointer) is view.unit), None)
@@ -46,7 +46,7 @@ def untold_pointers(view: CodeView) -> Iterator[tuple[int, str]]:
 
 
 def _left(kept: UnsaidPointers) -> str:
-    """Why calls through pointers that give arguments cannot be mended; empty where they can, or where there are none."""
+    """The reason why calls with arguments through a pointer cannot be mended; empty if they can or there are none."""
     if not any(call.arguments for call in kept.calls):
         return ""
     count = kept.count

@@ -1,4 +1,4 @@
-"""Arithmetic with `void *`, which GNU C counts in bytes and C++ does not have: steps, distances, sums, and `sizeof(void)`."""
+"""Arithmetic on `void *`, which GNU C does in bytes and C++ refuses: increments, differences, sums, and `sizeof(void)`."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _NO_BYTES = "C++ does not calculate with void *"
 
 
 def sums(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Operands of sums and distances."""
+    """Operands of sums and differences that need a cast to a byte pointer."""
     for binary in view.of_kind(ccode.Binary):
         for value in (binary.left, binary.right) if binary.operator in ("+", "-") else ():
             kind = _bytes(value, functions)
@@ -24,7 +24,7 @@ def sums(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> 
 
 
 def steps(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """Counting up and down."""
+    """Increments and decrements."""
     for step in view.of_kind(ccode.Unary):
         kind = _bytes(step.operand, functions) if step.operator in ("++", "--") else ""
         if kind and step.operand is not None and changes_nothing(step.operand) and _is_written(step, data):
@@ -38,7 +38,7 @@ def steps(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) ->
 
 
 def additions(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """`p += n` and `p -= n`."""
+    """Compound assignments `p += n` and `p -= n`."""
     for assignment in view.of_kind(ccode.Assignment):
         kind = _bytes(assignment.left, functions) if assignment.operator in ("+=", "-=") else ""
         if kind and assignment.left is not None and changes_nothing(assignment.left) and not _of_macro(assignment):
@@ -56,7 +56,7 @@ def sizes(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) ->
 
 
 def in_macros(view: CodeView) -> Iterator[tuple[int, str]]:
-    """Distances of `void *` that stand in the body of a macro, where no conversion is written; offset and message."""
+    """Differences of `void *` in macro bodies, where no cast is inserted, as (offset, message)."""
     for binary in view.of_kind(ccode.Binary):
         sides = [kind for kind in (_bytes(binary.left, {}), _bytes(binary.right, {})) if kind]
         if binary.operator == "-" and sides and _of_macro(binary):
@@ -64,7 +64,7 @@ def in_macros(view: CodeView) -> Iterator[tuple[int, str]]:
 
 
 def _bytes(value: ccode.Expression | None, functions: Mapping[str, FunctionType]) -> str:
-    """The pointer to bytes that takes the place of a `void *`, empty for any other type."""
+    """The byte pointer type that replaces a `void *`; empty for a value of any other type."""
     given = type_of(value, functions)
     if given is None or given.base != "void" or given.depth != 1 or given.function:
         return ""
@@ -72,13 +72,13 @@ def _bytes(value: ccode.Expression | None, functions: Mapping[str, FunctionType]
 
 
 def _of_macro(whole: ccode.Binary | ccode.Assignment) -> bool:
-    """Whether a macro writes an operation, so that its operands have no places of their own."""
+    """Whether an operation comes from a macro, so that its operands have no places in the text."""
     sides = (whole.left, whole.right)
     return all(e is None or (e.startOffset, e.endOffset) == (whole.startOffset, whole.endOffset) for e in sides)
 
 
 def _is_written(step: ccode.Unary, data: bytes) -> bool:
-    """Whether the step stands in the text as it is, and not in a macro."""
+    """Whether an increment is in the text itself and not in a macro."""
     text, sign = _text(step, data), str(step.operator)
     return text.endswith(sign) if step.postfix else text.startswith(sign)
 

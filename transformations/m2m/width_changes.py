@@ -1,7 +1,7 @@
-"""From what has to be written otherwise to changes of text: where each goes, and what several of them at one place make.
+"""Turns the wants of `width_rules` into text changes: where each is written, and how several at one place combine.
 
-A place in a macro's body is every use's, so a conversion is written there only where all uses want the same; else it is
-written in the argument. What finds no place is given back, to be told.
+A place in a macro's body belongs to every use of the macro, so a cast is written there only if all uses need the same one; else
+it is written in the argument. Wants without a possible place are returned, to be reported.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _COMPOUND_FORMS = frozenset(["binary", "conditional", "assign", "compound"])
 
 
 class WidthEdit(NamedTuple):
-    """A change of a unit's text: range, new text, rule."""
+    """A change of a unit's text: byte range, new text, rule."""
 
     unit: str
     start: int
@@ -34,7 +34,7 @@ class WidthEdit(NamedTuple):
 
 
 class _Cast(Struct):
-    """What is written before an expression."""
+    """The cast inserted before an expression: its type, whether plain char is read as unsigned, whether it needs parentheses."""
 
     number: Number | None = None
     read: bool = False
@@ -48,8 +48,8 @@ class Writer(Struct):
         texts: path of a unit -> its bytes.
         walk: the walk that found the wants.
         order: the macros of the program and their uses.
-        lambdas: the target's language has functions without names.
-        lost: what found no place.
+        lambdas: the target's language has lambda expressions.
+        lost: the wants for which there is no possible place.
     """
 
     texts: Mapping[str, bytes]
@@ -61,7 +61,7 @@ class Writer(Struct):
     _edits: dict[WidthEdit, None] = {}
 
     def edits(self) -> list[WidthEdit]:
-        """All changes; of those at one place the ones that stand outside come first."""
+        """All changes; of those at one place the outer ones come first."""
         for want in self.walk.wants:
             done = {
                 WIDEN: self._widen,
@@ -127,7 +127,7 @@ class Writer(Struct):
         return cast
 
     def _place(self, node: TypedExpression, fits: set[str], number: Number | None) -> TextPlace | None:
-        """Where a conversion may be written: the outermost place whose uses all fit it."""
+        """The outermost place for a cast that fits all uses of that place; None if there is none."""
         for place in node.layers:
             seen = self.walk.seen.get(place, set())
             shared = place.body or place not in node.places[:1]
@@ -145,7 +145,7 @@ class Writer(Struct):
         return True
 
     def _text(self, want: Want) -> bool:
-        """The letter for 32 bits in a format."""
+        """Insert the length `l` for 32 bits into the conversions of a format."""
         written = want.node.text
         if want.text or "PRI" in written or "SCN" in written:
             return not want.text  # the target's own macros name its widths
@@ -157,7 +157,7 @@ class Writer(Struct):
         return True
 
     def _order(self, want: Want) -> bool:
-        """A function that the library calls for an int, handed over so that its sign is what the library gets."""
+        """Wrap a comparison function for `qsort` or `bsearch` in a lambda that reduces its 32-bit result to the sign."""
         place = next(iter(want.node.inner), None)
         if place is None or not self.lambdas or not re.fullmatch(r"&?\s*\w+", self._slice(place)):
             return False
@@ -167,7 +167,7 @@ class Writer(Struct):
         return True
 
     def _shift(self, want: Want) -> bool:
-        """`a <<= n` spelled out as `a = (int32_t)a << n`."""
+        """Write `a <<= n` as `a = (int32_t)a << n`."""
         left, right = want.node.children[:2]
         assert want.number is not None
         whole = next(iter(want.node.inner), None)
@@ -190,7 +190,7 @@ class Writer(Struct):
 
 
 def _plain(node: TypedExpression) -> bool:
-    """Whether an expression can be written twice: nothing in it is called or counted."""
+    """Whether an expression has no side effects, so that it can be written twice."""
     if node.form in ("call", "assign", "compound") or node.operator in ("++", "--"):
         return False
     return all(_plain(child) for child in node.children)

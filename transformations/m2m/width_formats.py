@@ -1,8 +1,8 @@
-"""Texts that say how numbers are printed and read: what has to change in them when what is passed has another width.
+"""Formats of printf and scanf: what has to change in them if the arguments have other widths on the target.
 
-Functions of the standard library with a format, and the program's own that hand theirs on to one. A width that is not in the
-text (`%d` for 32 bits) is put in; what is passed in fewer bits than the text names is converted. Adapters of the platform know
-what they are given and need nothing of this. Source: ISO/IEC 9899:1999, 7.19.6.
+This covers functions of the standard library with a format, and the program's functions that pass theirs on to one. A missing
+length (`%d` for 32 bits) is inserted; an argument narrower than the format says is cast. The platform's adapters know the
+widths of their arguments and need no changes. Source: ISO/IEC 9899:1999, 7.19.6.
 """
 
 from __future__ import annotations
@@ -17,7 +17,9 @@ _PRINTED = re.compile(r"%[-+ #0']*(\*|\d+)?(?:\.(\*|-?\d+)?)?(hh|h|ll|l|j|z|t|L)
 _READ = re.compile(r"%(\*)?\d*(hh|h|ll|l|j|z|t|L)?([a-zA-Z%]|\[\^?\]?[^\]]*\])")
 _NUMBERS = frozenset("diuxXo")
 Conversion = tuple[str, str, int]
-"""Length as written, letter (`*` for a width that is passed), offset of the letter in the text."""
+"""A conversion specification: length as written, letter (`*` for a width passed as an argument), offset of the letter in the
+text.
+"""
 
 
 def has_format(name: str) -> bool:
@@ -26,7 +28,7 @@ def has_format(name: str) -> bool:
 
 
 def handing_on(top: Iterable[TypedExpression]) -> set[str]:
-    """The program's functions that hand a format on to the standard library."""
+    """The program's functions that pass a format on to the standard library."""
     return {node.name for node in top if node.form == "function" and any(_hands_on(child) for child in node.children)}
 
 
@@ -37,11 +39,11 @@ def _hands_on(node: TypedExpression) -> bool:
 
 
 def conversions(text: str, reads: bool) -> Iterator[Conversion]:
-    """What a format names, in the order of what is passed.
+    """The conversion specifications of a format, in the order of their arguments.
 
     Args:
-        text: the format as it is written, quotes included.
-        reads: it is one of scanf and its like.
+        text: the string literal as written, including its quotes.
+        reads: whether it is a format of scanf and its relatives.
     """
     for found in (_READ if reads else _PRINTED).finditer(text):
         *stars, length, letter = found.groups()
@@ -54,14 +56,15 @@ def conversions(text: str, reads: bool) -> Iterator[Conversion]:
 def wanted(
     there: Machine, conversion: Conversion, number: Number | None, wide: Number | None, sure: bool
 ) -> tuple[bool, Number | None]:
-    """Whether the text has to name 32 bits, and what the value has to be converted to.
+    """Whether the length `l` has to be inserted into a conversion, and the type that its argument has to be cast to (None: no
+    cast).
 
     Args:
-        there: the target.
-        conversion: what the text names.
-        number: what is passed on the target, as it is promoted; None where that is not known.
-        wide: what is passed on the source.
-        sure: the value is a constant that is not negative.
+        there: the target's integer types.
+        conversion: the conversion specification.
+        number: the argument's promoted type on the target; None if unknown.
+        wide: the argument's type on the source.
+        sure: the argument is a non-negative constant.
     """
     length, letter, _ = conversion
     if number is None or number.real or wide is None:

@@ -1,9 +1,9 @@
-"""Where an expression has to be written otherwise so that a narrower target computes what the source computed.
+"""Finds the expressions that have to be written differently so that a narrower target computes what the source computes.
 
-The rule: an operator that the source computes in so many bits is computed in at least as many, with the same signedness;
-plain char is read without a sign where its value is widened. The walk goes from the operands to the operators and knows for
-each expression what it is on the target once the wants below it are met, so one pass is enough. How a want becomes a change
-of text is in `width_changes`, types of declarations are in `width_types`. Source: ISO/IEC 9899:1999, 6.3.1 and 6.5.
+The rule: an operator that the source computes in n bits is computed in at least n bits with the same signedness; plain char is
+read as unsigned where its value is widened. The walk goes from the operands up to the operators and tracks the type of each
+expression on the target, assuming that the wants below it are met, so one pass is enough. `width_changes` turns a want into a
+text change; types of declarations are in `width_types`. Source: ISO/IEC 9899:1999, 6.3.1 and 6.5.
 """
 
 from __future__ import annotations
@@ -25,15 +25,15 @@ _COMPOUND_FORMS = frozenset(["binary", "conditional", "assign", "compound"])
 
 
 class Walk(Struct):
-    """The walk over a program.
+    """The walk over the typed expressions of a program.
 
     Attributes:
-        here, there: what source and target compute in.
-        names: name of a standard function or macro with int in its type -> its wider sister.
-        wants: what has to be written otherwise, in the order of the walk.
-        seen: place in a macro's body or argument -> what was read there: one use may have an int where another has a float.
-        handing: functions of the program that hand a format on to the standard library.
-        changed: places that are assigned to or whose address is taken, so that no conversion can be written there.
+        here, there: the integer types of source and target.
+        names: name of a standard function or macro with int in its type -> its wider counterpart.
+        wants: what has to be written differently, in the order of the walk.
+        seen: place in a macro's body or argument -> the kinds of values found there: one use may pass an int, another a float.
+        handing: functions of the program that pass a format on to the standard library.
+        changed: places that are assigned or whose address is taken, so that no cast can be written there.
     """
 
     here: Machine
@@ -45,17 +45,17 @@ class Walk(Struct):
     handing: set[str] = set()
 
     def run(self, top: list[TypedExpression]) -> None:
-        """Walk over what a unit declares."""
+        """Walk over the declarations of a unit."""
         for node in top:
             self.value(node)
 
     @property
     def resigned(self) -> bool:
-        """Whether plain char has a sign on the target and none on the source."""
+        """Whether plain char is signed on the target and unsigned on the source."""
         return self.there.char_signed and not self.here.char_signed
 
     def value(self, node: TypedExpression) -> Number | None:
-        """What an expression is on the target, where it is used as its context does."""
+        """The type of an expression on the target after its conversion to what its context expects; None if it is no number."""
         rule = _RULES.get(node.form)
         number = rule(self, node) if rule is not None else self._others(node)
         for place in node.layers:
@@ -66,7 +66,7 @@ class Walk(Struct):
         return number
 
     def _read(self, node: TypedExpression, number: Number | None) -> Number | None:
-        """A plain char whose value is needed."""
+        """Want a plain char to be read as unsigned."""
         high = node.form == "character" and node.value is not None and 127 < node.value < 256
         if high or (node.kind.char and node.form != "character"):
             self.wants.append(Want(READ, node))
@@ -74,7 +74,7 @@ class Walk(Struct):
         return number
 
     def widen(self, node: TypedExpression, number: Number) -> None:
-        """Have an operand in a wider type."""
+        """Want an operand to be cast to a wider type."""
         self.wants.append(Want(WIDEN, node, number))
 
     # ---- what has no operator of its own
@@ -140,7 +140,7 @@ class Walk(Struct):
         return self.there.number(node.kind.base) if node.kind.base in _PLAIN else node.kind.target
 
     def _format(self, node: TypedExpression, arguments: list[TypedExpression], numbers: list[Number | None]) -> None:
-        """What is passed for a format, and the format itself."""
+        """Check a call's format and the arguments that it describes."""
         text, reads = arguments[node.fixed - 1], node.name.endswith("scanf")
         if text.form != "text":
             self.wants.append(Want(TEXT, text, text="?"))
@@ -161,7 +161,9 @@ class Walk(Struct):
             self.wants.append(Want(TEXT, text, offsets=tuple(offsets)))
 
     def _arguments_of_adapter(self, node: TypedExpression) -> None:
-        """An adapter knows plain char as such and takes what is as wide as on the source."""
+        """Visit an adapter's arguments: adapters expect plain char as on the source and take the source's widths, so none is
+        cast.
+        """
         for argument in node.children[1:]:
             if argument.kind.char:
                 argument.converted = argument.kind
@@ -233,7 +235,7 @@ class Walk(Struct):
         return node.kind.number
 
     def _agree(self, wanted: Number | None, *operands: tuple[TypedExpression, Number | None]) -> None:
-        """Have two operands that are computed with in the type wanted."""
+        """Cast as few of two operands as needed so that their common type is the wanted one."""
         if wanted is None or wanted.real:
             return
         left, right = (number if number is not None else self.there.integer for _, number in operands)
@@ -251,9 +253,10 @@ class Walk(Struct):
         return (common.bits, common.signed) == (wanted.bits, wanted.signed)
 
     def _reluctance(self, node: TypedExpression, number: Number | None, wanted: Number) -> tuple[bool, ...]:
-        """In which order operands are chosen for a conversion.
+        """Sort key for choosing which operand is cast: the smallest is preferred.
 
-        One that is of the type on the source comes first, then a number that takes a suffix, then what is narrow and simple.
+        An operand that has the wanted type on the source comes first, then a literal that can take a suffix, then narrow and
+        simple ones.
         """
         here = _promoted_here(self.here, node) or wanted
         return (
@@ -337,19 +340,19 @@ class Walk(Struct):
 
 
 def _as_it_is(nodes: list[TypedExpression]) -> None:
-    """Operands that are only compared with zero: a plain char needs no conversion there."""
+    """Mark operands that are only compared with zero: a plain char needs no cast there."""
     for node in nodes:
         if node.kind.char:
             node.converted = node.kind
 
 
 _ORDERED = {"qsort": 3, "bsearch": 4}
-"""Functions of the standard library that call one of the program's for an int, and which argument that is."""
+"""Standard library functions that call a comparison function of the program, and the index of the argument that passes it."""
 _PLAIN = frozenset(["int", "unsigned int"])
 
 
 def _promoted_here(machine: Machine, node: TypedExpression) -> Number | None:
-    """What arithmetic on the source makes of an expression by itself."""
+    """The type of an expression after integer promotion on the source."""
     number = node.kind.number
     if number is not None and 0 <= node.bits < machine.int_bits:
         return machine.integer
@@ -368,7 +371,7 @@ def _seen_as(machine: Machine, node: TypedExpression) -> str:
 
 
 def _cases(nodes: list[TypedExpression]) -> Iterator[int | None]:
-    """The values of a switch's own cases."""
+    """The case values of a switch, without those of switches nested in it."""
     for node in nodes:
         if node.form == "case":
             yield node.value

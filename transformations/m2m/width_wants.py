@@ -1,4 +1,4 @@
-"""What has to be written otherwise so that numbers keep their widths: found by `width_rules`, written by `width_changes`."""
+"""The kinds of changes that keep the widths of numbers: found by `width_rules`, written by `width_changes`."""
 
 from __future__ import annotations
 
@@ -8,20 +8,21 @@ from robosmi.transformations.queries.numbers import Number
 from robosmi.transformations.queries.typed import TypedExpression
 
 WIDEN, READ, NAME, SHIFT, TEXT, ORDER = "widen", "unsigned-char", "wider-function", "spelled-out", "format", "order"
-"""Rules: convert to a wider type, read without a sign, take a wider sister, spell out an assignment, name the width in a format,
-hand over a function whose result is an int."""
+"""Rules: cast to a wider type, read plain char as unsigned, call a wider counterpart, expand a compound assignment, insert a
+length into a format, wrap a comparison function so that its result fits an int.
+"""
 
 
 class Want(Struct):
-    """A place that has to be written otherwise.
+    """An expression that has to be written differently.
 
     Attributes:
         rule: `widen`, `unsigned-char`, `wider-function`, `spelled-out`, `format` or `order`.
         node: the expression.
-        number: the type wanted by `widen`.
-        text: the new name, or the operator that is spelled out.
-        other: the right side of what is spelled out.
-        offsets: where a format names too few bits.
+        number: the type to cast to.
+        text: the new name, or the operator of an expanded assignment.
+        other: the right operand of an expanded assignment.
+        offsets: where a length has to be inserted into a format.
     """
 
     rule: str

@@ -1,7 +1,7 @@
-"""What a program's text changes so that its numbers keep the widths of the source, as decisions of a plan.
+"""The text changes that keep the source's widths of numbers, as decisions of a plan.
 
-A decision is about one declaration or macro and has all changes in it. Which expressions are concerned is found by
-`width_rules`, where each change goes by `width_changes`; types of declarations are `queries.width_types`'.
+A decision is about one declaration or macro and contains all its changes. `width_rules` finds the expressions, `width_changes`
+places the changes, and `queries.width_types` has the types of declarations.
 """
 
 from __future__ import annotations
@@ -43,12 +43,12 @@ _REASONS = {
 
 
 class Widened(Struct):
-    """What is written otherwise in a program.
+    """What has to be written differently in a program to keep the widths of its numbers.
 
     Attributes:
         widenings: the decisions, in the order of units and lines.
-        lost: what has to be written otherwise and finds no place.
-        unread: uses of macros that stand for too much to be read.
+        lost: wants that no text change can meet.
+        unread: uses of macros that are nested too deeply to be analysed.
     """
 
     widenings: list[migration.Widening] = []
@@ -65,15 +65,15 @@ def widenings(
     renamed: Mapping[str, str],
     cplusplus: bool = True,
 ) -> Widened:
-    """What has to be written otherwise in a program.
+    """Find what has to be written differently in a program so that its numbers keep their widths.
 
     Args:
-        units: of the program.
+        units: the program's units.
         texts: path of a unit -> its bytes.
-        typed: path of a unit -> what it declares and does, with types.
-        machines: what source and target compute in.
-        names: name of a standard function, type or macro with an int in it -> its wider sister.
-        renamed: names that the program's own declarations get otherwise.
+        typed: path of a unit -> its typed expressions.
+        machines: the integer types of source and target.
+        names: name of a standard function, type or macro with an int in it -> its wider counterpart.
+        renamed: the program's own names that change -> their new names.
         cplusplus: the target's language is C++.
     """
     here, there = machines
@@ -96,7 +96,7 @@ def widenings(
 
 
 def _bit_fields(unit: ccode.SourceUnit, data: bytes) -> Iterator[WidthEdit]:
-    """Bit fields of plain char: a conversion of what is read comes too late for them, since their highest bit is a sign there."""
+    """Make bit fields of plain char unsigned: a cast on reading comes too late, since the highest bit is already the sign."""
     written: set[int] = set()
     for record in (d for d in all_of_kind(unit, ccode.Record)):
         for member in record.fields:
@@ -111,7 +111,7 @@ def _bit_fields(unit: ccode.SourceUnit, data: bytes) -> Iterator[WidthEdit]:
 
 
 def _is_plain_char(use: ccode.TypeUse) -> bool:
-    """Whether a type is char without a word on its sign, by whatever name."""
+    """Whether a type is char without signed or unsigned, resolved through typedefs."""
     declared: ccode.TypeUse | None = use
     while declared is not None and isinstance(declared.declaration, ccode.Typedef):
         declared = declared.declaration.aliased
@@ -120,7 +120,7 @@ def _is_plain_char(use: ccode.TypeUse) -> bool:
 
 
 def lost_findings(widened: Widened, units: Sequence[ccode.SourceUnit], texts: Mapping[str, bytes]) -> list[Finding]:
-    """RS319: what has to be written otherwise so that it keeps its width, and no change of text has room, or nothing is read.
+    """RS319: expressions that lose their width because no text change is possible or a macro could not be analysed.
 
     Args:
         widened: what was found.
@@ -153,7 +153,7 @@ def lost_findings(widened: Widened, units: Sequence[ccode.SourceUnit], texts: Ma
 
 
 def text_findings(widened: Widened, units: Sequence[ccode.SourceUnit], texts: Mapping[str, bytes]) -> list[Finding]:
-    """RS329: uses of macros that write an argument as a text (`#x`), where the argument is written otherwise.
+    """RS329: uses of macros that stringify an argument (`#x`) whose text changes.
 
     Args:
         widened: what was found.
@@ -179,13 +179,13 @@ def text_findings(widened: Widened, units: Sequence[ccode.SourceUnit], texts: Ma
 
 
 def _as_text(macro: ccode.Macro) -> frozenset[int]:
-    """Which parameters of a macro its body makes a text of."""
+    """The indices of a macro's parameters that its body stringifies."""
     words = set(matches(r"(?<!#)#\s*([A-Za-z_]\w*)", str(macro.body or ""))) if macro.functionLike else set()
     return frozenset(number for number, name in enumerate(macro.parameters) if name in words)
 
 
 def _arguments(data: bytes, use: ccode.MacroUse) -> list[tuple[int, int]]:
-    """Where the arguments of a macro's use stand."""
+    """The byte ranges of the arguments of a macro's use."""
     begin = int(use.startOffset)
     inside = [t for t in tokens(data[begin : use.endOffset]) if t[0] != "comment"]
     found: list[tuple[int, int]] = []
@@ -211,12 +211,12 @@ _LOST = {
 
 
 def retype_decisions(dependence: Dependence, bits: int, names: Mapping[str, str]) -> None:
-    """Write the types in what other decisions put into the text, and those of adapters, as the program's text has them then.
+    """Apply the changed types to the texts of other decisions and to the adapters, so that they agree with the program.
 
     Args:
         dependence: the decisions.
         bits: the width of int on the source.
-        names: types of the standard library with an int in them -> their wider sisters.
+        names: types of the standard library with an int in them -> their wider counterparts.
     """
     for disposition in dependence.dispositions:
         copy = disposition.hoisted
@@ -237,7 +237,7 @@ def _renamed(text: str, renamed: Mapping[str, str]) -> str:
 
 
 def _types(unit: ccode.SourceUnit, data: bytes, here: Machine, names: Mapping[str, str]) -> Iterator[WidthEdit]:
-    """Types of declarations; that of main is the language's."""
+    """The changes of types in a unit's declarations, except in the head of main, whose type the language fixes."""
     heads = [
         (int(d.startOffset), int(d.body.startOffset if d.body is not None else d.endOffset))
         for d in unit.declarations
@@ -249,7 +249,7 @@ def _types(unit: ccode.SourceUnit, data: bytes, here: Machine, names: Mapping[st
 
 
 def _decisions(unit: ccode.SourceUnit, edits: Iterable[WidthEdit]) -> Iterator[migration.Widening]:
-    """The changes of a unit, those of one declaration or macro together."""
+    """Group the changes of a unit by declaration or macro into decisions."""
     tops: list[ccode.Located] = sorted([*unit.declarations, *unit.macros], key=lambda e: (int(e.startOffset), -int(e.endOffset)))
     found: dict[ccode.Located | None, list[WidthEdit]] = {}
     starts = [int(t.startOffset) for t in tops]

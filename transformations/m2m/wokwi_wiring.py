@@ -1,8 +1,8 @@
-"""The wiring of a plan as a Wokwi diagram: which parts are drawn as what, which pins are wired, and what Wokwi has no part for.
+"""The wiring of a plan as a Wokwi diagram: how parts are drawn, which pins are wired, and which parts Wokwi lacks.
 
-Nets are drawn as wires from one pin, the board's where it has one; breadboards are left out. A passive part that Wokwi lacks and
-that a signal runs through is replaced by a wire, and listed; every other part that Wokwi lacks is listed and not drawn. Types and
-pins are `knowledge/wokwi_types`, the text of the file is `m2t/wokwi_project`.
+A net is drawn as wires from one pin, the board's if it has one; breadboards are left out. A passive part that Wokwi lacks and
+that carries a signal is replaced by a wire and listed; any other such part is listed and not drawn. Types and pins of parts are
+in `knowledge/wokwi_types`; the file is written by `m2t/wokwi_project`.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def wokwi_wiring(plan: migration.MigrationPlan, project: Path | None = None) -> 
 
 
 class _Wiring:
-    """The making of one wiring."""
+    """Builds the wiring of one plan."""
 
     def __init__(
         self,
@@ -131,7 +131,9 @@ class _Wiring:
             self.result.wires += [(ends[0], other, carried) for other in ends[1:]]
 
     def _tied(self, nets: list[hardware.Net]) -> str | None:
-        """The board's supply for a rail that one of its pins is tied to: a symbol of a supply is no part, and would be lost."""
+        """The board's supply pin for a supply net that one of its pins is tied to; a supply symbol is not drawn, so the wire
+        would be lost.
+        """
         rail = next((net for net in nets if net.rail), None)
         if rail is None or not any(c.component is self.board and c.pin for net in nets for c in net.connectors):
             return None
@@ -159,7 +161,7 @@ class _Wiring:
         return self.drawn.supplies.get(name) if connector.kind is hardware.ConnectorKind.supply else None
 
     def _supply(self) -> None:
-        """Wires to supply and ground of the board, of which a pin table says nothing."""
+        """Add wires from the parts' supply and ground pins to the board, which a pin table does not mention."""
         used = {end for wire in self.result.wires for end in wire[:2]}
         board = self.names[self.board]
         for component, part in self.parts.items():

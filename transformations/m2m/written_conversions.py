@@ -1,4 +1,4 @@
-"""Conversions that C makes on its own and C++ wants written: pointers, texts, functions, enumerations and values in lists."""
+"""Conversions that are implicit in C and need a cast in C++: pointers, strings, functions, enumerations and values in lists."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ NULLS = re.compile(rb"NULL|\(?\s*0[xX]?0*[uUlL]*\s*\)?")
 
 
 def conversions(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
-    """The values of a unit that need a conversion, each with the type that is to be written."""
+    """Find the values of a unit that need a cast, each with the type to cast to."""
     said = said_values(view)
     for value, place in expectations(view, functions):
         wanted = place
@@ -39,7 +39,7 @@ def conversions(view: CodeView, data: bytes, functions: Mapping[str, FunctionTyp
 
 
 def _conversion(value: ccode.Expression, wanted: ValueType, functions: Mapping[str, FunctionType]) -> str:
-    """Why C++ wants the conversion written, or an empty text."""
+    """The reason why C++ needs a cast; empty if it does not."""
     if wanted.base == "void" and wanted.depth and not wanted.function and _names_function(value):
         return "a function is no such pointer in C++"
     if wanted.rows:
@@ -77,13 +77,13 @@ def _conversion(value: ccode.Expression, wanted: ValueType, functions: Mapping[s
 
 
 def _in_macro(value: ccode.Expression) -> bool:
-    """Whether a macro wrote an argument together with its call, so that its place in the text is that of the call."""
+    """Whether a macro expands to both an argument and its call, so that both have the same place in the text."""
     call = value.eContainer()
     return isinstance(call, ccode.Call) and (value.startOffset, value.endOffset) == (call.startOffset, call.endOffset)
 
 
 def _names_function(value: ccode.Expression) -> bool:
-    """Whether a value is a function's address, and its place no function that gives such addresses."""
+    """Whether a value is a function's address, except where it is returned by a function that returns a function pointer."""
     inner = value.operand if isinstance(value, ccode.Unary) and value.operator == "&" else value
     around = ancestor_of_kind(value, ccode.Function) if isinstance(value.eContainer(), ccode.Return) else None
     gives = around is not None and "(*" in around.signature.replace(" ", "")
@@ -110,11 +110,11 @@ _LIMITS = {
     "bool": (0, 1),
     "size_t": (0, 65535),
 }
-"""Least and greatest value that surely fits on any target; int has 16 bits on some."""
+"""The range of values that each type holds on every target; int has 16 bits on some."""
 
 
 def _fits(value: ccode.Expression, wanted: ValueType) -> bool:
-    """Whether a list may hold a value of the type without a conversion."""
+    """Whether a value in an initializer list needs no cast to the type (C++ forbids narrowing there)."""
     real = wanted.base in ("float", "double")
     if isinstance(value, ccode.FloatingLiteral):
         return real
@@ -143,7 +143,7 @@ def _pointers(given: ValueType, wanted: ValueType) -> str:
 
 
 def _rows(given: ValueType | None, wanted: ValueType) -> str:
-    """Why C++ wants a conversion written to a pointer to arrays."""
+    """The reason why C++ needs a cast to a pointer to an array; empty if it does not."""
     if given is None or not (given.rows or given.depth):
         return ""
     words = wanted.spelling.partition("(*")[0].replace("*", " ").split()
@@ -176,7 +176,7 @@ def _function_pointer(value: ccode.Expression, wanted: ValueType) -> str:
 
 
 def plain_type(spelling: str) -> str:
-    """A type without blanks and without the name of a parameter."""
+    """A type without blanks and without a parameter's name, for comparison."""
     words = re.sub(r"\s+", " ", spelling).strip()
     found = re.fullmatch(r"(.*[*\s])[A-Za-z_]\w*", words)
     keeps = found is None or words.rpartition(" ")[2] in ("int", "char", "long", "short", "unsigned", "float", "double", "void")
@@ -184,6 +184,6 @@ def plain_type(spelling: str) -> str:
 
 
 def is_primary(value: ccode.Expression) -> bool:
-    """Whether a conversion before a value takes all of it, so that it needs no parentheses."""
+    """Whether a cast written before a value applies to all of it without parentheses."""
     kinds = (ccode.Call, ccode.NameReference, ccode.Member, ccode.Index, ccode.StringLiteral, ccode.IntegerLiteral, ccode.Unary)
     return isinstance(value, kinds)

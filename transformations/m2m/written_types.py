@@ -1,4 +1,4 @@
-"""How the type of a place is written where a value is converted to it; types without a name are told by the place itself."""
+"""How the type of a cast is written; a type without a name is written as `__typeof__` of the place that gets the value."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ _OR_TEXT = re.compile(r'\?\s*:\s*"(?:[^"\\]|\\.)*"\Z')
 
 
 def unnamed(kind: ValueType) -> bool:
-    """Whether a type has no name that a conversion could have."""
+    """Whether a type has no name that a cast could use."""
     return not kind.function and set(kind.spelling.replace("*", " ").split()) <= _WORDS
 
 
 def written_type(value: ccode.Expression, wanted: ValueType, data: bytes) -> str:
-    """How a conversion of a value to the type of its place is written; empty where nothing names the type.
+    """The type to write in a cast of a value; empty if there is no way to name it.
 
     Args:
         value: the value.
-        wanted: the type of its place.
+        wanted: the type of the place that gets the value.
         data: the bytes of its unit.
     """
     if wanted.rows and not unnamed(wanted):
@@ -39,7 +39,7 @@ def written_type(value: ccode.Expression, wanted: ValueType, data: bytes) -> str
 
 
 def gives_text(value: ccode.Expression | None) -> bool:
-    """Whether a value is a text of the program, or a place within one."""
+    """Whether a value is a string literal or an address within one."""
     if isinstance(value, ccode.StringLiteral):
         return True
     if isinstance(value, ccode.ConditionalExpression):

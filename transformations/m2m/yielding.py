@@ -1,7 +1,6 @@
-"""Changes of text that let code beside others give way where it goes round: in loops, at jumps back, in macros that are loops.
+"""Inserts calls of `yield` so that coroutines let each other run: in loops, at backward jumps, in macros that are loops.
 
-Each puts a call of the target's function that lets others get on into the way round. Which loops need one is told by
-`queries.cooperation`; that a program runs so at all is decided in `concurrency`.
+`queries.cooperation` determines which loops need one; `concurrency` decides whether a program runs as coroutines at all.
 """
 
 from __future__ import annotations
@@ -18,21 +17,21 @@ from robosmi.transformations.queries.cooperation import Waiting, gives_way, loop
 from robosmi.transformations.queries.source_text import SourceText
 
 GIVE_WAY = "give-way"
-"""Rule of changes of text: a loop lets the others get on."""
+"""Rule of text changes: a loop yields to the other coroutines."""
 YIELD = "yield"
-"""The target's function that lets others get on, and the piece that makes the next of them go on."""
+"""The target's function that yields to the other coroutines, and the adapter piece that switches between them."""
 REASON = "the others get on only when this loop waits"
 _HEAD = re.compile(rb"[ \t]*#[ \t]*define[ \t]+\w+(?:\([^)]*\))?")
 
 
 def yields(view: CodeView, text: SourceText, waiting: Waiting, divided: set[int]) -> Iterator[migration.TextChange]:
-    """What makes the loops of a unit give way that keep the others waiting.
+    """The changes that make those loops of a unit yield that may otherwise starve the other coroutines.
 
     Args:
         view: the unit.
         text: its text.
-        waiting: which statements surely wait.
-        divided: identities of loops that are functions now, which are called again and again.
+        waiting: which statements certainly wait, and so yield.
+        divided: `id()` of loops that became functions, which are called repeatedly.
     """
     macros: dict[int, ccode.Macro] = {}
     for loop in loops_of(view):
@@ -52,18 +51,18 @@ def yields(view: CodeView, text: SourceText, waiting: Waiting, divided: set[int]
 
 
 def _use_around(element: ccode.Located, view: CodeView) -> ccode.MacroUse | None:
-    """The use of a macro that an element begins in, so that its text is elsewhere."""
+    """The macro use that an element begins in, so that its text is in the macro; None if it is in the unit's text."""
     uses = (use for use in view.unit.macroUses if use.startOffset <= element.startOffset < use.endOffset)
     return next(uses, None)
 
 
 def _stands_behind(loop: ccode.Loop, use: ccode.MacroUse) -> bool:
-    """Whether only the head of a loop comes from a macro (`FOR_EVER { ... }`, `UNTIL(x);`)."""
+    """Whether only the head of a loop comes from the macro and its body is in the text (`FOR_EVER { ... }`, `UNTIL(x);`)."""
     return loop.body is not None and loop.body.startOffset >= use.endOffset
 
 
 def _goes_back(goto: ccode.Goto, view: CodeView, waiting: Waiting) -> bool:
-    """Whether a goto leads back over nothing that surely waits."""
+    """Whether a goto jumps backwards over statements none of which certainly waits."""
     function = ancestor_of_kind(goto, ccode.Function)
     labels = (each for each in view.of_kind(ccode.Label) if each.name == goto.labelName)
     label = next((each for each in labels if ancestor_of_kind(each, ccode.Function) is function), None)
@@ -77,7 +76,7 @@ def _goes_back(goto: ccode.Goto, view: CodeView, waiting: Waiting) -> bool:
 
 
 def _in_loop(loop: ccode.Loop, text: SourceText) -> list[migration.TextChange]:
-    """What lets a loop give way each time: the shortest text that its body allows."""
+    """The shortest change that makes a loop yield in each iteration."""
     body = loop.body
     if isinstance(body, ccode.Block):
         start = inside(text.data, body)[0]
@@ -90,7 +89,7 @@ def _in_loop(loop: ccode.Loop, text: SourceText) -> list[migration.TextChange]:
 
 
 def _in_macro(macro: ccode.Macro, text: SourceText) -> Iterator[migration.TextChange]:
-    """The same in the definition of a macro: `while (x);`, `for (;;) { ... }`, `do { ... } while (x)`."""
+    """The same for loops in a macro's definition: `while (x);`, `for (;;) { ... }`, `do { ... } while (x)`."""
     head = _HEAD.match(text.data, int(macro.startOffset), int(macro.endOffset))
     first = head.end() if head is not None else text.data.find(str(macro.name).encode(), int(macro.startOffset)) + len(macro.name)
     words = [t for t in tokens(text.data[first : macro.endOffset]) if t[0] != "comment" and t[3] != "\\"]
