@@ -346,6 +346,7 @@ OPENS: dict[str, str] = {
     "robosmi/cli/landlock.py": "names a folder to the kernel, and can read nothing by it",
     "robosmi/model/open_folder.py": "writes, and holds folders open",
     "robosmi/model/files.py": "writes",
+    "robosmi/model/runs.py": "opens files to lock them, and reads nothing by it",
     "robosmi/model/sqlite_files.py": "changes bytes of the file that it has just written",
     "robosmi/verify/temporary.py": "opens folders to lock them, and reads nothing by it",
     "robosmi/verify/serial_ports.py": "opens serial ports, which are no files to be read",

@@ -7,7 +7,6 @@ asked for is imported. With `--json`, stdout is exactly one document, also when 
 from __future__ import annotations
 
 import argparse
-import gc
 import importlib
 import os
 import signal
@@ -144,7 +143,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """
     streams.prepare()
     if arguments is None:
-        _collect_less()
         _end_in_order()
     words = list(sys.argv[1:] if arguments is None else arguments)
     as_json, started = "--json" in words, time.perf_counter()
@@ -188,15 +186,6 @@ def _end_in_order() -> None:
         number = attribute_of(signal, name, signal.Signals)  # Windows has neither of the last two
         if number is not None and signal.getsignal(number) is signal.SIG_DFL:  # nohup has it ignored
             signal.signal(number, asked)
-
-
-def _collect_less() -> None:
-    """Look for garbage in circles less often: a command is over before it pays (a fifth of a migration).
-
-    What models refer to in circles lives as long as the command, so Python's default of a look after every 700 new objects
-    finds nothing, again and again. A migration of a small program makes fewer than 200,000 that stay.
-    """
-    gc.set_threshold(200_000, 20, 20)
 
 
 class _Parsed(argparse.Namespace):

@@ -12,14 +12,19 @@ import os
 import stat
 import tempfile
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from robosmi import resources
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
-from robosmi.inputs import OUTPUT, RECORD, read_text
+from robosmi.inputs import OUTPUT, RECORD, flags, read_text
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None  # type: ignore[assignment]
 
 PATIENCE = 60.0
 """Seconds that a run waits for another one in the same folder."""
@@ -45,14 +50,55 @@ def alone(folder: Path, patience: float | None = None) -> Iterator[None]:
     if path in mine:
         yield
         return
-    from filelock import FileLock, Timeout  # only what writes has to wait for it
+    release = _locked_at_once(path) or _locked(path, PATIENCE if patience is None else patience, folder)
+    mine.add(path)
+    try:
+        _store(_who(path), str(os.getpid()))
+        yield
+    finally:
+        mine.discard(path)
+        release()
 
-    lock, who = FileLock(path, timeout=PATIENCE if patience is None else patience), path.with_suffix(".who")
+
+def _locked_at_once(path: Path) -> Callable[[], None] | None:
+    """What frees a lock that nobody had, taken without loading filelock (a fiftieth of a migration) and as filelock takes it.
+
+    None where somebody has it, and where the system locks in another way or not at all: filelock knows what to do then.
+    """
+    if fcntl is None:
+        return None
+    try:
+        handle = os.open(path, os.O_RDWR | os.O_CREAT | flags("O_NOFOLLOW", "O_CLOEXEC"), 0o644)
+    except OSError:
+        return None
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        os.close(handle)
+        return None
+
+    def release() -> None:
+        fcntl.flock(handle, fcntl.LOCK_UN)
+        os.close(handle)
+
+    return release
+
+
+def _locked(path: Path, patience: float, folder: Path) -> Callable[[], None]:
+    """What frees a lock, which was waited for.
+
+    Raises:
+        StoppedError: another run still has it after that many seconds.
+        SourceError: there is no place for it.
+    """
+    from filelock import FileLock, Timeout
+
+    lock = FileLock(path, timeout=patience)
     try:
         lock.acquire()
     except Timeout:
         try:
-            name = f"another run (process {int(read_text(who, RECORD))})"
+            name = f"another run (process {int(read_text(_who(path), RECORD))})"
         except (OSError, ValueError):
             name = "another run"
         raise StoppedError(
@@ -61,13 +107,12 @@ def alone(folder: Path, patience: float | None = None) -> Iterator[None]:
         ) from None  # fmt: skip
     except OSError as error:
         raise _no_place(path, error) from error
-    mine.add(path)
-    try:
-        _store(who, str(os.getpid()))
-        yield
-    finally:
-        mine.discard(path)
-        lock.release()
+    return lock.release
+
+
+def _who(path: Path) -> Path:
+    """The file beside a lock that says which process has it."""
+    return path.with_suffix(".who")
 
 
 def bind(folder: Path, journal: bytes) -> None:

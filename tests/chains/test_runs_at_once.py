@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -9,9 +10,11 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from filelock import FileLock
 
 import robosmi
 from robosmi.errors import StoppedError
+from robosmi.model import runs as at_work
 from robosmi.model.recovery import STAGE
 from robosmi.transformations.chains.generate import generate
 from tests.fuzz import runs
@@ -38,6 +41,18 @@ def test_a_plan_beside_an_interrupted_run_is_not_read(tmp_path: Path) -> None:
     for dry_run in (False, True):
         with pytest.raises(StoppedError, match="interrupted"):
             generate(out / "models" / "plan.xmi", tmp_path / "other", dry_run=dry_run)
+
+
+def test_a_lock_is_the_same_whether_it_is_taken_at_once_or_waited_for(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    with at_work.alone(out):
+        lock = next((tmp_path / "home" / "runs").glob("*.lock"))
+        assert lock.with_suffix(".who").read_text() == str(os.getpid())
+    for _ in range(2):  # what failed leaves nothing behind
+        with FileLock(lock), pytest.raises(StoppedError, match=rf"process {os.getpid()}\) is at work"), at_work.alone(out, 0.1):
+            pass
+        with at_work.alone(out, 0.1):
+            pass
 
 
 HOLDER = """

@@ -17,12 +17,12 @@ ROOT = Path(__file__).parents[2]
 EXAMPLE = ROOT / "docs" / "examples" / "line_follower"
 CODE = """
 import json, sys
-from robosmi.cli.main import main
-code = main()
+from robosmi.__main__ import start
+code = start()
 import gc
 print(json.dumps({"code": code, "modules": sorted(sys.modules), "threshold": gc.get_threshold()}), file=sys.stderr)
 """
-LONG_TO_LOAD = {"pyecore.resources", "ssl", "urllib.request", "networkx", "numpy", "asyncio", "email", "html"}
+LONG_TO_LOAD = {"pyecore.resources", "ssl", "urllib.request", "networkx", "numpy", "asyncio", "email", "html", "filelock"}
 
 ENDING = """
 import atexit, threading, time
