@@ -1,19 +1,23 @@
 """A case study whose migrated program is changed and compared again: what was migrated, the scenarios, the original's runs once.
 
 A change is compiled and run in the scenarios one after the other, first for a part of their time: the first difference ends it.
-What a run of the right program executes is known from one engine that tells it (avr8js).
+Scenarios in which more changes were noticed come first, which changes only how soon that is known.
+What a run of the right program executes is told by `executed_lines`.
 """
 
 from __future__ import annotations
 
 import hashlib
+import os
 import re
 import shutil
-import subprocess
 import tempfile
+from collections import Counter
 from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
+from threading import Lock
 from typing import Any
 
 from msgspec.structs import replace
@@ -22,7 +26,6 @@ import robosmi
 from robosmi.errors import RobosmiError
 from robosmi.transformations.chains.models import load_models
 from robosmi.transformations.chains.verify import FOLDER, Verified, _board, _original, verify
-from robosmi.transformations.verification.jobs import job
 from robosmi.transformations.verification.judging import judged
 from robosmi.transformations.verification.original_side import SourceRuns, run_further, run_source, run_varied
 from robosmi.transformations.verification.played_devices import played
@@ -31,15 +34,21 @@ from robosmi.transformations.verification.scenario_verdicts import Case
 from robosmi.transformations.verification.second_look import looked_at_again
 from robosmi.transformations.verification.target_side import TargetSide
 from robosmi.verify.scenario import Scenario, read_scenario
-from robosmi.verify.simulation import simulate
 from robosmi.verify.toolchain import compile_sketch
+from tests.faults.executed_lines import built_for_lines, lines_of, run_addresses
 
 ROOT = Path(__file__).resolve().parents[2]
 STUDIES = ("line_follower", "environmental_monitoring", "parking_aid")
-_FOLDERS = (ROOT / "docs" / "examples", Path(__file__).parent / "studies")
+FOLDERS = (ROOT / "docs" / "examples", Path(__file__).parent / "studies")
+SKETCH_FILES = (".ino", ".h", ".cpp")
 _PART = 0.35
 """The part of a scenario's time after which a changed program is looked at for the first time."""
 _LEAST_MS = 2_500.0
+_FIRST_LOOKS = 4
+"""So many scenarios are looked at for that part first: what none of these tells, others seldom do."""
+_CORES = os.cpu_count() or 1
+_VERIFIER = ("robosmi/verify", "transformations/verification", "platform_repo/simulation", "platform_repo/propeller/host")
+_PARTS = (".py", ".cjs", ".toml", ".c", ".h")
 
 
 @dataclass(frozen=True)
@@ -83,6 +92,8 @@ class Study:
     _models: Any = field(default=None, repr=False)
     _program: Any = field(default=None, repr=False)
     _more: dict[str, SourceRuns] = field(default_factory=dict, repr=False)
+    _lock: Lock = field(default_factory=Lock, repr=False)
+    _noticed: Counter[str] = field(default_factory=Counter, repr=False)
 
     @classmethod
     def made(cls, name: str, place: Path, seed: int = 1, scenarios: Sequence[Path] = ()) -> Study:
@@ -94,7 +105,7 @@ class Study:
             seed: of the search for scenarios.
             scenarios: files with scenarios to take instead.
         """
-        shutil.copytree(next(folder / name for folder in _FOLDERS if (folder / name).is_dir()), place / "input")
+        shutil.copytree(next(folder / name for folder in FOLDERS if (folder / name).is_dir()), place / "input")
         out = place / "out"
         robosmi.migrate([place / "input" / f"{name}.c"], out, history=str(place / "history.sqlite"))
         return cls.of(name, out, place, seed, scenarios)
@@ -107,11 +118,14 @@ class Study:
         ports = bound_ports(models.plan, out / "models")
         (place / "source").mkdir()
         program = _original(models, out / "models", place / "source")
-        cases: list[Case] = []
-        for path in scenarios or sorted((out / "models" / FOLDER).glob("*.toml")):
+
+        def case(path: Path) -> Case:
             scenario = read_scenario(path, "stored")
-            cases.append((scenario, run_varied(program, ports, scenario, run_source(program, ports, scenario))))
-        files = {path.name: path.read_text() for path in sorted((out / name).iterdir()) if path.suffix in (".ino", ".h", ".cpp")}
+            return scenario, run_varied(program, ports, scenario, run_source(program, ports, scenario))
+
+        with ThreadPoolExecutor(_CORES) as pool:
+            cases = list(pool.map(case, scenarios or sorted((out / "models" / FOLDER).glob("*.toml"))))
+        files = {path.name: path.read_text() for path in sorted((out / name).iterdir()) if path.suffix in SKETCH_FILES}
         study = cls(name, out, place, right, ports, cases, files, _models=models, _program=program)
         with tempfile.TemporaryDirectory() as built:
             report = compile_sketch(out, keep=Path(built))
@@ -121,30 +135,20 @@ class Study:
 
     @property
     def digest(self) -> str:
-        """What stands for the program and the scenarios."""
+        """What stands for the program, the scenarios, and for what `verify` is made of."""
         told = [*self.files.items(), *((scenario.name, scenario.text()) for scenario, _ in self.cases)]
+        verifier = sorted(path for folder in _VERIFIER for path in (ROOT / folder).rglob("*") if path.suffix in _PARTS)
+        told += [(path.name, hashlib.sha256(path.read_bytes()).hexdigest()) for path in verifier]
         return hashlib.sha256(repr(told).encode()).hexdigest()[:16]
 
     def reached(self) -> dict[str, set[int]]:
         """The lines of the sketch's files of which an instruction runs in some scenario."""
-        with tempfile.TemporaryDirectory() as built:
-            report = compile_sketch(self.out, keep=Path(built))
-            assert report.elf is not None
-            assert report.hex is not None
-            side = TargetSide(_board(self._models, report), report, self.ports, "avr8js")
-            addresses: set[int] = set()
-            for scenario, _ in self.cases:
-                asked = job(report.elf, report.hex, side.board, scenario.horizon_ms * 1000, played(self.ports, scenario, True))
-                addresses |= set(simulate(replace(asked, reached=True), "avr8js", 300.0).reached)
-            told = subprocess.run(
-                ["avr-addr2line", "-i", "-e", report.elf],
-                input="\n".join(f"{address:#x}" for address in sorted(addresses)), capture_output=True, text=True, check=True,
-            ).stdout  # fmt: skip
-        lines: dict[str, set[int]] = {name: set() for name in self.files}
-        for path, line in re.findall(r"^(.*):(\d+)", told, re.MULTILINE):
-            if Path(path).name in lines:
-                lines[Path(path).name].add(int(line))
-        return lines
+        board = _board(self._models, self.right.compiled)
+        with tempfile.TemporaryDirectory(dir=self.place) as place, ThreadPoolExecutor(_CORES) as pool:
+            report = built_for_lines(self.out, Path(place))
+            devices = [(scenario, played(self.ports, scenario, True)) for scenario, _ in self.cases]
+            runs = pool.map(lambda case: run_addresses(report, board, case[0].horizon_ms, case[1]), devices)
+            return lines_of(report, set().union(*runs), self.files)
 
     def judge(self, files: Mapping[str, str], early: bool = True) -> Outcome:
         """Compile the sketch with other files, and compare it.
@@ -173,16 +177,18 @@ class Study:
 
     def _further(self, scenario: Scenario, runs: SourceRuns) -> SourceRuns:
         """The runs of a scenario with further ones, made once, whatever part of its time is looked at."""
-        if scenario.name not in self._more:
-            whole = next(each for each, _ in self.cases if each.name == scenario.name)
-            self._more[scenario.name] = run_further(self._program, self.ports, whole, runs)
-        return self._more[scenario.name]
+        with self._lock:
+            if scenario.name not in self._more:
+                whole = next(each for each, _ in self.cases if each.name == scenario.name)
+                self._more[scenario.name] = run_further(self._program, self.ports, whole, runs)
+            return self._more[scenario.name]
 
     def _compared(self, side: TargetSide, early: bool) -> Outcome:
         doubt = ""
-        cases = [(replace(s, horizon_ms=max(_LEAST_MS, _PART * s.horizon_ms)), s, runs) for s, runs in self.cases]
+        inorder = sorted(self.cases, key=lambda case: -self._noticed[case[0].name])
+        cases = [(replace(s, horizon_ms=max(_LEAST_MS, _PART * s.horizon_ms)), s, runs) for s, runs in inorder]
         for part in (True, False) if early else (False,):
-            for short, scenario, runs in cases:
+            for short, scenario, runs in cases[:_FIRST_LOOKS] if part else cases:
                 if part and short.horizon_ms >= scenario.horizon_ms:
                     continue
                 asked = short if part else scenario
@@ -196,6 +202,7 @@ class Study:
                     first = result.first
                     functions = next((port.functions for port in self.ports if port.title == first.channel), ())
                     told = f"{first.at_ms:.1f} ms, {first.channel}: {first.message}"
+                    self._noticed[scenario.name] += 1
                     return Outcome("different", told, scenario.name, first.channel, functions)
                 doubt = doubt or ("" if part else result.reason)
         return Outcome("not-decidable", doubt) if doubt else Outcome("no-difference-found")
@@ -217,7 +224,7 @@ def executed(lines: Sequence[int], text: str, reached: Mapping[str, set[int]], f
     names = {
         name
         for line in lines
-        for name in re.findall(r"^(?:#define (\w+)|(?:static |const |volatile )*\w+ (\w+)(?:\[\w*\])? ?[=;])", rows[line - 1])
+        for name in re.findall(r"^(?:#define (\w+)|(?:static |const |volatile )*\w+ (\w+)(?:\[\w*\])? *[=;])", rows[line - 1])
         for name in name
         if name
     }
@@ -225,7 +232,7 @@ def executed(lines: Sequence[int], text: str, reached: Mapping[str, set[int]], f
     for _ in range(3):  # a constant may be named by another
         for other in files.values():
             for row in other.splitlines():
-                if found := re.match(r"(?:#define (\w+)|(?:static |const |volatile )*\w+ (\w+)(?:\[\w*\])? ?[=;])", row):
+                if found := re.match(r"(?:#define (\w+)|(?:static |const |volatile )*\w+ (\w+)(?:\[\w*\])? *[=;])", row):
                     name = found[1] or found[2]
                     if any(re.search(rf"\b{name}\b", each) for each in known):
                         known.add(row)

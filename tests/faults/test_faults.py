@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 
-from tests.faults.campaign import STUDIES, Study
+import robosmi
+from tests.faults.__main__ import stale
+from tests.faults.campaign import FOLDERS, ROOT, SKETCH_FILES, STUDIES, Study, executed
+from tests.faults.executed_lines import built_for_lines, lines_of
 from tests.faults.harmless import rewritings
 from tests.faults.seeding import KINDS, faults
 from tests.tools import require_verification
@@ -77,6 +81,35 @@ def test_a_fault_of_what_is_shown_is_noticed(parking_aid: Study, kind: str) -> N
 def test_a_harmless_rewriting_is_not_called_different(study: Study, number: int) -> None:
     outcome = study.judge(rewritings("line_follower")[number].put_into(study.files), early=False)
     assert outcome.verdict == "no-difference-found", outcome.told
+
+
+def test_each_line_that_does_something_stands_for_instructions(tmp_path: Path) -> None:
+    require_verification("avr8js")
+    name = "environmental_monitoring"
+    robosmi.migrate([ROOT / "docs" / "examples" / name / f"{name}.c"], tmp_path / "out")
+    (tmp_path / "built").mkdir()
+    report = built_for_lines(tmp_path / "out", tmp_path / "built")
+    text = (tmp_path / "out" / name / f"{name}.ino").read_text()
+    assert report.flash_bytes is not None
+    lines = lines_of(report, range(0, report.flash_bytes, 2), [f"{name}.ino"])[f"{name}.ino"]
+    rows = text.splitlines()
+    calls = {number for number, row in enumerate(rows, 1) if re.match(r"\s+(?:[\w.]+\(.*\);)", row)}
+    assert {row for number, row in enumerate(rows, 1) if number in calls - lines} == set()
+
+
+def test_a_constant_runs_where_a_line_that_names_it_does() -> None:
+    text = "const int NEAR    = 50;\nint far = 3;\nvoid loop() {\n  if (seen < NEAR) stop();\n}\n"
+    files = {"a.ino": text}
+    assert executed((1,), text, {"a.ino": {4}}, "a.ino", files)
+    assert not executed((2,), text, {"a.ino": {4}}, "a.ino", files)
+
+
+@pytest.mark.parametrize("name", STUDIES)
+def test_what_is_listed_as_equivalent_is_a_fault_of_the_present_program(name: str, tmp_path: Path) -> None:
+    folder = next(each / name for each in FOLDERS if (each / name).is_dir())
+    robosmi.migrate([folder / f"{name}.c"], tmp_path / "out")
+    files = [path for path in (tmp_path / "out" / name).iterdir() if path.suffix in SKETCH_FILES]
+    assert stale(name, {fault.name for path in files for fault in faults(path.name, path.read_text())}) == []
 
 
 def test_there_are_twenty_rewritings_of_several_kinds() -> None:

@@ -1,0 +1,81 @@
+"""Which lines of a sketch's files run: by the addresses of the instructions that an engine has told (avr8js).
+
+The program that a person gets does not tell it. Its code is made while linking, by a compiler that then keeps for each
+instruction the line where it was written, but not the lines from which functions were called that it put in place: a line
+that does nothing but call such functions would stand for no instruction at all. So the sketch is built once more for that,
+without that step and with all that is known of calls.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from collections.abc import Collection, Sequence
+from pathlib import Path
+
+from msgspec.structs import replace
+
+from robosmi.metamodels import platform
+from robosmi.transformations.verification.jobs import job
+from robosmi.verify.boards import load_boards
+from robosmi.verify.build import Build
+from robosmi.verify.compile_report import CompileReport
+from robosmi.verify.libraries import LibraryFolders
+from robosmi.verify.simulation import DeviceUse, simulate
+from robosmi.verify.sketch import choose_board, find_sketch
+from robosmi.verify.toolchain_data import load_toolchains
+from robosmi.verify.tools import find_installed
+
+_FLAGS = ("-fno-lto", "-gdwarf-4")
+_LIMIT_S = 300.0
+
+
+def built_for_lines(out: Path, place: Path) -> CompileReport:
+    """A sketch, built so that its instructions tell all lines that they stand for.
+
+    Args:
+        out: the output folder of a migration.
+        place: an empty folder for the program.
+    """
+    sketch, toolchain = find_sketch(out, load_toolchains())
+    board = choose_board(sketch, load_boards(toolchain.platform), toolchain)
+    board = board._replace(extra_flags=(*board.extra_flags, *_FLAGS))
+    installed = find_installed(toolchain)
+    folder = place / "objects"
+    folder.mkdir()
+    return Build(sketch, board, toolchain, installed, LibraryFolders(toolchain, installed.core, None), folder).report(place)
+
+
+def run_addresses(report: CompileReport, board: platform.Board, horizon_ms: float, devices: Sequence[DeviceUse]) -> set[int]:
+    """The addresses of the instructions that run in a scenario.
+
+    Args:
+        report: of `built_for_lines`.
+        board: the board.
+        horizon_ms: how long the scenario lasts.
+        devices: what is connected to the board in it.
+    """
+    assert report.elf is not None
+    assert report.hex is not None
+    asked = job(report.elf, report.hex, board, horizon_ms * 1000, devices)
+    return set(simulate(replace(asked, reached=True), "avr8js", _LIMIT_S).reached)
+
+
+def lines_of(report: CompileReport, addresses: Collection[int], names: Collection[str]) -> dict[str, set[int]]:
+    """The lines of files that some instructions stand for, by the file's name.
+
+    Args:
+        report: of `built_for_lines`.
+        addresses: of the instructions.
+        names: of the files.
+    """
+    assert report.elf is not None
+    told = subprocess.run(
+        ["avr-addr2line", "-i", "-e", report.elf],
+        input="\n".join(f"{address:#x}" for address in sorted(addresses)), capture_output=True, text=True, check=True,
+    ).stdout  # fmt: skip
+    lines: dict[str, set[int]] = {name: set() for name in names}
+    for path, line in re.findall(r"^(.*):(\d+)", told, re.MULTILINE):
+        if Path(path).name in lines:
+            lines[Path(path).name].add(int(line))
+    return lines
