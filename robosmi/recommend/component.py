@@ -1,8 +1,7 @@
-"""The question that a ranker is asked: one hardware component, as a plain value, and its JSON form with validation.
+"""The query of a ranker: one hardware component as a plain value, and its validated JSON form.
 
-The title asked with is the title of the PART ("Basic Servo"), which names the device; what a person calls one placed
-instance ("BasicServo2") is its label and says nothing about libraries. How a drawing becomes such values is content;
-what is made of the words is in `tfidf`.
+The ranking uses the title of the PART ("Basic Servo"), which names the device; the name of one placed instance ("BasicServo2")
+is its label and says nothing about libraries. Making such values from a drawing is content; `tfidf` uses the words.
 """
 
 from __future__ import annotations
@@ -111,7 +110,7 @@ def _kind(value: object) -> str:
 
 
 class _Reader(Struct, frozen=True):
-    """Takes values of one kind out of an object, or says which key is wrong."""
+    """Reads typed values from a JSON object; an error names the wrong key."""
 
     given: dict[str, object]
     where: str

@@ -1,8 +1,8 @@
-"""Is a library needed at all, and how sure is that: a logistic model over a few figures, its coefficients being data.
+"""Decides whether a library is needed at all, and how sure that is: logistic models whose coefficients are data.
 
-The model is multinomial (library, optional, none) for the decision, and binary for whether the first candidate is right
-given that a library is used. Both are fitted on labelled parts, with and without what the lexicon knows of them, so that
-the confidence also holds for parts that no lexicon has. Fitting is not done here.
+The model for the decision is multinomial (library, optional, none); a binary one estimates whether the first candidate is right
+if a library is used. Both were fitted on labelled parts, with and without the lexicon's knowledge of them, so that the
+confidence also holds for parts that are in no lexicon. Fitting is not done here.
 """
 
 from __future__ import annotations
@@ -25,9 +25,10 @@ FEATURES = (
     "one", "kind_library", "kind_optional", "kind_none", "named_library", "named_optional", "named_none", "disputed", "model",
     "text", "name", "usual", "bus", "few_pins", "lead",
 )  # fmt: skip
-"""What the models look at: a constant; how surely the lexicon says each need, and whether by a model number or trade name; how
-surely another device says otherwise; the best candidate's evidence; whether a data bus is told; at most three connectors; the
-best candidate's lead over the second."""
+"""The features of the models, in order: a constant; for each need, how surely the lexicon states it, and whether by a model
+number or trade name; how surely another recognised device contradicts it; the best candidate's evidence; whether a data bus is
+known; at most three connectors; the best candidate's lead over the second.
+"""
 
 
 class DecisionModel(Struct, frozen=True):
@@ -51,10 +52,10 @@ class DecisionModel(Struct, frozen=True):
         return cls(tuple(_row(data, name) for name in DECISIONS), _row(data, "first"))
 
     def decide(self, features: Sequence[float]) -> tuple[Decision, float]:
-        """The likeliest answer, and the probability that it serves.
+        """The most likely decision, and the probability that it is right.
 
-        For `none`, that no library is needed; for `optional`, that plain calls do or the first candidate is right; for
-        `library`, that one is of use and the first candidate is right.
+        For `none` it is the probability that no library is needed; for `optional`, that plain calls suffice or the first
+        candidate is right; for `library`, that one is useful and the first candidate is right.
         """
         library, optional, none = softmax([_dot(row, features) for row in self.needs])
         right = 1 / (1 + math.exp(-_dot(self.first, features)))
@@ -67,7 +68,7 @@ class DecisionModel(Struct, frozen=True):
 
 
 def features(part: PartWords, lexicon: Lexicon | None, ranked: Sequence[tuple[float, Evidence]], connectors: int) -> list[float]:
-    """The figures of one part, in the order of `FEATURES`.
+    """The feature values of one part, in the order of `FEATURES`.
 
     Args:
         part: what it asks for.

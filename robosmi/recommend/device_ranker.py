@@ -1,8 +1,8 @@
-"""The default ranker: what a part is and says, against what libraries are and have, with reasons and a confidence.
+"""The default ranker: matches what a part is and says against what libraries are and contain, with reasons and a confidence.
 
-Evidence of `evidence` is added up with fixed weights; popularity, the target's architecture and the interface multiply;
-earlier choices decide among those that are nearly as good, and only there. `decision` says whether a library is needed.
-The paper's ranker is `tfidf_ranker`; all data come from outside.
+The evidence of `evidence` is summed with fixed weights; popularity, the target's architecture and the interface are factors.
+Earlier choices decide only among candidates that are nearly as good. `decision` says whether a library is needed. The paper's
+ranker is `tfidf_ranker`; all data are passed in.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ from robosmi.recommend.ranking import Candidate, Choices, Recommendation
 from robosmi.recommend.words import StopWords
 
 LOOKED_AT = 40
-"""How many libraries are looked at closely."""
+"""Number of libraries that are examined closely."""
 
 NEARLY = 0.5
-"""Share of the best score from which on an earlier choice may put a library first."""
+"""Fraction of the best score that a library needs so that an earlier choice may put it first."""
 
 UNKNOWN = 0.5
-"""The confidence, at most, in an answer about a part that no table recognises: the labelled parts were all of known kinds."""
+"""Upper limit of the confidence for a part that no table recognises, since all labelled parts were of known kinds."""
 
 _TEXT, _MODEL, _NAME, _USUAL = 1.2, 1.5, 0.7, 1.5
 _POPULARITY = 0.1
@@ -103,11 +103,11 @@ class DeviceRanker:
         return Recommendation(query.id, decision, round(confidence, 4), tuple(candidates[:limit]), (first,) if first else ())
 
     def features(self, query: ComponentQuery, part: PartWords, ranked: list[tuple[float, Evidence]]) -> list[float]:
-        """What the decision looks at, see `decision.FEATURES`."""
+        """The features of the decision for a part, see `decision.FEATURES`."""
         return features(part, self.knowledge.lexicon, ranked, len(query.connectors))
 
     def weigh(self, query: ComponentQuery) -> tuple[PartWords, list[tuple[float, Evidence]]]:
-        """What a part asks for, and the libraries that most speaks for with their scores, best first."""
+        """The words of a part, and the libraries with the most evidence and their scores, best first."""
         key = (
             query.title, query.family, query.tags, tuple(query.properties.items()), query.description, query.connectors,
         )  # fmt: skip
@@ -141,7 +141,7 @@ class DeviceRanker:
         return score * self._agreement(entry.library, part)
 
     def _agreement(self, library: int, part: PartWords) -> float:
-        """Whether it speaks to devices as the part is spoken to; a library that names no bus says nothing."""
+        """A factor for whether a library uses the part's interface; a library that names no bus is neutral."""
         wanted = part.bus or part.interface
         speaks = self._speaks(library) & _BUSES
         if not speaks or not wanted or wanted == "serial":
@@ -153,13 +153,13 @@ class DeviceRanker:
         return frozenset(name for number, name in enumerate(INTERFACES) if bits >> number & 1)
 
     def _suits(self, library: Library) -> bool:
-        """A library that names no architecture at all is one without metadata: nothing is known against it."""
+        """Whether a library supports the target's architecture; one that names none has no metadata and counts as suitable."""
         return (
             not self.architecture or not library.architectures or not {"*", self.architecture}.isdisjoint(library.architectures)
         )
 
     def _why(self, part: PartWords, decision: str) -> str:
-        """Why a library is needed or not, by what the part is taken for."""
+        """The reasons why a library is needed or not, from the device that the part is recognised as."""
         lexicon = self.knowledge.lexicon
         if lexicon is None or not part.devices:
             return "no library needed: no table knows the part, and little in it asks for one" if decision == "none" else ""
@@ -205,7 +205,10 @@ class DeviceRanker:
     def _with_history(
         self, query: ComponentQuery, part: PartWords, candidates: list[Candidate], history: Choices, scores: list[float]
     ) -> list[Candidate]:
-        """Libraries chosen before for this part, else for its model number, first: among those that are nearly as good."""
+        """The candidates with those chosen earlier for this part (else for its model number) first, if they are nearly as good.
+
+        Libraries that were chosen earlier and that the index does not have are appended.
+        """
         chosen = history.choices(query.part_id, query.title)
         how = "this part"
         if not chosen and part.models:

@@ -1,8 +1,8 @@
-"""What speaks for a library: its words (BM25F over the fields of `index.FIELDS`), model numbers, its name, and the rest.
+"""The evidence for a library: its words (BM25F over the fields of `index.FIELDS`), model numbers, its name, usual choices.
 
-Each piece is measured by itself, so that a ranking can say why: the text score is saturated, that a long description does
-not drown a model number; a model number counts by the field that has it and by how few libraries do; name coverage is how
-much of the library's own name the part explains. How the pieces are put together is in `device_ranker`.
+Each piece is measured separately, so that a ranking can give reasons. The text score is saturated, so that a long description
+does not outweigh a model number; a model number counts by the field that contains it and by how few libraries do; name coverage
+is how much of the library's name the part's words explain. `device_ranker` combines the pieces.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from robosmi.recommend.words import StopWords, chunks, is_model, parts
 from robosmi.typed import paired, remembered, sum_of
 
 FIELD_WEIGHTS = (3.0, 2.0, 1.0, 1.6, 0.35)
-"""What a word counts by the field of the library that has it: name, header, keyword, meta, ident (BM25F)."""
+"""Weight of a word (BM25F) by the library's field that contains it: name, header, keyword, meta, ident."""
 
 _LENGTH = (0.5, 0.5, 0.6, 0.6, 0.7)  # b of BM25F for each field: how much a long one counts less
 _K1 = 1.5
@@ -67,7 +67,7 @@ class EvidenceFinder:
         self._scored = remembered(512)(self._word_scores)
 
     def rarity(self, word: str) -> float:
-        """ln(1 + (N - df + 0.5) / (df + 0.5)), the idf of BM25; 0 for a word that no library has."""
+        """The inverse document frequency of BM25, ln(1 + (N - df + 0.5) / (df + 0.5)); 0 for a word that no library has."""
         found = len(self.index.facts(word)[0])
         return math.log(1 + (len(self.index) - found + 0.5) / (found + 0.5)) if found else 0.0
 
@@ -76,7 +76,12 @@ class EvidenceFinder:
         return self.index.facts(word)[0]
 
     def gather(self, part: PartWords, most: int) -> list[Evidence]:
-        """The libraries that most speaks for, by text, model numbers and custom; their names are looked at, too."""
+        """The libraries with the most evidence by text, model numbers and usual choices; name coverage is added for these.
+
+        Args:
+            part: the words of the part.
+            most: the most libraries wanted.
+        """
         found: dict[int, Evidence] = {}
         for library, score in self._texts(part).items():
             found[library] = Evidence(library, text=score / (score + _SATURATION))
@@ -101,7 +106,7 @@ class EvidenceFinder:
         return scores
 
     def _word_scores(self, word: str) -> list[tuple[int, float]]:
-        """Score of one word for each library that has it."""
+        """The BM25F score of one word for each library that has it."""
         libraries, columns = self.index.facts(word)
         if not libraries or len(libraries) > _EVERYWHERE * len(self.index) > 20:
             return []
@@ -121,7 +126,7 @@ class EvidenceFinder:
         return found
 
     def _model_hits(self, number: str) -> list[tuple[int, float, str, str]]:
-        """Libraries that have a model number or a like one: library, value, the word they have, the field."""
+        """Libraries with a model number or a similar one, as (library, value, the library's word, field)."""
         found: dict[int, tuple[float, str, str]] = {}
         for word, likeness in self._like(number):
             libraries, columns = self.index.facts(word)
@@ -134,7 +139,7 @@ class EvidenceFinder:
         return [(library, *value) for library, value in found.items()]
 
     def _like(self, number: str) -> Iterable[tuple[str, float]]:
-        """A model number, and what may be written for it, with how alike that is."""
+        """A model number and its likely variants (shorter, longer, with x as wildcard), each with a similarity from 0 to 1."""
         yield number, 1.0
         if len(number) < 4:
             return
@@ -153,7 +158,7 @@ class EvidenceFinder:
                 yield longer, _LONGER * _PER_LETTER ** (len(longer) - len(number) - 1)
 
     def _coverage(self, library: int, part: PartWords) -> float:
-        """The best share of its name, or of the name of a main header, that the part's words explain, by their rarity."""
+        """The share of the library's name, or of a main header's, that the part's words explain; words are weighted by rarity."""
         best = 0.0
         for name in self._words_of(library):
             total = got = 0.0
@@ -179,7 +184,7 @@ class EvidenceFinder:
         return 0.0
 
     def _name_words(self, library: int) -> list[list[tuple[tuple[str, ...], float]]]:
-        """The telling words of its name and of its first main headers, each with its pieces and its rarity."""
+        """The significant words of the library's name and of its first main headers, each with its pieces and its rarity."""
         facts = self.index.library(library)
         names = [facts.name, *(file.rsplit(".", 1)[0] for file in facts.main[:3])]
         found = []

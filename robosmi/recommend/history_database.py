@@ -49,7 +49,7 @@ class Statements(Protocol):
 
 
 class Database(Protocol):
-    """A place of choices. All methods raise SourceError if it is damaged, foreign, locked, unreachable or read-only."""
+    """A store of choices. All methods raise SourceError if it is damaged, foreign, locked, unreachable or read-only."""
 
     @property
     def place(self) -> str:
@@ -127,7 +127,7 @@ class SqliteFile:
             raise unusable(self.place, str(error)) from error
 
     def _patiently(self, step: Callable[[], _Result]) -> _Result:
-        """Do a step again while the file is locked, until nobody has written to it for `_WAIT_S`."""
+        """Retry a step while the file is locked, until nobody has written to it for `_WAIT_S` seconds."""
         import sqlite3
 
         seen, since = self._stamp(), time.monotonic()
@@ -145,7 +145,7 @@ class SqliteFile:
             time.sleep(random.uniform(*_PAUSES_S))
 
     def _stamp(self) -> tuple[int, int]:
-        """What changes when somebody writes into the file."""
+        """Modification time and size of the file, which change when somebody writes to it."""
         try:
             found = self.path.stat()
         except OSError:
@@ -153,7 +153,9 @@ class SqliteFile:
         return found.st_mtime_ns, found.st_size
 
     def exists(self) -> bool:
-        """Whether the file is there, and is one that SQLite may open: it would take a named pipe or a device, too."""
+        """Whether the file exists; raises SourceError if it is no ordinary file, since SQLite would open a named pipe or
+        device, too.
+        """
         try:
             inputs.check_ordinary(self.path)
         except (FileNotFoundError, NotADirectoryError):
@@ -163,7 +165,7 @@ class SqliteFile:
         return True
 
     def _table(self, db: sqlite3.Connection) -> str:
-        """What stands for the table: its name, a question for a file of format 1, or nothing for an empty file."""
+        """The SQL for the table: its name, a subquery for a file of format 1, or an empty text for an empty file."""
         kind, version = db.execute("PRAGMA application_id").fetchone()[0], db.execute("PRAGMA user_version").fetchone()[0]
         if kind == _APPLICATION and version == FORMAT:
             return "choice"
@@ -175,7 +177,7 @@ class SqliteFile:
         raise unusable(self.place, "a newer robosmi wrote it" if newer else "it is a database of something else")
 
     def _make(self, db: sqlite3.Connection) -> None:
-        """The table in an empty file, or in one of format 1 with what that has."""
+        """Create the table in an empty file, or convert a file of format 1 with its content."""
         old = self._table(db)
         if old:
             db.execute("ALTER TABLE choice RENAME TO choice_1")
@@ -270,7 +272,7 @@ class _SharedStatements:
 
 
 class Collision(SourceError):
-    """Two transactions met; trying again helps."""
+    """Two transactions conflicted; the change should be tried again."""
 
 
 def _is_collision(error: Any) -> bool:

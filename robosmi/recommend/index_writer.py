@@ -1,6 +1,6 @@
-"""Writes the file of libraries that `index` reads: its schema, and bytes that depend on the content alone.
+"""Writes the index file of libraries that `index` reads; its bytes depend on the content alone.
 
-What the numbers in it mean is said in `index`; where the facts come from is the affair of whoever calls.
+`index` describes the schema; the caller collects the facts.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Several index files seen as one: the shipped one and those that users add, a later file hiding libraries of an earlier one.
+"""Several index files seen as one: the shipped one and those that users add; a later file hides libraries of an earlier one.
 
-Numbers of libraries and headers go on from file to file, so that what rankers keep by number stays valid. A library of an
-earlier file that a later one has, too, keeps its number and is found in nothing any more. The file format is in `index`.
+Library and header numbers continue from file to file, so that numbers which rankers store stay valid. A library of an earlier
+file that a later one contains, too, keeps its number but is no longer found by any search. The file format is in `index`.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ class LayeredIndex(LibraryIndex):
         return list(chain.from_iterable(run(layer) for layer in self._layers))
 
     def _highest(self, numbers: list[int], last: dict[str, int]) -> list[int]:
-        """A library is as popular as the one that it hides."""
+        """Give each library at least the popularity of the one that it hides."""
         for number in self._hidden:
             seen = last[self._names[number]]
             numbers[seen] = max(numbers[seen], numbers[number])

@@ -1,8 +1,8 @@
 """The device lexicon: what the parts of drawings are, by their model numbers, trade names and kinds. Data, read from tables.
 
-An entry says by which names a device goes, which more general devices it is one of, whether a program needs a library for
-it, and how it is spoken to; what an entry leaves out, it has from those it is one of. Which entries a part names is found
-in `recognition`; which libraries are usual for a device is another table, read by `transformations`.
+An entry states the names of a device, the more general devices that it is a kind of, whether a program needs a library for it,
+and its interface; missing values are inherited from the more general entries. `recognition` finds the entries that a part
+names; the usual libraries of a device are another table, read by `transformations`.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.recommend.words import plain
 
 Need = Literal["library", "optional", "none", ""]
-"""A program needs a library for it; a library helps, plain calls do as well; plain calls do; not known."""
+"""Whether a program needs a library for a device: needed; helpful, though plain calls suffice; not needed; unknown."""
 
 COLUMNS = ("names", "is", "need", "interface")
 """The columns of a table. `names` apart by |, the first being the one it is called by; a model number may end in *, which
@@ -51,7 +51,7 @@ class KnownDevice(Struct, frozen=True):
 
     @property
     def name(self) -> str:
-        """The name it is called by."""
+        """The name by which reports call the device."""
         return self.names[0].removesuffix("*")
 
 
@@ -75,18 +75,22 @@ class Lexicon:
         self.devices = _resolved(rows, self.number_of)
 
     def number_of(self, name: str) -> int | None:
-        """The entry of that name, letter case and punctuation apart; of a model number also by its beginning; or None."""
+        """The index of the entry with a name, ignoring letter case and punctuation; None if there is none.
+
+        A model number also matches an entry that is listed with its beginning and a `*`.
+        """
         key = plain(name)
         return self._prefixes[key] if key in self._prefixes and key not in self._exact else self.by_model(key)
 
     def exactly(self, key: str) -> int | None:
-        """The entry that has this name, given as `words.plain` gives it; no endings are guessed."""
+        """The index of the entry with exactly this name in the form of `words.plain`; a `*` in a name is not expanded."""
         return self._exact.get(key)
 
     def by_model(self, key: str) -> int | None:
-        """The entry of a model number in lower case: as listed, else by the longest beginning that is listed with a *.
+        """The entry of a model number in lower case: the one listed, or else the one with the longest matching beginning and a
+        `*`.
 
-        After a beginning that ends in a letter, a digit must follow, so that not every word fits.
+        If the beginning ends in a letter, a digit must follow, so that ordinary words do not match.
         """
         if key in self._exact:
             return self._exact[key]
@@ -97,7 +101,11 @@ class Lexicon:
         return None
 
     def lineage(self, device: int) -> list[tuple[int, int]]:
-        """An entry and all that it is one of or made of: number and distance, nearest first, each once."""
+        """The entry and all its ancestors, the more general devices that it is a kind of or contains, in breadth-first order.
+
+        Returns:
+            (index of the entry, its distance) pairs without duplicates, beginning with the device itself at distance 0.
+        """
         found = {device: 0}
         waiting = [device]
         for number in waiting:  # grows while it is walked: breadth first
@@ -147,10 +155,10 @@ def _row(row: list[str], place: Location) -> _Row:
 
 
 def _resolved(rows: list[_Row], number_of: Callable[[str], int | None]) -> list[KnownDevice]:
-    """The entries with what they inherit.
+    """The entries with the values that they inherit along their first kinds.
 
     Raises:
-        PlatformDataError: an entry is one of something that no table has.
+        PlatformDataError: an entry names a kind that is in no table.
     """
     above = [tuple(_number(kind, row, number_of) for kind in row.kinds) for row in rows]
     devices = []

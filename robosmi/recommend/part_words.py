@@ -1,8 +1,7 @@
-"""What a part asks for: its words and model numbers with weights, what the lexicon adds to them, how it is spoken to.
+"""The search terms of a part: its words and model numbers with weights, those the lexicon adds, and its interface.
 
-The title says most, tags and properties less, the description least, since it also tells of other things. From the
-devices that are recognised come the words that a library would use where the part has a trade name only. How libraries
-are scored with these is in `evidence`.
+The title counts most, tags and properties less, the description least, since it also mentions other things. Recognised devices
+add the words that libraries use if the part has a trade name only. `evidence` scores libraries with these terms.
 """
 
 from __future__ import annotations
@@ -15,10 +14,10 @@ from robosmi.recommend.recognition import Recognised, bus, recognise, texts
 from robosmi.recommend.words import StopWords, models, plain, words
 
 WORD_WEIGHTS = {"title": 1.0, "family": 0.5, "tag": 0.7, "property": 0.5, "description": 0.1}
-"""What a word counts by where it stands."""
+"""Weight of a word by the text that contains it."""
 
 MODEL_WEIGHTS = {"title": 1.0, "family": 0.7, "tag": 0.85, "property": 0.95, "description": 0.45}
-"""What a model number counts by where it stands."""
+"""Weight of a model number by the text that contains it."""
 
 _OWN_NAME, _NAME_ABOVE = 0.4, 0.15
 _STANDS_FOR = 0.9
@@ -107,7 +106,7 @@ def _add_devices(part: PartWords, lexicon: Lexicon, usual: Usual, stop: StopWord
 
 
 def _add_usual(part: PartWords, usual: Usual, found: Recognised, device: KnownDevice, weight: float, distance: int) -> None:
-    """Usual libraries of a device; those listed for the very name that the part has go before those for its other names."""
+    """Add the usual libraries of a device; those listed for the name that the part uses precede those for its other names."""
     keys = {plain(name): name.removesuffix("*") for name in (*device.names, *device.stands_for)}
     listed = [found.name] if not distance and found.name in usual else [key for key in keys if key in usual]
     for key in listed:

@@ -1,8 +1,8 @@
-"""Which devices of the lexicon a part names: in its title, family, tags, properties or description, and how surely.
+"""Finds the devices of the lexicon that a part names in its title, family, tags, properties or description, and how surely.
 
-A model number or trade name says more than a kind of device, a title more than a tag, many words more than one. How a part
-is spoken to (two pins SDA and SCL, "IIC" in its name) picks the variant of a kind that is spoken to like that. What follows
-for libraries is in `evidence`.
+A model number or trade name is stronger than a kind of device, a title stronger than a tag, several words stronger than one.
+The part's interface (two pins SDA and SCL, "IIC" in its name) selects the variant of a device with that interface. `evidence`
+derives what this means for libraries.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _DESCRIBED = 400  # what a thing is, its description says first; later it tells 
 _NUMBERED = re.compile(r"([^\W\d_]{2,})\d{1,2}")  # LED1, Servo2: what a drawing calls the instances of a part
 
 BUSES = {"i2c": ("i2c", "iic", "twi", "qwiic", "stemma"), "spi": ("spi",), "serial": ("uart", "serial")}
-"""How devices are spoken to, and the words that say so."""
+"""The words that indicate each bus."""
 
 
 class Recognised(Struct, frozen=True):
@@ -50,7 +50,7 @@ class Recognised(Struct, frozen=True):
 
 
 def texts(query: ComponentQuery) -> Iterator[tuple[str, str]]:
-    """What a part says of itself, with where it says so; properties that tell of housing and colour are left out."""
+    """The texts of a part with their origin; properties about housing and colour are left out."""
     yield "title", query.title
     yield "family", query.family
     yield from (("tag", tag) for tag in query.tags)
@@ -59,7 +59,7 @@ def texts(query: ComponentQuery) -> Iterator[tuple[str, str]]:
 
 
 def bus(query: ComponentQuery) -> str:
-    """How a part is spoken to, by the names of its connectors, else by its words; empty if neither tells."""
+    """The bus of a part, by the names of its connectors, else by its words; empty if neither indicates one."""
     pins = {name for connector in query.connectors for name in chunks(connector.lower())}
     if {"sda", "scl"} <= pins:
         return "i2c"
@@ -71,7 +71,7 @@ def bus(query: ComponentQuery) -> str:
 
 
 def recognise(lexicon: Lexicon, query: ComponentQuery, *, exact: bool = True) -> list[Recognised]:
-    """The devices that a part names, the surest first; each once, and none that a surer one is a case of.
+    """The devices that a part names, the surest first, without duplicates and without kinds of a more certain one.
 
     Args:
         lexicon: the devices.
@@ -99,7 +99,7 @@ def recognise(lexicon: Lexicon, query: ComponentQuery, *, exact: bool = True) ->
 
 
 def _add_variants(lexicon: Lexicon, spoken: str, best: dict[int, Recognised]) -> None:
-    """For a character LCD on an I2C bus the entry "I2C LCD", if there is one."""
+    """Add the variants for a bus: for a character LCD on an I2C bus the entry "I2C LCD", if there is one."""
     if not spoken:
         return
     for found in list(best.values()):
@@ -110,7 +110,10 @@ def _add_variants(lexicon: Lexicon, spoken: str, best: dict[int, Recognised]) ->
 
 
 def _rank(lexicon: Lexicon, found: Recognised, support: Mapping[int, float], best: Mapping[int, Recognised]) -> float:
-    """Its strength, and a little for being named repeatedly. What is a case of another that is named is as sure as that."""
+    """The rank of a recognised device: its strength, and a bonus if it or a more general device is named repeatedly.
+
+    If a more general device is named, too, a strongly recognised one is at least as strong as that.
+    """
     above = [best[number].strength for number, distance in lexicon.lineage(found.device) if distance and number in best]
     strength = max([found.strength, *above]) if found.strength >= _SURE else found.strength
     repeated = min(max(support.get(found.device, 0.0) - found.strength, 0.0), 1.0)

@@ -113,7 +113,7 @@ class TfidfRanker:
 
     @staticmethod
     def _suits(library: Library, architecture: str) -> bool:
-        """A library that names no architecture at all is one without metadata: nothing is known against it."""
+        """Whether a library supports an architecture; one that names none has no metadata and counts as suitable."""
         return not library.architectures or "*" in library.architectures or architecture in library.architectures
 
 

@@ -1,8 +1,8 @@
-"""Words of parts and of libraries, made alike on both sides: plain words, halves of compounds, and model numbers.
+"""Splits the texts of parts and of libraries into comparable words: plain words, halves of compounds, and model numbers.
 
-A name such as `MAX7219 LED-Matrix` or `QuadStepper` is taken apart where letter case or punctuation changes, and what names
-one device ("HC-05", "DRV 8825", "24LC256") is also put together again, since one writes it with a hyphen and the next
-without. Which words say nothing (makers, "module") is data, `StopWords`. No scoring here.
+A name such as `MAX7219 LED-Matrix` or `QuadStepper` is split where letter case or punctuation changes. The pieces of a model
+number ("HC-05", "DRV 8825", "24LC256") are also joined, since it is written both with and without a hyphen. Words without
+significance (makers, "module") are data, `StopWords`. Nothing is scored here.
 """
 
 from __future__ import annotations
@@ -33,13 +33,13 @@ _LONGEST = 3  # chunks that one model number is put together of at most ("24 LC 
 
 
 class StopWords(Struct, frozen=True):
-    """Words that tell no library from another, as stems in lower case: of makers, and of the language."""
+    """Insignificant words, as stems in lower case: names of makers, and common words of the language."""
 
     makers: frozenset[str] = frozenset()
     common: frozenset[str] = frozenset()
 
     def __contains__(self, word: str) -> bool:
-        """Whether a stem says nothing; bare numbers and single letters never say anything."""
+        """Whether a stem is insignificant; bare numbers and single letters always are."""
         return len(word) < 2 or word.isdigit() or word in self.makers or word in self.common
 
 
@@ -78,7 +78,7 @@ def words(text: str) -> Iterator[str]:
 
 @remembered(65536)
 def is_model(word: str) -> bool:
-    """Whether a word in lower case may be a model number: letters and digits, three or more, no size, housing, term."""
+    """Whether a word in lower case may be a model number: letters and digits, at least three, and no size, housing or term."""
     return (
         len(word) >= 3
         and _DIGIT.search(word) is not None
@@ -104,7 +104,7 @@ def models(text: str) -> Iterator[str]:
 
 
 def _may_be_one(run: Sequence[str]) -> bool:
-    """Short letters and digits side by side: what may be one name with punctuation in it."""
+    """Whether neighbouring pieces are short letters and digits that may be one model number written with punctuation."""
     short = all(len(piece) <= 4 or (piece.isdigit() and len(piece) == 5) for piece in run)
     return short and any(_DIGIT.search(piece) for piece in run) and not any(_SIZE.fullmatch(piece) for piece in run)
 
@@ -120,7 +120,7 @@ def runs(text: str, longest: int = 5) -> Iterator[tuple[int, int, str]]:
 
 
 def plain(name: str) -> str:
-    """A name as names are compared: stems in lower case, nothing but letters and digits."""
+    """The normal form in which names are compared: lower-case stems of letters and digits, joined."""
     name = name.lower()
     if name.isalnum() and name[-1] != "s":  # most names of tables: no work
         return name

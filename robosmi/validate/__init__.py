@@ -1,8 +1,8 @@
 """Constraints on models in the style of the Epsilon Validation Language (EVL), in Python.
 
-`EVL` is a module of constraints: contexts by kind, guards, constraints and critiques, messages, fixes, `satisfies`, pre and
-post. A run gives a `Validation`, with reports as text, JSON and findings. Constraints themselves are content.
-docs/reference/evl.md sets EVL beside it.
+`EVL` is a module of constraints: contexts by type, guards, constraints and critiques, messages, fixes, `satisfies`, pre and
+post blocks. A run gives a `Validation`, with reports as text, JSON and findings. Constraints on concrete metamodels are content
+and not here. docs/reference/evl.md compares this module with EVL.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
-"""What is declared: contexts with their constraints and critiques, what a failed check says, fixes.
+"""The declarations of EVL: contexts with their constraints and critiques, the result of a failed check, fixes.
 
-A constraint is a function whose name is the constraint's. Declarations know no model; `evaluation` runs them over some.
+A constraint is a function whose name is the constraint's. Declarations are independent of models; `evaluation` runs them on
+some.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ E = TypeVar("E")
 _GIVEN = frozenset({"check", "context", "critique"})
 """What a declaration says of a constraint by itself, not by an option."""
 GLOBAL = "<Global>"
-"""The name of the context of constraints without one, as EVL has it."""
+"""The name, as in EVL, of the context of constraints that are declared without a context."""
 
 
 class Fix(Struct, frozen=True):
@@ -81,22 +82,22 @@ class Fail:
 
 
 class Constrained(Protocol):
-    """A context, whatever the class of its elements."""
+    """The protocol of a context, independent of the class of its elements."""
 
     name: str
     constraints: list[Constraint]
 
     @property
     def kind(self) -> RuleKind | None:
-        """The type of its elements; None for the models as a whole."""
+        """The type of its elements; None if the constraints are about the models as a whole."""
 
     @property
     def guard(self) -> Function | None:
-        """For which elements its constraints are evaluated, or None for all."""
+        """The predicate that selects the elements on which its constraints are evaluated; None for all elements."""
 
     @property
     def lazy(self) -> bool:
-        """Whether none of its constraints is evaluated unless asked for."""
+        """Whether its constraints are evaluated only where `satisfies` asks for them."""
 
 
 class Constraint(Struct, frozen=True, eq=False):
@@ -168,12 +169,12 @@ class Context(Generic[E]):
         self._beside: Sequence[Constrained] = ()
 
     def lies_among(self, contexts: Sequence[Constrained]) -> None:
-        """Tell the contexts of its module, this one among them: what two of one type declare must have two names."""
+        """Set the contexts of the module of this one, so that two constraints of one name on one type can be refused."""
         self._beside = contexts
 
     @property
     def lazy(self) -> bool:
-        """Whether none of its constraints is evaluated unless asked for."""
+        """Whether its constraints are evaluated only where `satisfies` asks for them."""
         return self._lazy or (bool(self.constraints) and all(c.lazy for c in self.constraints))
 
     def __repr__(self) -> str:
@@ -258,9 +259,10 @@ class Context(Generic[E]):
             )  # fmt: skip
 
     def _check_name(self, name: str, function: Function) -> None:
-        """Refuse a second constraint of one name: nobody could ask for it, and findings of both would look alike.
+        """Refuse a second constraint of the same name on the same type, since `satisfies` and reports could not tell them
+        apart.
 
-        Contexts with guards may have one each, since the guards can tell their elements apart.
+        Contexts with guards may each have one, since the guards can separate their elements.
         """
         unguarded = [c for c in self._beside if c.guard is None and self.guard is None and c.kind == self.kind]
         for context in (self, *(c for c in unguarded if c is not self)):

@@ -1,8 +1,9 @@
-"""One evaluation of constraints over models: which constraint sees which element when, and what is remembered.
+"""One evaluation of constraints on models: the order of evaluation, and the cache of results.
 
-As the engine: contexts in order, their elements by kind in containment order, for each element the constraints in order. The
-answer of a check is remembered; it is made use of once somebody has asked for the constraint by `satisfies`. Findings are a set
-of (constraint, element, message). Source: Kolovos et al., The Epsilon Book, chapter 5, and measured (docs/reference/evl.md).
+The order is that of Epsilon's engine: contexts in order of declaration, their elements in containment order, and for each
+element the constraints in order. The result of a check is cached, and used once some `satisfies` has asked for the constraint.
+Findings are a set of (constraint, element, message). Source: Kolovos et al., The Epsilon Book, chapter 5, and measurements
+(docs/reference/evl.md).
 """
 
 from __future__ import annotations
@@ -25,10 +26,11 @@ if TYPE_CHECKING:
 
 
 class _State:
-    """A constraint in one evaluation: its functions, and what they answered.
+    """A constraint in one evaluation: its functions and cached results.
 
-    While nobody has asked for it, only failures are kept: an element that its context is done with and that is not among them
-    holds. `results` has the answers since then, and all of those that a guard or `terminate` makes uncertain.
+    Until some `satisfies` asks for it, only failures are stored: an element of a finished context that is not among them
+    satisfies the constraint. `results` has all results after that, and those of constraints with a guard or `terminate` from
+    the start.
     """
 
     __slots__ = ("check", "constraint", "depended_on", "done", "failed", "guard", "kind", "recorded", "results")
@@ -45,11 +47,11 @@ class _State:
         self.depended_on = False
 
     def verdict(self, element: Any) -> Any:
-        """What the check says of an element.
+        """The result of the check for an element.
 
         Raises:
-            UsageError: it says a text, a collection or what else is no verdict. `return holds or "message"` would satisfy the
-                constraint, since a text is true, and so would `return holds, "message"`.
+            UsageError: the check returns no truth value, such as a text or a collection. `return holds or "message"` and
+                `return holds, "message"` would always satisfy the constraint, since a text and a tuple are true.
         """
         verdict = self.check(element)
         return verdict_of(
@@ -59,11 +61,11 @@ class _State:
         )
 
     def applies(self, element: Answer) -> bool:
-        """Whether the guard, if there is one, lets the constraint be evaluated."""
+        """Whether the constraint applies to an element: it has no guard, or its guard is true."""
         return self.guard is None or guarded(self.guard(element))
 
     def answer(self, element: Answer) -> bool | None:
-        """What is remembered of an element; None if it must be evaluated."""
+        """The cached result for an element; None if it has to be evaluated."""
         if not self.depended_on:
             return None
         if element in self.results:
@@ -71,7 +73,7 @@ class _State:
         return element not in self.failed if element in self.done else None
 
     def asked(self) -> None:
-        """From now on its answers are made use of."""
+        """Use cached results from now on, since some `satisfies` asks for this constraint."""
         self.depended_on = self.recorded = True
 
 
@@ -80,7 +82,7 @@ def _of_nothing(function: Callable[[], Any]) -> Callable[[Any], Any]:
 
 
 class Evaluation:
-    """Constraints at work on some models.
+    """The evaluation of constraints on some models.
 
     Args:
         contexts: in the order in which they are evaluated.
@@ -113,7 +115,7 @@ class Evaluation:
                 self._named.setdefault(state.constraint.name, []).append(state)
 
     def run(self) -> None:
-        """Evaluate everything that is not lazy.
+        """Evaluate all constraints that are not lazy.
 
         Raises:
             RuleError: a guard, a check, a message or a fix's title or guard raises; what was found before is kept.
@@ -204,7 +206,7 @@ class Evaluation:
             raise failed(error, f"{what[0]} of {constraint.name}", function, element, self.models) from error
 
     def satisfies(self, element: Any, name: Any) -> bool:
-        """Whether the element satisfies a constraint; one whose guard is false it does not.
+        """Whether an element satisfies a constraint; an element for which the constraint's guard is false does not.
 
         Args:
             element: the element; None satisfies nothing.

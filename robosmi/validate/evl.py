@@ -1,7 +1,7 @@
-"""`EVL`: a module of constraints, as an EVL file is one.
+"""`EVL`: a module of constraints, corresponding to an EVL file.
 
-It holds contexts, constraints without context, pre and post blocks and the modules it includes, and runs them over models. It
-can be written without any model (contexts about classes or names) and run over as many as one likes, one after the other.
+It contains contexts, constraints without context, pre and post blocks and included modules, and runs them on models. It can be
+written without any model (contexts refer to classes or names) and run on any number of models, one after the other.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""What a validation gives: unsatisfied constraints with their fixes, and reports of them as text, JSON and findings.
+"""The result of a validation: unsatisfied constraints with their fixes, and reports as text, JSON and findings.
 
-A fix that raises is rolled back. Elements are named as they were when all checks were done, whatever fixes change after that.
+A fix that raises is rolled back. Reports name elements by their places after all checks and before the first fix.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class OfferedFix:
         return f"<fix: {self.title}>"
 
     def apply(self) -> None:
-        """Do it, wholly or not at all.
+        """Perform the fix, completely or not at all.
 
         Raises:
             RuleError: it raises; the models are as they were before.
@@ -139,7 +139,7 @@ class Validation:
         return not any(u.severity is Severity.error for u in self.unsatisfied)
 
     def place(self, unsatisfied: Unsatisfied) -> str | None:
-        """The element of a finding as reports name it, `M!Book //@items.0`: where it was before the first fix."""
+        """The element of a finding as reports name it, `M!Book //@items.0`: its place before the first fix."""
         key = id(unsatisfied)
         if key not in self._places:
             self._places[key] = place_in_model(unsatisfied.element, self.models)
@@ -172,7 +172,7 @@ class Validation:
                 self.fixed.append(Applied(unsatisfied, fix.title, error))
 
     def findings(self) -> list[Finding]:
-        """The findings of the contract, one for each unsatisfied constraint."""
+        """The validation's results as findings of the contract, one for each unsatisfied constraint."""
         found = []
         for u in self.unsatisfied:
             c = u.constraint
