@@ -35,6 +35,7 @@ class _Arguments(argparse.Namespace):
     engine: str | None
     seed: int
     vcd: Path | None
+    verbose: bool
 
 
 def run(arguments: _Arguments) -> Report:
@@ -45,6 +46,7 @@ def run(arguments: _Arguments) -> Report:
         arguments.output, scenarios=arguments.scenarios, engine=arguments.engine, seed=arguments.seed, vcd=arguments.vcd
     )
     report.ok, report.failure_code = done.verdict.exit_code == 0, done.verdict.exit_code
-    report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
+    report.result, report.findings = done.result, list(done.findings)
+    report.lines = done.verdict.lines(arguments.verbose)
     report.artifacts = [{"path": str(path), "kind": kind} for path, kind in done.written]
     return report

@@ -13,6 +13,7 @@ from msgspec import Struct, field
 
 from robosmi.typed import distinct, sum_of
 from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, SAME, ChannelComparison, FirstDifference
+from robosmi.verify.missed_places import places_told
 from robosmi.verify.original_calls import LibraryCall
 from robosmi.verify.scenario import Scenario
 
@@ -98,7 +99,9 @@ class Verdict(Struct):
             no scenario counts.
         racy: how many generated scenarios were dropped because the source differs from itself.
         racy_branches: branches that only those reach, `file:line`.
+        missed_lines: lines that no scenario reaches, `file:line` or `file:first-last`.
         missed_branches: branches that no scenario reaches, `file:line`.
+        untaken: those of them that stand on lines which are reached.
         binding: the ports with their pins and devices on both sides.
         functions: channel -> the platform's functions that use it.
         not_compared: ports that are not compared: lines of buses, what is not wired on the target, and what is one pin of the
@@ -120,7 +123,9 @@ class Verdict(Struct):
     branches_pct: float = 0.0
     racy: int = 0
     racy_branches: list[str] = []
+    missed_lines: list[str] = []
     missed_branches: list[str] = []
+    untaken: list[str] = []
     binding: list[dict[str, Json]] = []
     functions: dict[str, tuple[str, ...]] = {}
     not_compared: list[str] = []
@@ -188,7 +193,8 @@ class Verdict(Struct):
             "simulated_s": round(self.simulated_s, 6),
             "source_coverage": {
                 "lines_pct": round(self.lines_pct, 1), "branches_pct": round(self.branches_pct, 1),
-                "missed": self.missed_branches, "only_in_racy": self.racy_branches, "scenarios": self.counted,
+                "missed": self.missed_branches, "missed_lines": self.missed_lines, "only_in_racy": self.racy_branches,
+                "scenarios": self.counted,
             },
             "racy_scenarios": self.racy,
             "channels": self.channels(),
@@ -228,7 +234,7 @@ class Verdict(Struct):
         }[self.verdict]
         many = f"{len(self.scenarios)} scenario{'s' * (len(self.scenarios) != 1)}"
         said += f" in {many}, {self.simulated_s:.1f} s simulated"
-        said += f"; {self._reached()}"
+        said += "; ".join(["", self._reached(), *self._missed()])
         if (first := self.first_difference) is not None:
             said += f"; first in '{first[0].scenario.name}' at {first[1].at_ms:.1f} ms, {first[1].channel}: {first[1].message}"
         return "; ".join([said, *self._stood_in(), *self.all_reasons()])
@@ -244,18 +250,27 @@ class Verdict(Struct):
             return "no source line counts as reached: no scenario could be decided"
         return f"source lines {self.lines_pct:.1f} %, branches {self.branches_pct:.1f} %"
 
+    def _missed(self, whole: bool = False) -> list[str]:
+        """What of the source was not reached, in words: nothing of it was compared."""
+        told = {"lines not reached": self.missed_lines, "branches not taken": self.untaken}
+        return [f"{what}: {places_told(places, whole)}" for what, places in told.items() if places and self.counted]
+
     def all_reasons(self) -> list[str]:
         """Why nothing can be decided, of all scenarios, each once."""
         return distinct([*self.reasons, *(s.reason for s in self.scenarios if s.reason)])
 
-    def lines(self) -> list[str]:
-        """What a person reads."""
+    def lines(self, verbose: bool = False) -> list[str]:
+        """What a person reads.
+
+        Args:
+            verbose: whether to tell all places of the source that were not reached, however many there are.
+        """
         if self.verdict == NOT_COMPILED:
             return ["NOT COMPILED: the migrated program does not compile"]
         what = f"in {len(self.scenarios)} scenario{'s' * (len(self.scenarios) != 1)}, {self.simulated_s:.1f} s simulated"
         what += f"; {self._reached()}"
         lines = [f"{self.verdict.replace('-', ' ').upper()} {what}", f"  {self.engine}; {self.compiler}; {self.original}"]
-        lines += [f"  {told}" for told in self._stood_in()]
+        lines += [f"  {told}" for told in (*self._missed(verbose), *self._stood_in())]
         if (first := self.first_difference) is not None:
             scenario, difference = first
             lines.append(f"  first difference: '{scenario.scenario.name}' at {difference.at_ms:.1f} ms, {difference.channel}:")
@@ -276,7 +291,9 @@ class Verdict(Struct):
         if self.racy:
             lines.append(f"  {self.racy} generated scenarios were dropped: the source differs from itself there")
         lines += ["", "channels:"]
-        lines += [f"  {c['status']:14} {c['name']}{_counted(c['events'])}{_ended(c['until_ms'])}" for c in self.channels()]
+        lines += [
+            f"  {c['status']:14} {c['name']}{_counted(c['events'], c['status'])}{_ended(c['until_ms'])}" for c in self.channels()
+        ]
         because = {name: f" ({why})" for name, why in self.why_not_compared.items()}
         lines += [f"  not compared   {name}{because.get(name, '')}" for name in self.not_compared]
         lines += ["", "binding (please look whether it is right):"]
@@ -287,8 +304,9 @@ class Verdict(Struct):
         return lines
 
 
-def _counted(events: int) -> str:
-    return f" ({events} event{'s' * (events != 1)})" if events else ""
+def _counted(events: int, status: str) -> str:
+    """How many events were compared: where there were none, a channel that is the same says little."""
+    return f" ({events} event{'s' * (events != 1)})" if events or status == SAME else ""
 
 
 def _ended(until_ms: float | None) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from robosmi.verify.comparison import ChannelComparison, FirstDifference
+from robosmi.verify.missed_places import line_ranges
 from robosmi.verify.original_calls import LibraryCall
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.verdict import CallsAround, ScenarioVerdict, Verdict
@@ -85,3 +86,31 @@ def test_a_call_beside_a_difference_is_not_called_its_cause() -> None:
         assert "high" in said
         assert "made by" not in said
         assert "cannot be seen from outside" in said
+
+
+def test_places_of_the_source_that_no_scenario_reaches_are_named() -> None:
+    missed = [f"a.c:{line}" for line in range(1, 41, 3)]
+    found = Verdict(
+        scenarios=[told("no-difference-found", "same")], counted=1, lines_pct=61.5, branches_pct=50.0,
+        missed_lines=["a.c:3", "a.c:5-9", "b.c:2"], missed_branches=["a.c:5", "a.c:12", "a.c:12"], untaken=["a.c:12", "a.c:12"],
+    )  # fmt: skip
+    for said in (found.sentence(), "\n".join(found.lines())):
+        assert "lines not reached: a.c:3, 5-9; b.c:2" in said
+        assert "branches not taken: a.c:12" in said
+    assert found.to_json()["source_coverage"]["missed_lines"] == ["a.c:3", "a.c:5-9", "b.c:2"]
+    many = Verdict(scenarios=found.scenarios, counted=1, missed_lines=missed)
+    assert "a.c:1, 4, 7, 10, 13, 16, 19, 22, 25, 28, 31, 34 and 2 more (verify -v shows all)" in "\n".join(many.lines())
+    assert "34, 37, 40" in "\n".join(many.lines(verbose=True))
+    assert "not reached" not in "\n".join(Verdict(scenarios=found.scenarios, counted=1).lines())
+
+
+def test_ranges_end_at_lines_with_code_that_are_reached() -> None:
+    known = [("/x/a.c", line) for line in (1, 3, 4, 7, 9)] + [("/x/b.c", 2)]
+    assert line_ranges({("/x/a.c", 3), ("/x/a.c", 4), ("/x/a.c", 7), ("/x/b.c", 2)}, known) == ["a.c:3-7", "b.c:2"]
+    assert line_ranges({("/x/a.c", 9), ("/x/b.c", 2), ("/x/a.c", 1)}, known) == ["a.c:1", "a.c:9", "b.c:2"]
+
+
+def test_a_channel_that_is_the_same_says_how_many_events_were_compared() -> None:
+    lines = Verdict(scenarios=[told("no-difference-found", "same", "not-exercised")]).lines()
+    assert "  same           c0 (0 events)" in lines
+    assert "  not-exercised  c1" in lines

@@ -13,6 +13,7 @@ from robosmi.transformations.verification.original_side import SourceRuns
 from robosmi.transformations.verification.played_devices import played
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.typed import paired
+from robosmi.verify.missed_places import line_ranges
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_coverage import SourceCoverage, coverage
 from robosmi.verify.original_run import run_original
@@ -64,6 +65,8 @@ def cover(
     verdict.branches_pct = 100.0 * (counted - len(missed)) / counted if counted else 100.0
     verdict.racy_branches = [f"{Path(file).name}:{line}" for file, line, _ in sorted(only_racy)]
     verdict.missed_branches = [f"{Path(file).name}:{line}" for file, line, _ in missed]
+    verdict.missed_lines = line_ranges({place for place, count in covered.lines.items() if not count}, covered.lines)
+    verdict.untaken = [f"{Path(file).name}:{line}" for file, line, _ in missed if covered.lines.get((file, line))]
 
 
 def _compared_counts(runs: SourceRuns, told: ScenarioVerdict, program: OriginalProgram, ports: Sequence[BoundPort]) -> bytes:
