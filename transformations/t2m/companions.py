@@ -1,8 +1,9 @@
-"""Further files that belong to a drawing (sheets, libraries, caches): read from the folder of its file, and noted.
+"""Further files that belong to a drawing (sheets, libraries, caches): read from the drawing's folder, and recorded.
 
-What a drawing names is a path relative to its file. It is followed only below that folder: a path or a link that leads out, and
-an absolute one, are not read, so that a drawing from elsewhere can open nothing on the machine. What was read is in the model
-(`Circuit.companions`), and a migration copies it to `models/source`. What a file means is its reader's business.
+A drawing refers to them by paths relative to its own file. Such a path is followed only below that folder: a path or a link
+that leads out, and an absolute one, are not read, so that a drawing from elsewhere can open nothing else on the machine. The
+files that were read are recorded in the model (`Circuit.companions`), and a migration copies them to `models/source`. Their
+contents are interpreted by each reader.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ class DrawingFolder:
         self._read: dict[str, bytes] = {}
 
     def name(self, named: str, beside: str = "") -> str | None:
-        """What a path in the drawing means: relative to the folder with forward slashes, or None where it leads out of it.
+        """A path of the drawing, normalised relative to the folder with forward slashes; None if it leads out of the folder.
 
         Args:
             named: the path as it is written, with slashes of either kind.

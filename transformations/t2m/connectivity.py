@@ -1,7 +1,7 @@
-"""What readers of drawings share about connections: disjoint sets of connectors, what a part joins inside, order of names.
+"""What readers of drawings share about connections: disjoint sets of connectors, buses inside parts, natural sort order.
 
-A union-find is used and not a graph library, because importing one takes longer than a whole reading; a test compares the
-two. Which connectors a drawing joins is told by each tool's reader, what a net is for by `knowledge/rails`.
+This is a union-find and not a graph library, because importing one takes longer than reading a drawing; a test compares the
+two. Each tool's reader decides which connectors a drawing joins, `knowledge/rails` what a net is for.
 """
 
 from __future__ import annotations
@@ -13,17 +13,17 @@ from robosmi.transformations.knowledge.part import Part
 from robosmi.typed import remembered
 
 Node = tuple[str, str]
-"""Identity of a component, and the connector that stands for all that its part joins to it (empty for a wire)."""
+"""(identity of a component, representative of the connectors that its part joins); a wire has no connector."""
 
 Leaders = Mapping[str, Mapping[str, str]]
-"""By part id, for each connector that a part joins to others the one that stands for all of them."""
+"""Part id -> connector that the part joins to others -> the representative of all of them."""
 
 _DIGITS = "0123456789"
 _NUMBER = re.compile(r"([0-9]{1,18})")  # int() refuses very long numbers
 
 
 class Joined:
-    """Disjoint sets of nodes."""
+    """Disjoint sets of nodes (union-find with path compression)."""
 
     def __init__(self) -> None:
         self.parent: dict[Node, Node] = {}
@@ -42,12 +42,12 @@ class Joined:
         return root
 
     def union(self, one: Node, other: Node) -> None:
-        """Make the two nodes one."""
+        """Merge the sets of two nodes."""
         self.parent[self.find(one)] = self.find(other)
 
 
 def bus_leaders(part: Part) -> dict[str, str]:
-    """For every connector that the part joins to others the one that stands for all of them."""
+    """Connector that the part joins to others -> the representative of all of them."""
     joined = Joined()
     for members in part.buses.values():
         for member in members:  # a connector in two buses joins them
@@ -60,5 +60,5 @@ def bus_leaders(part: Part) -> dict[str, str]:
 
 @remembered(8192)
 def natural(text: str) -> tuple[tuple[int, int, str], ...]:
-    """A sort key by which connector2 comes before connector10."""
+    """A natural sort key, by which connector2 comes before connector10."""
     return tuple((0, int(piece), "") if piece[0] in _DIGITS else (1, 0, piece) for piece in _NUMBER.split(text) if piece)

@@ -1,8 +1,8 @@
-"""What every reader of drawings does with the parts, nets and wires that it has found: the hardware model, made in one way.
+"""The part of reading a drawing that is the same for every tool: the hardware model made of its parts, nets and wires.
 
-A reader tells, in its tool's own words, which parts are placed (`Placed`), which connectors are one net, which wires there are;
-`CircuitBuilder` adds what is known of parts and boards, roles with their evidence, pins, rails and findings about parts. Files,
-identities and what joins connectors are the readers' business (docs/how-to/add-a-drawing-reader.md).
+A reader tells, in its tool's own words, which parts are placed (`Placed`), which connectors form one net, and which wires there
+are; `CircuitBuilder` adds what is known of parts and boards, roles with their evidence, pins, rails and findings about parts.
+Files, identities and the joining of connectors are left to the readers (docs/how-to/add-a-drawing-reader.md).
 """
 
 from __future__ import annotations
@@ -40,12 +40,12 @@ _KINDS = {name: enum_literal(hardware.ConnectorKind, name) for name in KINDS}
 
 
 class CircuitBuilder:
-    """The hardware model of one drawing, bottom-up: parts known, components placed, nets and wires added, the circuit at the end.
+    """Builds the hardware model of one drawing bottom-up: first its parts, then components, nets and wires, last the circuit.
 
     Args:
         path: the file, as the user gave it.
         tool: the drawing tool in lower case, as boards, the catalogue and rules name it.
-        project: the project folder, whose own data on parts and boards goes first; the current folder if None.
+        project: the project folder, whose own data on parts and boards takes precedence; the current folder if None.
     """
 
     def __init__(self, path: str, tool: str, project: Path | None = None) -> None:
@@ -64,11 +64,11 @@ class CircuitBuilder:
     def report(
         self, rule: str, severity: Severity, message: str, line: int | None = None, fix: str | None = None, **evidence: Json
     ) -> None:
-        """Say what was unknown, odd or left out."""
+        """Add a finding about what is unknown, odd or left out."""
         self.findings.append(Finding(rule, severity, message, Location(self.path, line), fix=fix, evidence=evidence))
 
     def give_roles(self, roles: Mapping[str, str], titles: Mapping[str, str]) -> None:
-        """Take the roles that the user gives; they go before all else.
+        """Set the roles that the user gives, which take precedence over all others.
 
         Args:
             roles: COMPONENT (title or `#identity`) -> role.
@@ -80,13 +80,13 @@ class CircuitBuilder:
         self._given = given_roles(roles, titles)
 
     def know(self, part_id: str, defined: Part | None = None, board: DrawnBoard | None = None, own: bool = False) -> KnownPart:
-        """What is known of a part.
+        """Look up a part, to be called before it is placed.
 
         Args:
             part_id: its id in the tool's catalogue.
-            defined: what the drawing itself says of it; the catalogue's entry goes first.
+            defined: what the drawing itself says of it; the catalogue's entry takes precedence.
             board: the board that it stands for, where its id does not say it (`drawn_chips`).
-            own: whether it is of the person's own making: its role is open, whatever it is called.
+            own: whether the user has made it: then its name says nothing about its role.
 
         Raises:
             PlatformDataError: an entry of the catalogue, a rule or a board is damaged.
@@ -168,7 +168,7 @@ class CircuitBuilder:
         return component
 
     def report_lacking(self, placed: Placed, known: KnownPart, lacking: Sequence[str]) -> None:
-        """Say that a drawing connects a component where its part has nothing (RS208): that is left out."""
+        """Report that a drawing uses connectors which the component's part lacks (RS208); they are left out."""
         self.report(
             "RS208",
             Severity.warning,
@@ -262,14 +262,14 @@ class CircuitBuilder:
         )
 
     def fault(self, cause: str) -> ModelError:
-        """What to raise for a reader that tells what cannot be."""
+        """The error for a reader that breaks the rules of this interface."""
         fix = "report it to the authors of the reader, which must hold what docs/how-to/add-a-drawing-reader.md says"
         return ModelError(f"the reader of {self.tool} drawings {cause}", location=Location(self.path), fix=fix)
 
     # ---- one component
 
     def _part(self, placed: Placed, known: KnownPart, facts: Sequence[PartConnector]) -> Part:
-        """The part with the role that it has in this place: given by the user, known, or told by label and pin names."""
+        """The part with its role in this place: given by the user, known, or concluded from its label and pin names."""
         if (role := self._given.get(placed.identity)) is not None:
             return replaced(known.part, role=role, evidence=GIVEN)
         if known.part.role != "Unknown" or known.own:
@@ -279,7 +279,7 @@ class CircuitBuilder:
         return classify_drawn(named, placed.title, placed.properties, hint, self.project)
 
     def _connectors(self, placed: Placed, known: KnownPart) -> list[PartConnector]:
-        """The connectors of a component, in the part's order, those that only the drawing knows after them."""
+        """The connectors of a component in the part's order, followed by those that only the drawing names."""
         part, used = known.part, {*placed.used}
         pins = known.board.pins if known.board is not None else {}
         if lacking := sorted((c for c in used if c not in placed.names and not known.has(c)), key=natural):
@@ -313,7 +313,7 @@ class CircuitBuilder:
         return "" if fact.kind in ("supply", "ground") else normalised_label(fact.name, known.numbered)
 
     def _report_pinless(self, placed: Placed, board: DrawnBoard, fact: PartConnector, by_name: bool) -> None:
-        """Say that what hangs on a connector is lost, where its name is that of a pin and the board's file does not say which."""
+        """Report that wires at a connector are lost: it is named like a pin, but the board's data do not list it (RS257)."""
         if fact.kind in ("supply", "ground") or not (label := normalised_label(fact.name or fact.id)):
             return
         if by_name and port_of(fact.name):  # a port of a bare chip: RS216
@@ -362,12 +362,12 @@ class CircuitBuilder:
 
 
 def free_identity(name: str, line: int, taken: Container[str]) -> str:
-    """The identity of a part in a drawing: its name where that is its alone, else with a number behind it.
+    """A unique identity for a part in a drawing: its name, with a number appended if another part has it.
 
     Args:
         name: as the drawing has it, empty for none.
-        line: where the part stands, by which one without a name is called.
-        taken: the identities of the parts before it.
+        line: the part's line in the file, which names a part without a name.
+        taken: the identities that are in use.
     """
     own = identity = name or f"line{line}"
     number = 1
@@ -378,7 +378,7 @@ def free_identity(name: str, line: int, taken: Container[str]) -> str:
 
 
 def _properties(part: Part, own: Mapping[str, str]) -> dict[str, str]:
-    """Properties of the part, those of the placement in their place (names are compared without case)."""
+    """The part's properties, overridden by those of the placement; names are compared case-insensitively."""
     given = {key.lower(): (key, value) for key, value in own.items()}
     result = dict(given.pop(key.lower(), (key, value)) for key, value in part.properties.items())
     result.update(given.values())

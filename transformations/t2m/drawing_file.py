@@ -37,7 +37,7 @@ def drawing_bytes(path: Path, kind: str, give: str, fix: str) -> bytes:
 
 
 def _wide_encoding(data: bytes) -> str | None:
-    """The encoding of more than one byte for each letter that a text is in, told by its first letters; None for UTF-8."""
+    """The wide encoding (UTF-16, UTF-32) of a text, recognised by its first bytes; None for UTF-8."""
     if data.startswith((b"\xff\xfe\0\0", b"\0\0\xfe\xff")) or data[1:4] == b"\0\0\0" or data[:3] == b"\0\0\0":
         return "UTF-32"
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):

@@ -1,7 +1,7 @@
-"""XML of drawings, read with lxml without network, without external or internal entities, and bounded in size.
+"""Reads XML of drawings with lxml: no network access, no external or internal entities, bounded size.
 
-A document type is refused, but for the one that a tool writes into each file (EAGLE's names its grammar): that has no
-declarations of its own, and what it names is not opened. What the elements mean is the business of each tool's reader.
+A document type is refused, except the one that a tool writes into each file (EAGLE's names its grammar): it must contain no
+declarations, and the file it names is not opened. What the elements mean is left to each tool's reader.
 """
 
 from __future__ import annotations

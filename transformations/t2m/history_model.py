@@ -1,7 +1,7 @@
-"""The history of choices to a model (`migration.EarlierChoices`), and back: its form for exchange with other tools.
+"""Converts the history of choices to a model (`migration.EarlierChoices`) for exchange with other tools, and back.
 
-The database stays the truth; the model is a copy of one moment. What counts as a damaged entry is said in
-`robosmi.recommend.history_exchange`.
+The database stays authoritative; the model is a copy of one moment. `robosmi.recommend.history_exchange` defines what a damaged
+entry is.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""Text to model: folders of installed libraries become rows of facts, as `library_index` takes them.
+"""Text to model: folders of installed libraries become rows of facts for `library_index`.
 
-A folder of libraries (one folder each), one library, or a PlatformIO project (`.pio/libdeps/*/`, `lib/`) will do. Declared
-metadata come from library.properties or library.json, else the folder's name is the library's. Files that cannot be read,
-folders without headers, doubles and rings of links are left out, each with its reason. Kept are facts only, see
-`library_index`; what headers declare is found by `library_declarations`.
+A folder of libraries (one folder each), a single library, or a PlatformIO project (`.pio/libdeps/*/`, `lib/`) is accepted.
+Declared metadata come from library.properties or library.json, else the folder's name is the library's. Files that cannot be
+read, folders without headers, duplicates and cyclic links are left out, each with its reason. Only facts are kept, see
+`library_index`; declarations in headers are found by `library_declarations`.
 """
 
 from __future__ import annotations
@@ -145,7 +145,7 @@ def _library(folder: Path, found: Found) -> LibraryRow | None:
 
 
 def _declared(folder: Path, found: Found) -> dict[str, str]:
-    """What the library says of itself, whichever file says it; empty where none does or it is broken."""
+    """The metadata that a library declares, in either file; empty if there are none or they are damaged."""
     properties, manifest = folder / "library.properties", folder / "library.json"
     if properties.is_file() and (text := _text(properties, found)) is not None:
         pairs = (line.partition("=") for line in text.splitlines() if not line.startswith("#"))
@@ -167,7 +167,7 @@ def _declared(folder: Path, found: Found) -> dict[str, str]:
 
 
 def _from_manifest(data: dict[str, Json]) -> dict[str, str]:
-    """PlatformIO's library.json in the words of library.properties."""
+    """PlatformIO's library.json converted to the keys of library.properties."""
 
     def joined(value: object) -> str:
         if isinstance(value, dict):
@@ -201,7 +201,7 @@ def _header(path: Path, main: bool, found: Found) -> tuple[HeaderRow, list[str]]
 
 
 def _api(main: list[Path], root: Path, found: Found) -> list[dict[str, Json]]:
-    """What the main headers declare, and the headers of the library that they include, directly or not."""
+    """The declarations of the main headers, and of the library's headers that they include, directly or not."""
     rows: list[dict[str, Json]] = []
     known: dict[Path, str] = {path.resolve(): path.name for path in main}  # header -> the main one that leads to it
     waiting = list(main)
@@ -254,7 +254,7 @@ def _text(path: Path, found: Found) -> str | None:
 
 
 def _clean(text: str) -> str:
-    """Text without what cannot be printed or kept: line ends, zero bytes, halves of characters."""
+    """Text without characters that cannot be printed or stored: line ends, NULs, surrogates."""
     return " ".join("".join(c if c.isprintable() else " " for c in text).split())
 
 

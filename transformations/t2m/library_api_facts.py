@@ -1,7 +1,7 @@
-"""Text to model: facts about what libraries offer, one header a row, become values of `robosmi.recommend.library_api`.
+"""Text to model: facts about what libraries declare, one header a row, become values of `robosmi.recommend.library_api`.
 
-Rows come from a file of facts (JSON lines) or from `library_declarations`. Either way all is put into one spelling, and what
-only looks like a declaration (a macro's call: no type) is left out. Where installed headers are is in `installed_libraries`.
+Rows come from a file of facts (JSON lines) or from `library_declarations`. Both are brought to one spelling, and what only
+looks like a declaration (a macro call, which has no type) is left out. `installed_libraries` finds installed headers.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def _class(declared: ApiClass) -> ApiClass:
 
 
 def _functions(functions: Iterable[ApiFunction], *, conversions: bool) -> tuple[ApiFunction, ...]:
-    """The functions, each once; of those without a type only operators, where they may be."""
+    """The functions, each once; functions without a type are dropped, except conversion operators where these are allowed."""
     known = (f for f in functions if f.returns or (conversions and f.name.startswith("operator")))
     spelt = (ApiFunction(spelled(f.name), spelled(f.parameters), _type(f.returns), f.static) for f in known)
     return tuple(distinct(spelt))
@@ -85,7 +85,7 @@ def _type(text: str) -> str:
 
 
 def _whole(bases: Iterable[str]) -> list[str]:
-    """Bases that were cut at a comma between angle brackets, put together again."""
+    """Base classes with template arguments that were split at a comma, joined again."""
     whole: list[str] = []
     for base in bases:
         if whole and whole[-1].count("<") > whole[-1].count(">"):

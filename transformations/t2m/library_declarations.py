@@ -37,7 +37,7 @@ _NO_NAMES = frozenset(["if", "for", "while", "switch", "return", "sizeof", "defi
 
 
 class _Class(Struct):
-    """A class; of each constructor its parameters, of each method its name, parameters, type, and `static` if it is."""
+    """A class: the parameters of each constructor, and name, parameters, type and perhaps `static` of each method."""
 
     name: str
     kind: str
@@ -47,7 +47,7 @@ class _Class(Struct):
 
 
 class _Scope(Struct):
-    """An open `{`: a namespace (also `extern "C"`), or a class with its entry."""
+    """An open `{`: a namespace or `extern "C"` block, or a class with its record."""
 
     name: str
     entry: _Class | None = None
@@ -56,7 +56,7 @@ class _Scope(Struct):
 
 
 class _Scan(Struct):
-    """What was found so far."""
+    """The declarations found so far, and the open scopes."""
 
     classes: list[_Class] = []
     functions: list[list[str]] = []
@@ -65,7 +65,7 @@ class _Scan(Struct):
     scopes: list[_Scope] = []
 
     def visible(self) -> bool:
-        """Whether what stands here can be used from outside."""
+        """Whether a declaration at this point is accessible from outside."""
         return all(scope.public for scope in self.scopes)
 
     def qualified(self, name: str) -> str:
@@ -89,7 +89,7 @@ def declarations(data: bytes) -> dict[str, Any]:
 
 
 def _opened(parts: list[Part], opening: int, scope: _Scope, scan: _Scan) -> int:
-    """Open a scope; what is nested deeper than any program is skipped."""
+    """Open a scope, or skip one that nests too deep; returns the index after its `{` or its `}`."""
     if len(scan.scopes) >= _MOST_SCOPES:
         return closing_of(parts, opening)
     scan.scopes.append(scope)
@@ -97,7 +97,7 @@ def _opened(parts: list[Part], opening: int, scope: _Scope, scan: _Scan) -> int:
 
 
 def _statement(parts: list[Part], at: int, scan: _Scan) -> int:
-    """Read one declaration, or the opening or end of a scope; returns the place behind it."""
+    """Read one declaration, or the opening or end of a scope; returns the index after it."""
     text = parts[at][1]
     following = parts[at + 1][1] if at + 1 < len(parts) else ""
     if text == "}":
@@ -139,7 +139,7 @@ def _statement(parts: list[Part], at: int, scan: _Scan) -> int:
 
 
 def _marked(parts: list[Part], at: int) -> int | None:
-    """Where a class or enumeration is defined behind macros or `static const`; None if none is."""
+    """The index of `class`, `enum` and the like if a definition follows macros or `static const`; None otherwise."""
     place = at
     while place < len(parts) and parts[place][0] == "name" and parts[place][1] not in ("typedef", "enum", *_CLASSES):
         place += 1
@@ -158,7 +158,7 @@ def _namespace(parts: list[Part], at: int, scan: _Scan) -> int:
 
 
 def _opening(parts: list[Part], at: int) -> int | None:
-    """Where the `{` of a class or enumeration is; None if the words here do not define one."""
+    """The index of the `{` of a class or enumeration; None if the words here do not define one."""
     while at < len(parts):
         text = parts[at][1]
         if text == "{":
@@ -172,7 +172,7 @@ def _opening(parts: list[Part], at: int) -> int | None:
 
 
 def _class(parts: list[Part], at: int, opening: int, scan: _Scan) -> int:
-    """A class: its entry is made and its scope opened."""
+    """Record a class and open its scope; returns the index after its `{`."""
     kind, name, place = parts[at][1], "", at + 1
     while place < opening and parts[place][1] != ":":
         text = parts[place][1]
@@ -229,7 +229,7 @@ def _enumeration(parts: list[Part], at: int, opening: int, scan: _Scan) -> int:
 
 
 def _declaration(parts: list[Part], at: int, scan: _Scan) -> int:
-    """A function or a variable."""
+    """Read the declaration of a function or a variable; returns the index after it."""
     place = at
     while place < len(parts):
         text = parts[place][1]
@@ -252,7 +252,7 @@ def _declaration(parts: list[Part], at: int, scan: _Scan) -> int:
 
 
 def _function(parts: list[Part], at: int, named: int, opening: int, scan: _Scan) -> int:
-    """What has the form of a function: note it if it is one, and those that are declared with it; skip its body."""
+    """Read what looks like a function, with those declared in the same declaration; returns the index after its body."""
     head = _without_attributes(parts[at:named])
     while True:
         closing = closing_of(parts, opening)
@@ -278,7 +278,10 @@ def _function(parts: list[Part], at: int, named: int, opening: int, scan: _Scan)
 
 
 def _behind_parameters(parts: list[Part], at: int) -> tuple[int, bool, list[Part]]:
-    """Where what follows the parameters ends, whether it says `const`, and a type behind `->`; -1 if it begins something else."""
+    """The index after a parameter list's suffixes, whether they contain `const`, and a type after `->`.
+
+    The index is -1 if what follows belongs to another declaration.
+    """
     constant = False
     while at < len(parts):
         kind, text = parts[at]
@@ -298,7 +301,7 @@ def _behind_parameters(parts: list[Part], at: int) -> tuple[int, bool, list[Part
 
 
 def _is_function(parts: list[Part], named: int, opening: int, closing: int) -> bool:
-    """Whether `name(` begins the parameters of a function, not the value of a variable or a pointer to a function."""
+    """Whether `name(` begins a parameter list, not the initialiser of a variable or a pointer to a function."""
     kind, text = parts[named]
     if kind != "name" or text in _NO_NAMES or (named and parts[named - 1][1] in ("::", "~", ".")):
         return False
@@ -309,7 +312,10 @@ def _is_function(parts: list[Part], named: int, opening: int, closing: int) -> b
 
 
 def _note(scan: _Scan, name: str, parameters: str, returned: str, static: bool) -> None:
-    """Add a function to its class, or to the free ones; a call of a macro has neither type nor the name of a class."""
+    """Record a function in its class or among the free ones.
+
+    A macro call is skipped: it has neither a return type nor the name of its class.
+    """
     around = scan.scopes[-1] if scan.scopes else _Scope("")
     if around.entry is None:
         if returned and len(scan.functions) < MOST_NAMES:
@@ -341,7 +347,7 @@ def _without_attributes(head: list[Part]) -> list[Part]:
 
 
 def _behind_body(parts: list[Part], at: int) -> int:
-    """The place behind a function whose parameters end before this place: its `;`, its body, the members it sets."""
+    """The index after a function, given the index after its parameters: after its `;`, or its initialisers and body."""
     if at >= len(parts) or parts[at][1] == "}":
         return at
     if parts[at][1] == "{":

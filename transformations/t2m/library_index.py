@@ -69,7 +69,7 @@ def _rows(path: Path) -> Iterator[tuple[LibraryRow, list[HeaderApi]]]:
 
 
 def _checked(row: Any, place: Location) -> tuple[LibraryRow, list[HeaderApi]]:
-    """The row, if it has what an index needs, and what its headers declare."""
+    """The row, checked for the values that an index needs, and the declarations of its headers."""
     library: LibraryRow = row
     if not isinstance(row, dict) or not isinstance(row.get("name"), str) or not row["name"]:
         raise SourceError("this line is not a library with a name", location=place, fix=_FIX)

@@ -1,4 +1,4 @@
-"""Rows of facts about libraries, as lines of JSON have them: what `installed_libraries` makes and `library_index` takes."""
+"""Rows of facts about libraries as in lines of JSON: `installed_libraries` makes them, `library_index` reads them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from robosmi.data_text import Json
 
 
 class HeaderRow(TypedDict, total=False):
-    """One header of a library: the words of its text and of its identifiers with how often they come, and what it includes."""
+    """One header of a library: how often each word and each identifier's word occurs in it, and what it includes."""
 
     file: Required[str]
     main: Required[bool]

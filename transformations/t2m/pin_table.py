@@ -1,9 +1,9 @@
-"""Pin tables as hardware: a CSV or TOML file that says which part is on which pin, for those who have no drawing.
+"""Reads pin tables: a CSV or TOML file that says which part is on which pin, for users without a drawing.
 
-A row has a pin and a part; it may have a role, a title, a connector, `driver`, and what the signal goes through. Rows with one
-title are one component with several connectors, in the order of the rows; a row without a title is a component by itself.
-The result is a circuit as a drawing's, so that everything after it is the same. Which columns there are is in
-docs/reference/pin-tables.md; `m2t/pin_table` writes such files.
+A row has a pin and a part; it may have a role, a title, a connector, `driver`, and the passive parts that the signal goes
+through. Rows with one title are one component with several connectors, in the order of the rows; a row without a title is a
+component by itself. The result is a circuit like that of a drawing, so that all later steps are the same.
+docs/reference/pin-tables.md lists the columns; `m2t/pin_table` writes such files.
 """
 
 from __future__ import annotations
@@ -40,9 +40,9 @@ COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "re
 
 _FIX = "see docs/reference/pin-tables.md for the columns"
 _NO_PIN = "pin = []"
-"""How a table in TOML begins that has no row."""
+"""The first line of a TOML table that has no rows."""
 _SILENT = ("Board", "Power", "Passive", "Decoration")
-"""Roles by which no program uses a part; a name alone never gives them to one that is on a pin."""
+"""Roles of parts that no program uses; a part on a pin never gets one of them by its name alone."""
 _TRUE, _FALSE = ("true", "yes", "1", "x"), ("", "false", "no", "0")
 
 
@@ -105,7 +105,7 @@ def read_circuit(
 
 
 class _Table:
-    """Rows as they come; the model at the end."""
+    """Collects the rows of a table and makes the model of them."""
 
     def __init__(self, path: str, board: platform.Board, known: PartNames, project: Path | None) -> None:
         self.path = path
@@ -232,7 +232,7 @@ class _Table:
         groups: dict[tuple[str, ...], list[hardware.Connector]],
         passives: dict[tuple[str, ...], hardware.Component],
     ) -> tuple[str, ...]:
-        """The net of a row's component: behind the passive parts that its signal goes through."""
+        """Add the passive parts that a row's signal goes through; returns the key of the net behind them."""
         key: tuple[str, ...] = (self._label(row),)
         for title in filter(None, (piece.strip() for piece in row["through"].split(";"))):
             beyond = (*key, title)
@@ -285,7 +285,7 @@ def _rows(path: Path, data: bytes) -> tuple[str, list[_Row]]:
 
 _CELL = r'(?:"(?:[^"]|"")*"(?!")[^,;\t]*|[^",;\t][^,;\t]*|)'
 _CLOSED = re.compile(rf"{_CELL}(?:[,;\t]{_CELL})*")
-"""A line at whose end no cell between quotation marks is open."""
+"""Matches a line at whose end no quoted cell is open."""
 
 
 def _records(text: str) -> list[tuple[int, str]]:

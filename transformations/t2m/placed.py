@@ -1,6 +1,6 @@
-"""What a reader tells of a drawing: connectors (`End`), placed parts (`Placed`), what is known of a part (`KnownPart`).
+"""The records by which a reader describes a drawing: connectors (`End`), placed parts (`Placed`), known parts (`KnownPart`).
 
-The hardware model is made of them by `drawing.CircuitBuilder`.
+`drawing.CircuitBuilder` makes the hardware model of them.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from robosmi.transformations.knowledge.part import Part
 
 
 class End(NamedTuple):
-    """A connector of a placed part: the part's identity, the connector's."""
+    """A connector of a placed part: the part's identity and the connector's."""
 
     component: str
     connector: str
@@ -52,17 +52,17 @@ class Placed(Struct, frozen=True):
 
 
 class KnownPart(Struct, frozen=True):
-    """A part of a drawing with what is known of it.
+    """What is known about a part of a drawing.
 
     Attributes:
         part: its description, with a role where one is known.
         board: the board that it is drawn as, if any.
-        numbered: whether its pins bear numbers alone, RX and TX too.
-        by_bus: it joins connectors only where a bus of its own does (breadboards, headers): only those in use become elements.
+        numbered: whether its pin labels are plain numbers, RX and TX included.
+        by_bus: whether it only joins connectors by its buses (breadboards, headers): only used ones become elements.
         defined: whether the catalogue or the drawing defines it.
-        leaders: for each listed connector that it joins to others, the one that stands for all of them.
-        own: it is of the person's own making, so that names tell nothing of what it does.
-        by_name: the board is told by the part's name or chip, its pins by their labels, and not by the tool's own id.
+        leaders: connector that it joins to others -> the representative of all of them.
+        own: whether the user has made it, so that names say nothing about what it does.
+        by_name: whether the board was recognised by the part's name or chip and its pins by labels, not by the tool's id.
     """
 
     part: Part
@@ -75,9 +75,9 @@ class KnownPart(Struct, frozen=True):
     by_name: bool = False
 
     def leader(self, connector: str) -> str:
-        """The connector, or the name of the strip, that stands for all that the part joins to a connector."""
+        """The representative (a connector or the name of a strip) of all connectors that the part joins to this one."""
         return self.leaders.get(connector) or self.part.bus_of(connector) or connector
 
     def has(self, connector: str) -> bool:
-        """Whether it has a connector of that identity; a part that nothing defines may have any."""
+        """Whether the part has a connector of that identity; an undefined part may have any."""
         return not self.defined or self.part.has(connector) or (self.board is not None and connector in self.board.pins)

@@ -54,7 +54,7 @@ class _Declared:
 
     Attributes:
         aliases: macro -> the one name that it stands for.
-        volatile: variables that are declared so.
+        volatile: variables that are declared `volatile`.
     """
 
     def __init__(self) -> None:
@@ -70,7 +70,7 @@ class _Declared:
         self.volatile: list[str] = []
 
     def content(self, registers: Collection[str]) -> HeaderContent:
-        """The header's entry, with those registers that it declares; what is empty is left out."""
+        """The header's entry in `api.json` with those of the given registers that it declares; empty parts are left out."""
         content: HeaderContent = {"kind": self.kind, "source": "import"}
         if self.includes:
             content["includes"] = self.includes
@@ -142,7 +142,7 @@ def read_headers(folder: Path, api: ApiIndex, include_dirs: Sequence[Path] = (),
 
 
 def _files(folder: Path, found: ApiFound) -> list[Path]:
-    """The headers and sources below a folder; each folder once, whatever links lead to it."""
+    """The headers and sources below a folder; links to a folder that was visited already are not followed."""
     files: list[Path] = []
     seen: set[str] = set()
 
@@ -247,14 +247,14 @@ def _entry(unit: ccode.SourceUnit, by_path: dict[str, str]) -> _Declared:
 
 
 def _aliased(declaration: ccode.Typedef) -> str:
-    """What a typedef is: `typedef`, with the name of the type that it gives another one."""
+    """The kind of a typedef: `typedef`, followed by the name of the type that it renames, if any."""
     said = str(declaration.aliased.spelling) if declaration.aliased is not None and not declaration.aliased.arrayDims else ""
     named = re.fullmatch(r"[A-Za-z_]\w*", said) and said != declaration.name
     return f"typedef {said}" if named and said not in {*TYPE_WORDS, "enum", "struct", "union"} else "typedef"
 
 
 def _damaged(unit: ccode.SourceUnit, entry: _Declared) -> list[str]:
-    """Take out what has a syntax error in it; the names."""
+    """Remove declarations with syntax errors from a header's entry; returns their names."""
     places = [int(p.startOffset) for p in unit.problems if p.fatal]
     lost = []
     for declaration in unit.declarations if places else ():
@@ -268,7 +268,7 @@ def _damaged(unit: ccode.SourceUnit, entry: _Declared) -> list[str]:
 
 
 def _defaults(path: str) -> Iterator[tuple[str, bool]]:
-    """Macros that the header defines where nobody did (`#ifndef X`, `#define X`), whether or not another header was faster."""
+    """Macros that the header defines if they are undefined (`#ifndef X`, `#define X`), and whether each has parameters."""
     open_: list[str] = []
     for kind, _, _, text in tokens(inputs.read_bytes(path, inputs.SOURCE)):
         if kind != "directive":
@@ -287,7 +287,7 @@ def _defaults(path: str) -> Iterator[tuple[str, bool]]:
 
 
 def _function(function: ccode.Function) -> list[str]:
-    """Type of the value and parameters."""
+    """The return type and the parameter list of a function, in the spelling of `api.json`."""
     text = str(function.signature or "")
     match = re.search(rf"\b{re.escape(str(function.name))}\s*(\(.*\))", text, re.DOTALL)
     result = str(function.returnType.spelling) if function.returnType is not None else "int"
@@ -305,9 +305,9 @@ def _variable(variable: ccode.Variable) -> str:
 
 
 def _registers(read: Mapping[str, _Declared], paths: Mapping[str, str]) -> set[str]:
-    """Which names are registers: memory at a fixed address, variables with a name of the assembler's, and other names of these.
+    """The names of registers: memory at fixed addresses, variables with an assembler name, and aliases of these.
 
-    A volatile variable alone is none: programs share such variables between cores and with interrupts.
+    A variable that is only volatile is none: programs share such variables between cores and with interrupts.
     """
     registers: set[str] = set()
     aliases: dict[str, str] = {}

@@ -25,7 +25,7 @@ class _Function(TypedDict):
 
 
 class _Header(TypedDict):
-    """A header as it was collected; `macros` says of each whether it is function-like or object-like."""
+    """A header as it was collected; `macros` tells of each macro whether it is function-like or object-like."""
 
     kind: str
     source: str
@@ -60,7 +60,7 @@ def api_facts(database: dict[str, _Header]) -> dict[str, dict[str, dict[str, Jso
 _NOT_COLLECTED = {
     ("servo360_setRampStep", "servo360.h"): ("p", "out"),
 }
-"""Function and header -> name and direction of its first parameter, a pin, where the collected facts lack the function."""
+"""(function, header) -> name and direction of its first parameter, a pin, for functions missing in the collected facts."""
 
 
 def pin_facts(parameters: dict[str, list[FunctionPins]]) -> dict[str, list[dict[str, Json]]]:

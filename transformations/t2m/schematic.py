@@ -1,8 +1,8 @@
 """Schematics of tools that draw symbols and named nets (EAGLE, KiCad): their records, and the hardware model made of them.
 
-A reader of such a tool fills a `Schematic`: parts with the pins of their symbols, nets with the pins on them. Here it is told
-what the symbols stand for: boards by their names, bare microcontrollers by their ports, headers whose other side is not drawn,
-bridges of solder, symbols of supplies. Files, and what joins pins, are the readers' business.
+A reader of such a tool fills a `Schematic`: parts with the pins of their symbols, nets with the pins on them. This module
+decides what the symbols stand for: boards by their names, bare microcontrollers by their ports, headers whose other side is not
+drawn, solder bridges, power symbols. Files and the joining of pins are left to the readers.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _CLOCK_PARTS = ("crystal", "resonator", "oscillator", "quartz", "xtal")
 _NET_NAMES = 3
 _LEAST_PORTS = 3
 _NUMBERED = ("N$", "Net-(", "unconnected-(")
-"""How names begin that a tool gives to nets that have none."""
+"""Prefixes of the names that tools give to nets without a name."""
 
 
 class SchematicPart(Struct, frozen=True):
@@ -42,12 +42,12 @@ class SchematicPart(Struct, frozen=True):
         title: its reference in the drawing.
         symbol: what the library calls the symbol.
         listed_as: its id in the tool's catalogue.
-        family: the library that it is from.
-        value: what the drawing says of it beside its reference.
+        family: name of its library.
+        value: its value in the drawing, such as `10k` or the name of a chip.
         description: the library's sentence about it.
         tags: the library's key words.
         pins: connector -> its name, in the symbol's order.
-        count: how many terminals its package has; 0: as many as it has pins.
+        count: number of terminals of its package; 0 if it equals the number of pins.
         properties: further properties.
         line: its line in the file.
         power: whether it only names a net.
@@ -78,7 +78,7 @@ class SchematicNet(Struct):
 
 
 class Schematic(Struct):
-    """What was drawn: parts and nets in the file's order, digest and version of the file, further files that were read."""
+    """The contents of a schematic: parts and nets in the file's order, digest and version of the file, further files read."""
 
     path: str
     digest: str
@@ -95,7 +95,7 @@ def circuit_of(drawn: Schematic, builder: CircuitBuilder) -> hardware.Circuit:
 
 
 class _Making:
-    """The making of one model."""
+    """Makes one model."""
 
     def __init__(self, drawn: Schematic, builder: CircuitBuilder) -> None:
         self.drawn, self.builder, self.project = drawn, builder, builder.project
@@ -125,7 +125,7 @@ class _Making:
         return key, builder.know(key, described, board=board, own=own)
 
     def _described(self, part: SchematicPart) -> tuple[Part, DrawnBoard | None, bool]:
-        """The part as the drawing tells it, the board that it stands for, and whether nothing may be concluded from names."""
+        """The part as drawn, the board that it stands for if any, and whether names say nothing about what it is."""
         connectors = {pin: self._connector(pin, name) for pin, name in part.pins.items()}
         found = Part(
             part.listed_as, part.symbol.replace("_", " "), part.family, part.tags, connectors=connectors,
@@ -151,7 +151,7 @@ class _Making:
         return found, None, False
 
     def _meaning(self, part: SchematicPart) -> str:
-        """What a symbol is by its short name alone."""
+        """What a symbol stands for, judged by its short name alone; empty if unknown."""
         known = self.builder.names.symbols.items()
         return next((means for means, called in known if self._called(part, called)), "")
 
@@ -159,7 +159,7 @@ class _Making:
         return PartConnector(pin, name, connector_kind(name, self.builder.names))
 
     def _joined(self, part: SchematicPart) -> dict[str, tuple[str, ...]]:
-        """Supply and ground pins of one name (`GND@1`, `GND@2`), which a board joins."""
+        """Groups of supply and ground pins with one name (`GND@1`, `GND@2`), which a board joins."""
         by_name: dict[str, list[str]] = {}
         for pin, name in part.pins.items():
             if connector_kind(name, self.builder.names) in ("supply", "ground"):
@@ -167,7 +167,7 @@ class _Making:
         return {name: tuple(pins) for name, pins in by_name.items() if len(pins) > 1}
 
     def _joined_inside(self, part: SchematicPart) -> dict[str, tuple[str, ...]]:
-        """Pins that are one inside, of one contact of a switch or handed on to the next part of a chain: told by data."""
+        """Groups of pins that are joined inside a part, such as one contact of a switch, according to the repository's data."""
         for entry in self.builder.names.joined:
             if entry.pins in (0, len(part.pins)) and self._called(part, entry.called):
                 groups = [tuple(pin for pin, name in part.pins.items() if pin in g or name in g) for g in entry.groups]
@@ -216,14 +216,14 @@ class _Making:
         return stands.board
 
     def _at_clock(self, part: SchematicPart, pin: str) -> bool:
-        """Whether a crystal or its like is on the net of a pin."""
+        """Whether a crystal or another clock part is on the net of a pin."""
         end = End(part.identity, pin)
         clocks = {each.identity for each in self.drawn.parts if _is_clock(each)}
         return any(end in net.ends and any(other.component in clocks for other in net.ends) for net in self.drawn.nets)
 
     @staticmethod
     def _chip(part: SchematicPart) -> str:
-        """The microcontroller that a part is, or an empty text: it is called like one and has ports."""
+        """The name of the microcontroller that a part is, by its name and its ports; empty if it is none."""
         ports = sum_of(bool(port_of(name)) for name in part.pins.values())
         return chip_named((part.value, part.symbol)) if ports >= _LEAST_PORTS else ""
 
@@ -297,7 +297,7 @@ class _Making:
         self.builder.place(placed)
 
     def _clocks(self) -> None:
-        """Say where the drawing's clock is not the one that programs for the board expect."""
+        """Report a drawn clock of another frequency than programs for the board expect (RS218)."""
         if not self.chips:
             return
         clock = Counter(chip_clock for _, chip_clock in self.chips.values()).most_common(1)[0][0]
@@ -311,7 +311,7 @@ class _Making:
                 )  # fmt: skip
 
     def _without_board(self) -> None:
-        """Say that there is no board: its headers only, which tell nothing of its pins, or none, as on a sheet of several."""
+        """Report that there is no board: only its headers, which do not name its pins (RS219), or nothing at all (RS229)."""
         if any(component.role is hardware.Role.Board for component in self.builder.components):
             return
         words = ("digital", "analog", "power", "arduino", "shield")
@@ -332,8 +332,10 @@ class _Making:
         )  # fmt: skip
 
     def _bears_labels(self, part: SchematicPart) -> bool:
-        """Whether a part is a header most of whose signals are called like pins of a board (`IO5`, `A3`) or ports (`PE5`), and
-        no chip of the drawing has these."""
+        """Whether a part is a header most of whose nets are named like pins of a board (`IO5`, `A3`) or ports (`PE5`).
+
+        False if the drawing has a chip with such ports itself.
+        """
         if not self._called(part, self.builder.names.headers) or any(
             sum_of(bool(port_of(name.removeprefix("G"))) for name in other.pins.values()) >= _LEAST_PORTS  # GPA0 of an expander
             for other in self.drawn.parts
@@ -351,7 +353,7 @@ def _is_clock(part: SchematicPart) -> bool:
 
 
 def hertz_of(value: str) -> int:
-    """The frequency that a value names (`16MHz`, `16.000`), in hertz; 0 if none."""
+    """The frequency in hertz that a value such as `16MHz` or `16.000` names; 0 if it names none."""
     text = value.strip().lower().replace(",", ".").removesuffix("hz").strip()
     scale = {"m": 1_000_000, "k": 1_000}.get(text[-1:], 0)
     try:

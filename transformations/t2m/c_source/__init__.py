@@ -1,8 +1,8 @@
 """Text-to-model: C and C++ source files become a code model (metamodel `ccode`).
 
-`read_program` is the interface for programs, `read_unit` for single files such as headers. Headers need not be there: names
-that nothing declares are declared by how they are used. Which names are a platform's is no question here; the queries in
-`queries.code` answer it.
+`read_program` is the interface for programs, `read_unit` for single files such as headers. Headers may be missing: names that
+nothing declares are declared according to their uses. Which names belong to a platform is not decided here but by the queries
+in `queries.code`.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""What the parser cannot take is kept from it: nesting that would overflow its stack, macros that expand without bound.
+"""Removes from a text what libclang cannot take: nesting that would overflow its stack, macros that expand without bound.
 
-libclang dies of deep nesting, and the process with it; the limit on brackets that it has itself does not count operators,
-casts, branches and `else if`. So what nests too deep is found in the tokens, cut out of the copy that is parsed, and reported;
-the rest of the file is read. Real programs are far below the limits. How a copy is edited is in `mending`.
+libclang crashes on deep nesting, and takes the process with it; its own limit on brackets does not count operators, casts,
+branches and `else if`. So what nests too deep is found in the tokens, cut out of the copy that is parsed, and reported; the
+rest of the file is read. Real programs are far below the limits. `mending` applies the edits to the copy.
 """
 
 from __future__ import annotations
@@ -23,19 +23,22 @@ from robosmi.transformations.t2m.c_source.repeats import MOST_DECLARED, repeats
 from robosmi.typed import matches, sum_of
 
 MAX_BRACKETS = 180
-"""Brackets within brackets; libclang gives up the file at 256."""
+"""Nesting of brackets; libclang gives up a file at 256."""
 MAX_RUN = 2000
-"""Tokens that may nest by operators, casts or branches without brackets (it dies of some 10,000 unary operators)."""
+"""Tokens in a row without brackets or separators, each of which may nest by an operator, cast or branch.
+
+libclang crashes at some 10,000 unary operators.
+"""
 MAX_BRANCHES = 1000
-"""`else` after `else` of one chain."""
+"""`else` branches in one `else if` chain."""
 MAX_EXPANDED = 4_000_000
-"""Tokens of a file after its macros are expanded."""
+"""Tokens of a file after macro expansion."""
 _BRACKET = MAX_RUN // MAX_BRACKETS
-"""Tokens of a run that nest as deep as a bracket in the body of a macro."""
+"""How many tokens a bracket in the body of a macro counts for, so that both limits are reached at once."""
 MAX_GROWN = 60_000
-"""Tokens that the large uses of macros of one file may become; what would be more is cut, since reading it takes seconds."""
+"""Tokens that the large macro uses of one file may expand to; further ones are cut, since parsing them takes seconds."""
 _LARGE_USE = 200
-"""Tokens of a use that counts for that; programs that people write have few such uses."""
+"""Tokens of an expansion above which a macro use is a large one; programs written by people have few of them."""
 LARGEST = inputs.SOURCE.most
 """Bytes of a source file or header; none of a microcontroller's program is that large."""
 _OPEN, _CLOSE = frozenset("([{"), frozenset(")]}")
@@ -44,15 +47,15 @@ _PREFIX = re.compile(rb"[;{}]")
 
 
 def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Edit]:
-    """Edits that remove what is nested deeper than a parser's stack allows; an empty list for programs that people write.
+    """Edits that remove what nests too deep for libclang's stack; an empty list for programs written by people.
 
     Args:
-        path: of the file, for the error.
+        path: path of the file, for the error.
         data: its bytes.
-        tokens: its tokens, comments and directives too.
+        tokens: its tokens, comments and directives included.
 
     Raises:
-        SourceError: its macros expand to more than any parser should be given.
+        SourceError: its macros expand to more than `MAX_EXPANDED` tokens.
     """
     weights = _macro_weights(tokens) if data.count(b"#") and b"define" in data else {}
     harmless = (
@@ -90,7 +93,10 @@ def shallow(data: bytes) -> bool:
 
 
 class _Scan:
-    """One pass over the tokens. A level is an open bracket; each counts the tokens of its run since the last separator."""
+    """One pass over the tokens that finds what to cut.
+
+    A level is an open bracket; for each level the tokens since its last separator are counted.
+    """
 
     def __init__(self, tokens: Sequence[Token], weights: dict[str, Weight]) -> None:
         self.tokens = tokens
@@ -158,7 +164,7 @@ class _Scan:
             i += 1
 
     def _cut_brackets(self, number: int) -> int:
-        """Take out what is between a bracket and the one that closes it; the number of the closing token."""
+        """Cut the text between a bracket and its closing one; returns the index of the closing token."""
         close = self._closing(number)
         start = self.tokens[number][2]
         end = self.tokens[close][1] if close < len(self.tokens) else self.tokens[-1][2]
@@ -167,7 +173,7 @@ class _Scan:
         return close if close > number else number + 1
 
     def _cut_run(self, first: int, number: int) -> int:
-        """Take out a run, its value alone where it has one; the number of the token behind it."""
+        """Cut a run of tokens, or only the value that it assigns or returns; returns the index of the token after it."""
         tokens, depth, i = self.tokens, 0, first
         value: int | None = None
         while i < len(tokens):
@@ -186,7 +192,7 @@ class _Scan:
         return i
 
     def _cut_chain(self, number: int) -> int:
-        """Take out the rest of a chain of branches; the number of the token behind it."""
+        """Cut the rest of an `else if` chain; returns the index of the token after it."""
         tokens, depth, i = self.tokens, 0, number
         while i < len(tokens):
             text = tokens[i][3]
@@ -212,14 +218,15 @@ class _Scan:
 
 
 class Weight(Struct, frozen=True):
-    """What a use of a macro becomes.
+    """How a macro use weighs on the parser.
 
     Attributes:
-        size: its tokens.
-        repeats: how often it repeats its most repeated argument.
-        peak: the most that is open at once in it, as the parser nests: tokens of the runs of all levels, brackets more.
-        tail: tokens of the run that it ends with.
-        at_once: how often arguments stand in what is open at once.
+        size: tokens of its expansion.
+        repeats: how often the argument that it repeats most occurs in its expansion.
+        peak: greatest nesting depth within the expansion, in tokens: the unfinished runs of all open levels together, with a
+            bracket counted as `_BRACKET` tokens.
+        tail: tokens of the unfinished run that the expansion ends with.
+        at_once: how often arguments occur at most in what is unfinished at one place.
     """
 
     size: int
@@ -230,7 +237,7 @@ class Weight(Struct, frozen=True):
 
 
 def _macro_weights(tokens: Sequence[Token]) -> dict[str, Weight]:
-    """For each macro that could grow what a use becomes; else empty."""
+    """The weight of each macro whose use could grow by expansion; empty if no combination of macros can exceed the limits."""
     bodies: dict[str, tuple[list[str], list[str] | None]] = {}
     for kind, _, _, text in tokens:
         if kind == "directive" and "define" in text:
@@ -255,12 +262,12 @@ def _macro_weights(tokens: Sequence[Token]) -> dict[str, Weight]:
 
 
 def _inner_first(bodies: dict[str, tuple[list[str], list[str] | None]]) -> Iterator[str]:
-    """The macros, each after those that its body uses; a ring is entered anywhere, since C expands no macro within itself."""
+    """The macros, each after those that its body uses; cycles are cut anywhere, since C expands no macro within itself."""
     return post_order(bodies, lambda name: [word for word in reversed(bodies[name][0]) if word in bodies])
 
 
 def _weigh(words: Sequence[str], parameters: Sequence[str], known: dict[str, Weight]) -> Weight:
-    """What a body becomes, with what the macros in it become."""
+    """The weight of a macro with this body, given the weights of the macros in it."""
     most = MAX_EXPANDED * 2
     size, uses = 0, dict.fromkeys(parameters, 0)
     factors = [1]
@@ -280,7 +287,10 @@ def _weigh(words: Sequence[str], parameters: Sequence[str], known: dict[str, Wei
 def _open_at_once(
     words: Sequence[str], parameters: Collection[str], known: dict[str, Weight], size: int, repeats: int
 ) -> tuple[int, int, int]:
-    """Peak and tail of a body, and how often arguments are open at once; all of it where its brackets do not match."""
+    """The nesting of a macro's body as `Weight.peak`, `Weight.tail` and `Weight.at_once`.
+
+    If the brackets of the body do not match, everything in it counts as nested.
+    """
     most = MAX_EXPANDED * 2
     unmatched = (min(size * _BRACKET, most),) * 2 + (repeats,)
     levels, given, factors, brackets = [0], [0], [1], [""]

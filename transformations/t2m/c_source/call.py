@@ -1,7 +1,7 @@
-"""The calls of the parser for one text: what stays the same from one to the next, and what makes them cheap.
+"""Calls libclang for one text, and keeps what stays the same from one parse of it to the next.
 
-Headers that were parsed before are taken from there (`precompiled`). The parser's own macros, some four hundred, are left out
-where nothing that is parsed has one of their names. Which calls are made is said in `parsing`.
+Headers that were parsed before are loaded from precompiled headers (`precompiled`). libclang's own macros, some four hundred,
+are left out where nothing that is parsed has one of their names. `parsing` decides which parses are made.
 """
 
 from __future__ import annotations
@@ -35,18 +35,18 @@ _NOTHING = f"{VIRTUAL}/nothing.c"
 
 
 class Call:
-    """The calls for a text.
+    """Parses copies of one text.
 
     Args:
         source: the text.
-        api: its platform.
+        api: the platform it was written for.
         include_dirs: folders with headers.
-        defines: macros from outside.
+        defines: macros as on a command line, `NAME` or `NAME=VALUE`.
         before: paths of headers that stand before the text in the file that includes it.
 
     Attributes:
-        path: the text's, absolute.
-        names: all names in the headers that the text reaches; None where it reaches others than our own.
+        path: absolute path of the text.
+        names: all names in the headers that the text reaches; None if it includes headers from the disk.
     """
 
     def __init__(
@@ -79,7 +79,7 @@ class Call:
         self._plain = self.names is not None and self._has_no_macro_of_the_parser(self.names)
 
     def parse(self, scratch: Scratch, prelude: Prelude) -> int | None:
-        """A unit of a copy of the text; None when the parser gave up."""
+        """Parse a copy of the text behind a prelude: the handle of the translation unit, None if libclang gave up."""
         text = prelude.text()
         words = frozenset(matches(_WORD, text))
         if scratch.edits or (self._beginning is not None and not self._beginning.macros.isdisjoint(words)):
@@ -94,10 +94,10 @@ class Call:
         return self.parse(scratch, prelude) if unit is None and self.leave(outdated=True) else unit
 
     def leave(self, outdated: bool = False) -> bool:
-        """Call without a precompiled header from now on; whether there was one.
+        """Use no precompiled header from now on; False if none was used.
 
         Args:
-            outdated: it is none of these headers any more, for no other text either.
+            outdated: whether the precompiled header is stale, so that no other text may use it either.
         """
         start, self._beginning = self._beginning, None
         if start is None:
@@ -124,7 +124,7 @@ class Call:
         ]
 
     def _headers(self) -> Reached:
-        """The real headers that the text reaches, but for the precompiled ones."""
+        """The headers on the disk that the text includes, without those in the precompiled header."""
         if self._reached is None:
             start, text = self._beginning, self._source.parsed
             known = frozenset(start.inclusions if start is not None else ())
@@ -132,7 +132,7 @@ class Call:
         return self._reached
 
     def _others(self) -> list[clang.UnsavedFile]:
-        """The headers that the parser is given."""
+        """The headers that are passed to libclang as texts."""
         if not self._files:
             start, text = self._beginning, self._source.parsed
             headers = standard_headers(self._api, None)  # real headers may include any of them
@@ -143,7 +143,7 @@ class Call:
         return self._files
 
     def _has_no_macro_of_the_parser(self, names: frozenset[str]) -> bool:
-        """Whether neither the text nor the arguments have a name of the parser's own macros, nor headers with these names."""
+        """Whether no name in the text, the arguments or the given header names is one of libclang's predefined macros."""
         if b"##" in self._source.parsed:  # which makes names
             return False
         own = own_macros(tuple(self._given))
@@ -157,7 +157,7 @@ class Call:
 
 @kept
 def own_macros(given: tuple[str, ...]) -> frozenset[str]:
-    """The names of the macros that the parser has by itself when it is called with these arguments; none where it gave up."""
+    """The names of libclang's predefined macros under these arguments; empty if it gave up."""
     library = clang.library()
     unit = clang.parse(_NOTHING, [a for a in given if not a.startswith("-D")], clang.unsaved({_NOTHING: b""}))
     if unit is None:

@@ -1,7 +1,7 @@
-"""Whether a text that was parsed is C at all.
+"""Decides whether a text that was parsed is C at all.
 
-The parser makes something of any text. A text is refused when it has syntax errors and nothing of it survives as C: no
-function with a body, no declaration of a type that C or the text knows.
+libclang makes some tree of any text. A text is refused when it has syntax errors and nothing of it survives as C: no function
+with a body, no declaration whose type C or the text knows.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _HINTS = {
 
 
 def refuse_other_languages(parsed: Parsed) -> None:
-    """Do nothing for C.
+    """Refuse a text that is not C.
 
     Raises:
         SourceError: the text is not C.

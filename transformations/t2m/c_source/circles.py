@@ -1,6 +1,6 @@
-"""Files of a program that include one another in a circle, with nothing that keeps them from being read again and again.
+"""Cycles of includes in a program without an include guard that would end them.
 
-The reader breaks such circles (`headers`); a compiler gives up. Includes under a condition may end, and are not judged.
+The reader breaks such cycles (`headers`); a compiler gives up. Includes under a condition may end and are not judged.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ _OPENS = ("if", "ifdef", "ifndef")
 
 
 def circles(units: Sequence[ccode.SourceUnit], contexts: Sequence[UnitContext]) -> None:
-    """Note a finding (RS114) for each file that comes back to itself by its includes, at the first of these includes.
+    """Add a finding RS114 for each file that includes itself, directly or not, at the first include of the cycle.
 
     Args:
-        units: the files of a program.
-        contexts: what each was built with, in the same order; they take the findings.
+        units: the files of the program.
+        contexts: the context that each was built with, in the same order; they collect the findings.
     """
     again = {
         os.path.realpath(str(unit.path)): (unit, contexts[number])
@@ -43,7 +43,7 @@ def circles(units: Sequence[ccode.SourceUnit], contexts: Sequence[UnitContext]) 
 
 
 def _reached(place: str, ways: Mapping[str, Mapping[str, ccode.Include]]) -> set[str]:
-    """The files that one includes, directly or not."""
+    """The files that a file includes, directly or not."""
     found: set[str] = set()
     pending = [place]
     while pending:
@@ -58,13 +58,13 @@ def _start(element: ccode.Include | ccode.PreprocessorConditional) -> int:
 
 
 def _always(unit: ccode.SourceUnit) -> list[ccode.Include]:
-    """The includes of a file that stand under no condition."""
+    """The includes of a file that are under no conditional directive."""
     turns = [(_start(each), (each.directive in _OPENS) - (each.directive == "endif")) for each in unit.conditionals]
     return [each for each in unit.includes if not sum_of(turn for place, turn in turns if place < _start(each))]
 
 
 def _meant(include: ccode.Include, place: str, folders: Sequence[str]) -> str:
-    """The file that an include of a file means; where the reader has cut it, as a compiler finds it. Empty for none."""
+    """The path of the included file, found as a compiler does if the reader has cut the include; empty if there is none."""
     beside = [] if include.system else [os.path.dirname(place)]
     places = (os.path.join(folder, str(include.header)) for folder in (*beside, *folders))
     known = include.resolvedPath or next((each for each in places if os.path.isfile(each)), None)

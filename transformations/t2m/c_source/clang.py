@@ -21,7 +21,7 @@ from robosmi.errors import MissingToolError
 from robosmi.transformations.t2m.c_source import cursor_kinds
 
 WHOLE = 0x01 | 0x200
-"""Options of a parse: with a record of the preprocessor's work, and on after a header that is not there."""
+"""Options of a parse: record the preprocessor's work, and go on after a missing header."""
 FOR_SERIALIZATION = 0x02 | 0x10
 """Options of a header that is to be precompiled: it is no whole program, and is saved."""
 MACRO_DEFINITION, MACRO_EXPANSION, INCLUSION = (
@@ -326,10 +326,10 @@ def visit(cursor: Cursor, callback: Callable[[Cursor, Cursor, int | None], int])
 
 @contextmanager
 def raising() -> Iterator[list[BaseException]]:
-    """A list for what a callback caught, whose first is raised in the end: nothing may pass through C.
+    """A list for exceptions that a callback caught; the first is raised at the end, since none may propagate through C.
 
     Raises:
-        BaseException: what the callback put into the list.
+        BaseException: the first exception in the list.
     """
     failed: list[BaseException] = []
     yield failed
@@ -338,14 +338,14 @@ def raising() -> Iterator[list[BaseException]]:
 
 
 def file_offset(location: SourceLocation) -> tuple[int | None, int]:
-    """The file (a handle) and the byte offset of a place; a place in a macro's expansion counts where the text has it."""
+    """The file (a handle) and the byte offset of a location; for one in a macro's expansion, of the macro use."""
     file, offset = c_void_p(), c_uint()
     library().getFileLocation(location, byref(file), None, None, byref(offset))
     return file.value, offset.value
 
 
 def fix_its(diagnostic: int | None) -> list[tuple[SourceLocation, SourceLocation, str]]:
-    """The changes that would answer a complaint: from where to where, and the new text."""
+    """The fix-its of a diagnostic: start, end and replacement text of each."""
     found = []
     for number in range(library().getDiagnosticNumFixIts(diagnostic)):
         place = SourceRange()
@@ -379,7 +379,7 @@ def macro_names(unit: int) -> set[str]:
 
 
 def severities(unit: int) -> list[int]:
-    """How bad the complaints about a unit are, one number each."""
+    """The severity of each diagnostic of a unit."""
     found = []
     for number in range(library().getNumDiagnostics(unit)):
         handle = library().getDiagnostic(unit, number)

@@ -36,14 +36,14 @@ DeclarationBuilder = Callable[["UnitContext", Node], ccode.Declaration]
 
 
 class Builders(Struct, frozen=True):
-    """What makes the elements for cursors: tables from CXCursorKind to a function of the context and the cursor.
+    """The functions that make elements of the code model: tables from CXCursorKind to a function of context and cursor.
 
-    Builders ask one another through these tables, since declarations hold statements and statements declarations.
+    The builders call one another through these tables, since declarations contain statements and statements declarations.
 
     Attributes:
-        expressions: give None for a cursor that they cannot take apart.
-        statements: of all kinds but expression statements.
-        declarations: at file scope and in blocks.
+        expressions: return None for a cursor that they cannot take apart.
+        statements: for all kinds but expression statements.
+        declarations: for declarations at file scope and in blocks.
         block: builds the body of a function.
     """
 
@@ -57,16 +57,16 @@ class UnitContext:
     """State of building one unit.
 
     Attributes:
-        builders: of the elements (see `grammar`).
+        builders: the functions that make the elements (see `grammar`).
         api: the source platform.
         lib: libclang.
-        tokens: without comments and directives.
+        tokens: the unit's tokens without comments and directives.
         declared: declaration pointer -> element.
         references, calls: elements to link once everything is built, with their cursor.
         covered: offsets of callee names that have a call or a macro use in the model.
         declarators: offsets of names that a declaration declares (they look like calls).
         user_macros: names of macros that the file defines.
-        making: where the macro is used that makes the call whose arguments are built; None outside of such arguments.
+        making: offset of the macro use that expands to the call whose arguments are being built; None outside of such.
     """
 
     def __init__(self, parsed: Parsed, api: ApiIndex, builders: Builders, include_dirs: Sequence[str] = ()) -> None:
@@ -109,7 +109,7 @@ class UnitContext:
     def later(
         self, kind: type, build: Callable[Concatenate[UnitContext, P], R], *arguments: P.args, **named: P.kwargs
     ) -> R | None:
-        """A stand-in for an element that is built when it is asked for (`on_demand`); None to build it now, as here."""
+        """A stand-in that builds the element when it is first accessed (`on_demand`); None, as here, to build it at once."""
         return None
 
     def text(self, node: Node) -> str:
@@ -125,7 +125,7 @@ class UnitContext:
         return bisect_left(self._starts, offset) - 1
 
     def name_offset(self, cursor: Cursor) -> int:
-        """Where a declaration's name stands in the file, -1 elsewhere."""
+        """The offset of a declaration's name in the file, -1 if it is in another file."""
         return self.parsed.reader.offset(self.lib.getCursorLocation(cursor))
 
     def spelling(self, cursor: Cursor) -> str:
@@ -134,7 +134,7 @@ class UnitContext:
         return text
 
     def pointer(self, cursor: Cursor) -> int:
-        """What identifies a declaration."""
+        """The address by which libclang identifies a declaration."""
         return cursor.data[0] or 0
 
     def register(self, cursor: Cursor, element: ccode.Declaration) -> None:
@@ -157,7 +157,7 @@ class UnitContext:
         return found
 
     def function_like(self, expansion: Expansion) -> bool:
-        """Whether the use has arguments."""
+        """Whether the macro is used with arguments."""
         return self.source.data[expansion.end - 1 : expansion.end] == b")" and expansion.end - expansion.start > len(
             expansion.name
         )
@@ -233,7 +233,7 @@ class UnitContext:
         return not self.source.parsed[self.source.parsed.rfind(b"\n", 0, offset) + 1 : offset].strip()
 
     def header_of_file(self, file: int | None) -> str:
-        """How an include of this file would name a file of the parser's; empty for our prelude."""
+        """The name by which an include of this unit would refer to a header; empty for the prelude."""
         known = self._header_names.get(file)
         if known is None:
             known = self._header_names[file] = self._header_name(clang.file_name(file))
@@ -253,5 +253,5 @@ class UnitContext:
     def find(
         self, rule: str, severity: Severity, message: str, start: int, end: int | None = None, fix: str | None = None
     ) -> None:
-        """Note a finding at a place."""
+        """Add a finding about a range of the text."""
         self.findings.append(Finding(rule, severity, message, self.source.location(start, end), fix=fix))

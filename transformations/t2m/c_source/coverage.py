@@ -32,7 +32,7 @@ _NO_CALL_OF_CXX = frozenset(["catch", "operator", "decltype", "noexcept", "align
 
 
 class Coverage(Struct):
-    """Calls of one unit."""
+    """Calls of one unit: how many are in its text, how many of those in the model, and those that are not."""
 
     in_text: int
     in_model: int
@@ -69,11 +69,11 @@ def calls(context: UnitContext) -> Coverage:
 
 
 _WITHIN = "function definition is not allowed here"
-"""What the parser says of a function within a function."""
+"""libclang's message about a function that is defined within another one."""
 
 
 def problems(context: UnitContext) -> list[ccode.SyntaxProblem]:
-    """The parser's complaints that are not about missing declarations; those about the form of the text are findings RS101."""
+    """The diagnostics that are not about missing declarations; syntax errors among them become findings RS101."""
     found: list[ccode.SyntaxProblem] = []
     said: set[tuple[int, str]] = set()  # the same of two braces that are missing at the end
     for diagnostic in context.parsed.diagnostics:
@@ -96,7 +96,7 @@ def problems(context: UnitContext) -> list[ccode.SyntaxProblem]:
 
 
 def _before_a_cut(context: UnitContext, offset: int) -> bool:
-    """Whether the parser misses what was taken out of a statement as too much (RS104): that is no fault of the text."""
+    """Whether a diagnostic is caused by a cut of this reader (RS104) in the same statement, and not by the text."""
     data = context.source.parsed
     return any(
         start <= offset < end or (offset < start and not set(data[offset:start]) & set(b";{}"))
@@ -111,7 +111,7 @@ def _is_error_directive(context: UnitContext, offset: int) -> bool:
 
 
 def _is_there(context: UnitContext, header: str) -> bool:
-    """Whether a header lies beside the file or in a folder for headers, though the parser has not read it."""
+    """Whether a header exists beside the file or in a folder for headers, though libclang has not read it."""
     folders = (os.path.dirname(os.path.abspath(context.source.path)), *context.include_dirs)
     return any(os.path.isfile(os.path.join(folder, header)) for folder in folders)
 

@@ -35,7 +35,7 @@ _OPERATOR = re.compile(r"operator\s*([^\w\s].*)")
 
 
 def _named_cast(context: UnitContext, node: Node) -> ccode.Expression | None:
-    """`static_cast<T>(x)` and the like, and `T(x)`."""
+    """A C++ cast such as `static_cast<T>(x)` or `T(x)`."""
     children = operands(node)
     if not children:
         return None
@@ -43,7 +43,7 @@ def _named_cast(context: UnitContext, node: Node) -> ccode.Expression | None:
 
 
 def _word(operator: str) -> ExpressionBuilder:
-    """A builder for an operator that is a word before its operand."""
+    """A builder for a prefix operator that is a word, such as `new` or `throw`."""
 
     def build(context: UnitContext, node: Node) -> ccode.Expression | None:
         children = [c for c in operands(node) if c.end > c.start]
@@ -70,12 +70,12 @@ def _call(context: UnitContext, node: Node) -> ccode.Expression:
 
 
 def _is_call_operator(context: UnitContext, node: Node) -> bool:
-    """Whether this is what the parser names between an object that is called as a function and its arguments."""
+    """Whether a cursor is the `operator()` that libclang reports between a called object and its arguments."""
     return context.text(node)[:1] == "(" and context.spelling(node.cursor) == "operator()"
 
 
 def _overloaded(context: UnitContext, node: Node) -> ccode.Expression | None:
-    """The operation that a call of an overloaded operator is in the text; None for any other call."""
+    """The unary or binary operation that calls an overloaded operator; None for any other call."""
     match = _OPERATOR.match(context.spelling(node.cursor))
     if match is None or context.text(node).startswith("operator"):
         return None
@@ -106,7 +106,7 @@ def _try(context: UnitContext, node: Node) -> ccode.Block:
 
 
 def _catch(context: UnitContext, node: Node) -> ccode.Statement:
-    """The block of a handler; one that names what is thrown is a block with the declaration of that and its own block."""
+    """The handler of an exception as a block; if it names the exception, a block of that declaration and its own block."""
     caught = [child for child in node.children if child.kind == VARIABLE and context.spelling(child.cursor)]
     if not caught:
         return statement(context, node.children[-1])
@@ -148,7 +148,7 @@ EXPRESSIONS: Mapping[int, ExpressionBuilder] = {
     cursor_kinds.CXX_NEW_EXPR: _word("new"),
     cursor_kinds.CXX_DELETE_EXPR: _word("delete"),
 }
-"""CXCursorKind -> builder, of what C has not or has otherwise."""
+"""CXCursorKind -> builder, for expressions that C lacks or builds differently."""
 
 STATEMENTS: Mapping[int, StatementBuilder] = {TRY: _try, cursor_kinds.CXX_FOR_RANGE_STMT: _for_range}
-"""CXCursorKind -> builder, of what C has not."""
+"""CXCursorKind -> builder, for statements that C lacks."""

@@ -81,6 +81,6 @@ MACRO_INSTANTIATION = 502
 INCLUSION_DIRECTIVE = 503
 
 INVALID = range(70, 100)
-"""What a cursor is that stands for nothing, such as one that was not found."""
+"""Kinds of null cursors, such as the result of a failed look-up."""
 EXPRESSIONS = range(UNEXPOSED_EXPR, UNEXPOSED_STMT)
 """Kinds of expressions; statements begin where they end."""

@@ -55,7 +55,7 @@ def group(context: UnitContext, nodes: Sequence[Node], start: int | None = None)
 
 
 def _enumerations_within(context: UnitContext, record: Node) -> list[ccode.Declaration]:
-    """The enumerations that are defined among the members of a record: in C their names belong to what is around it."""
+    """The enumerations defined among a record's members, whose names in C belong to the enclosing scope."""
     made: list[ccode.Declaration] = []
     for node in record.children:
         if node.kind == cursor_kinds.ENUM_DECL and context.lib.isCursorDefinition(node.cursor):
@@ -66,7 +66,7 @@ def _enumerations_within(context: UnitContext, record: Node) -> list[ccode.Decla
 
 
 def _without_linkage(nodes: Sequence[Node]) -> Iterator[Node]:
-    """The cursors, with those in `extern "C" { }` in the place of the block."""
+    """The cursors, with each `extern "C" { }` block replaced by its contents."""
     pending = list(reversed(nodes))
     while pending:
         node = pending.pop()
@@ -137,13 +137,13 @@ def _function(context: UnitContext, node: Node) -> ccode.Declaration:
 
 
 def _signature_text(context: UnitContext, spec: types.Specifiers, stop: int, end: int) -> str:
-    """The text of a function's type and list; of one that is declared behind others without theirs.
+    """The text of a function's type and parameter list; if it is declared after others in one declaration, without theirs.
 
     Args:
-        context: of the unit.
-        spec: what stands before the declarators.
+        context: the unit's context.
+        spec: the declaration's specifiers.
         stop: offset of the name.
-        end: offset behind the list.
+        end: offset after the parameter list.
     """
     tokens, first = context.tokens, context.token_at(stop)
     while first > spec.end and tokens[first - 1][3] in ("*", "const", "volatile", "("):
@@ -202,7 +202,7 @@ def _variable(context: UnitContext, node: Node, start: int | None = None) -> cco
 
 
 def _lost_initializer(context: UnitContext, equals: int) -> tuple[int, int]:
-    """The range of an initial value that the parser lost."""
+    """The range of an initialiser that libclang dropped."""
     i = equals + 1
     start = end = context.tokens[equals][2]
     while i < len(context.tokens) and context.tokens[i][3] not in (",", ";"):
@@ -265,7 +265,7 @@ def _tag(context: UnitContext, node: Node) -> str | None:
 
 
 def _keyword(context: UnitContext, node: Node) -> int:
-    """The number of the token `struct`, `class`, `union` or `enum`, behind a template's parameters."""
+    """The index of the token `struct`, `class`, `union` or `enum`, after any template parameters."""
     i = context.token_at(node.start)
     if i < len(context.tokens) and context.tokens[i][3] == "template":
         depth = 0

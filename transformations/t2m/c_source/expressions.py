@@ -65,13 +65,13 @@ def expression(context: UnitContext, node: Node) -> ccode.Expression:
 
 
 def too_deep(context: UnitContext, node: Node) -> ccode.Expression:
-    """What stands below the deepest level that is taken apart, as text."""
+    """An expression below the deepest level that is built, kept as text."""
     context.parsed.cut.append((node.start, node.end))
     return unknown(context, node)
 
 
 def unknown(context: UnitContext, node: Node) -> ccode.Expression:
-    """An expression of another form, as text."""
+    """An expression without a builder, kept as text."""
     return ccode.UnknownExpression(text=context.text(node), **context.source.place(node.start, node.end))
 
 
@@ -89,12 +89,12 @@ def _name(context: UnitContext, node: Node) -> ccode.Expression:
 
 
 def call(context: UnitContext, node: Node, children: Sequence[Node]) -> ccode.Expression:
-    """A call.
+    """Build a call.
 
     Args:
-        context: of the unit.
+        context: the unit's context.
         node: the call's cursor.
-        children: the cursors of what is called and of the arguments.
+        children: the cursors of the callee and of the arguments.
     """
     callee = children[0] if children else None
     while callee is not None and callee.kind in (UNEXPOSED, PAREN) and len(callee.children) == 1:
@@ -127,7 +127,7 @@ def call(context: UnitContext, node: Node, children: Sequence[Node]) -> ccode.Ex
 
 
 def _called(context: UnitContext, callee: Node) -> Cursor:
-    """The declaration that a call means, of a template the template."""
+    """The declaration of a called function, for an instance of a template the template."""
     referenced = context.lib.getCursorReferenced(callee.cursor)
     if context.source.language == "C++":
         template = context.lib.getSpecializedCursorTemplate(referenced)
@@ -237,7 +237,7 @@ def _initializer_list(context: UnitContext, node: Node) -> ccode.Expression:
 
 
 def _element(context: UnitContext, node: Node) -> ccode.Expression:
-    """An element of a list; `.name = value` and `[index] = value` are assignments whose object is the list."""
+    """An element of an initialiser list; `.name = value` and `[index] = value` become assignments without an object."""
     if node.kind != UNEXPOSED or len(node.children) < 2:
         return expression(context, node)
     value = expression(context, node.children[-1])

@@ -1,9 +1,9 @@
-"""Which names a text uses and nothing declares, told from its tokens before anything is parsed.
+"""Predicts from a text's tokens, before anything is parsed, which names it uses without a declaration.
 
-Each parse costs more than all that is done with its result. What the parser would complain about after a first parse is mostly
-plain to see: a name that no declaration, macro or header of the text has. So these names are declared for the first parse
-already (`prelude`), and if that leaves nothing to complain about it is the only one. Only what is certain is foreseen:
-where a text has conditionals, or a name could be declared or not, the parser is asked first as before (`parsing`).
+Each parse costs more than all that is done with its result. What libclang would complain about after a first parse is mostly
+plain to see: a name that no declaration, macro or header of the text has. These names are declared for the first parse already
+(`prelude`), and if that leaves no complaint it is the only parse. Only what is certain is predicted: where a text has
+conditionals, or a name may be declared or not, libclang is asked first (`parsing`).
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ _TAGS = frozenset(["struct", "union", "enum"])
 _RESERVED = re.compile(r"_[_A-Z]|(?:L|[uU]8?)$")
 _STARTS = frozenset(["", ";", "{", "}", "(", ","]) | _OF_TYPES
 _UNTOLD = frozenset(["__attribute__", "__attribute", "asm", "__asm__", "__asm", "_Pragma"])
-"""Words around which names are no names of C."""
+"""Keywords whose operands contain words that are no names of C."""
 _PLAIN_DIRECTIVES = frozenset(["include", "define", "pragma", "line", ""])
 
 
 class Foreseen(Struct):
-    """What the tokens of a text say of its names.
+    """What the tokens of a text tell about its names.
 
     Attributes:
         undeclared: names that nothing declares, in text order.
@@ -47,10 +47,10 @@ class Foreseen(Struct):
 
 
 def foresee(tokens: Sequence[Token], known: Callable[[str], bool]) -> Foreseen | None:
-    """The names that a text uses and nothing declares.
+    """The names that a text uses without a declaration.
 
     Args:
-        tokens: of the text.
+        tokens: tokens of the text.
         known: whether a name may be declared outside of the text.
 
     Returns:
@@ -93,7 +93,7 @@ def foresee(tokens: Sequence[Token], known: Callable[[str], bool]) -> Foreseen |
 def _expanded(
     seen: set[str], macros: dict[str, tuple[frozenset[str], list[tuple[str, str]]]]
 ) -> Iterator[tuple[frozenset[str], list[tuple[str, str]]]]:
-    """The macros that are used, with those that their bodies use."""
+    """The parameters and body of each macro that is used in the text or in the body of another such macro."""
     pending = [name for name in macros if name in seen]
     done = set(pending)
     while pending:
@@ -105,15 +105,15 @@ def _expanded(
 
 
 class _Scan:
-    """One pass over tokens.
+    """Collects the names of a text and how they are used.
 
     Attributes:
         seen: all names.
-        used: names in places where something must be declared, in text order; calls need no declaration in C.
-        declared: names that are or may be declared somewhere.
-        functions: those of functions at file scope.
+        used: names where a declaration is required, in text order; calls in C require none.
+        declared: names that are, or may be, declared somewhere.
+        functions: names of functions at file scope.
         sizes: names within the brackets of a declared array.
-        early: some function is used as a value before it is declared.
+        early: whether a function is used as a value before it is declared.
     """
 
     def __init__(self) -> None:
@@ -125,7 +125,7 @@ class _Scan:
         self.early = False
 
     def read(self, plain: list[tuple[str, str]], apart: frozenset[str] = frozenset()) -> None:
-        """Take in the tokens of a text, or of a macro's body, whose parameters are names apart."""
+        """Read the tokens of a text or of a macro's body; `apart` are the macro's parameters, which do not count."""
         texts = [text for _, text in plain]
         texts += ["", ""]
         levels: list[tuple[str, bool]] = []  # what is open (a bracket, `enum`, or `size` of an array), and whether it declares
@@ -162,7 +162,7 @@ class _Scan:
             before = text
 
     def _name(self, texts: list[str], i: int, before: str, opened: str, declares: bool) -> bool:
-        """Note a name's use; whether the place declares it, or may do so."""
+        """Record the use of a name; returns whether it is declared here, or may be."""
         text, following = texts[i], texts[i + 1]
         if before in (".", "->", "goto") or before in _TAGS:
             return False
@@ -194,7 +194,7 @@ class _Scan:
         return False
 
     def _pointed(self, texts: list[str], i: int, declares: bool) -> bool:
-        """Whether a name behind a star may be a declared pointer; a product otherwise."""
+        """Whether a name after `*` may be a declared pointer, and not a factor of a product."""
         j = i - 1
         while j >= 0 and (texts[j] == "*" or texts[j] in QUALIFIERS):
             j -= 1

@@ -1,7 +1,7 @@
-"""Headers on the disk: where an include is looked for, and which headers the parser must not be given as they are.
+"""Headers on the disk: where an include is looked for, and which headers libclang must get in a changed form.
 
-The folders' lists of names are kept, so that a file with many includes and many folders costs few questions to the system.
-What the parser cannot take is said in `bounds`.
+The folders' listings are cached, so that a file with many includes and many folders costs few system calls. `bounds` tells what
+libclang cannot take.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ from robosmi.transformations.t2m.c_source.mending import Scratch
 from robosmi.typed import matches, remembered
 
 MOST = 1000
-"""Headers of one file that are looked through."""
+"""Number of headers of one file that are read at most."""
 INCLUDED = re.compile(rb"#\s*include\s*[<\"]([^>\"\n]+)[>\"]")
 _INCLUDE_LINE = re.compile(rb"^[ \t]*#[ \t]*include\b[^\n]*", re.MULTILINE)
 MOST_ENTERED, MOST_READ, OFTEN = 20_000, 200_000_000, 60
-"""Headers and bytes that one text may come to read; when it is more, those entered so often may include nothing."""
+"""Inclusions and bytes of one text; beyond, headers entered more often than `OFTEN` lose their includes."""
 DEEPEST = 200
-"""Includes within includes; the parser's own limit."""
+"""Nesting of includes at which libclang gives up."""
 _GUARD = re.compile(rb"^[ \t]*#[ \t]*(?:ifndef[ \t]+|if[ \t]*![ \t]*defined[ \t(]+)(\w+)", re.MULTILINE)
 _FIRST = re.compile(rb"^[ \t]*#", re.MULTILINE)
 _ONCE = re.compile(rb"^[ \t]*#[ \t]*pragma[ \t]+once\b", re.MULTILINE)
@@ -41,10 +41,10 @@ State = tuple[str, int, int]
 
 
 class Folders:
-    """Where headers are searched for, in this order.
+    """The folders in which headers are searched, in this order.
 
     Attributes:
-        stamped: how each of them was when this was made.
+        stamped: the state of each folder when this object was made.
     """
 
     def __init__(self, folders: Sequence[str]) -> None:
@@ -61,7 +61,7 @@ class Folders:
 
 
 class HeaderText(Struct, frozen=True):
-    """A header that a text reaches: its path, its size in bytes, and its text where the parser must be given another."""
+    """A header that a text includes: its path, its size in bytes, and the text that replaces the file's own, if any."""
 
     path: str
     size: int
@@ -69,24 +69,23 @@ class HeaderText(Struct, frozen=True):
 
 
 class Reached(Struct, frozen=True):
-    """What a text includes, directly or not: the headers, and whether it comes to include itself without end."""
+    """The headers that a text includes, directly or not, and whether it includes itself without end."""
 
     headers: list[HeaderText]
     itself: bool = False
 
 
 def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = ()) -> Reached:
-    """The headers that a text reaches beside it and in folders, whatever the conditions of its includes.
+    """The headers that a text includes, directly or not, whatever the conditions of its includes.
 
-    What nests too deep is taken out of a header's text, and the includes of one that comes back to itself again and again;
-    one that cannot be read or is a pipe or device, or whose macros are without bound, becomes an empty one. Hardly any is like
-    that.
+    A header whose text nests too deep gets that part cut out; one that includes itself again and again loses its includes; one
+    that cannot be read, is a pipe or device, or has macros that grow without bound becomes empty. All of this is rare.
 
     Args:
-        path: of the file with the text.
+        path: path of the file with the text.
         data: the text.
-        folders: with headers, searched after the file's own.
-        known: headers that were looked through before, with all that they include.
+        folders: folders with headers, searched after the file's own.
+        known: headers that are left out, with all that they include.
     """
     root = os.path.abspath(path)
     files = {root: _File(root, len(data), _Content(data, tuple(matches(INCLUDED, data)), guarded(data)))}
@@ -119,10 +118,10 @@ def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = (
 
 
 class _Content(Struct, frozen=True):
-    """What is kept of a header that was read.
+    """The facts about a header that was read.
 
     Attributes:
-        text: the changed text that replaces the file's own, or None where that is read as it is.
+        text: the changed text that replaces the file's own, None if that is used.
         included: the names in its `#include` directives.
         guarded: whether an include guard or `#pragma once` keeps it from being read twice.
     """
@@ -133,7 +132,7 @@ class _Content(Struct, frozen=True):
 
 
 class _File:
-    """A header, or the text itself, while its includes are followed: `inner` are the files that these mean."""
+    """A header, or the text itself; `inner` are the keys of the files that it includes."""
 
     def __init__(self, path: str, size: int, content: _Content) -> None:
         self.path, self.size, self.content = path, size, content
@@ -142,7 +141,7 @@ class _File:
 
 
 def _bound(files: dict[str, _File], root: str) -> bool:
-    """Take the includes out of headers that are entered again and again; whether the text itself is one of these."""
+    """Remove the includes of headers that are entered again and again; returns whether the text itself is one of them."""
     itself = False
     while (often := _entered_too_often(files, root)) is not None:
         itself |= root in often
@@ -157,7 +156,7 @@ def _bound(files: dict[str, _File], root: str) -> bool:
 
 
 def _entered_too_often(files: dict[str, _File], root: str) -> list[str] | None:
-    """The files by whose includes all that is read grows without bound; None where it does not."""
+    """The files whose includes make the total input grow beyond the limits; None if it does not."""
     entered: Counter[str] = Counter([root])
     size = files[root].size
     ways = [iter(files[root].inner)]
@@ -179,7 +178,7 @@ def _entered_too_often(files: dict[str, _File], root: str) -> list[str] | None:
 
 
 def state_of(path: str) -> State:
-    """How a file or folder is now; a folder changes when an entry of it is made, renamed or removed."""
+    """The present state of a file or folder; a folder's changes when an entry of it is created, renamed or removed."""
     try:
         found = os.stat(path)
     except (OSError, ValueError):
@@ -189,7 +188,7 @@ def state_of(path: str) -> State:
 
 @remembered(100)
 def _holding(folders: tuple[State, ...]) -> dict[str, list[str]]:
-    """For each name the folders that have an entry of that name, in order; all of them for the empty name."""
+    """Name of an entry -> the folders that contain it, in order; the empty name stands for all folders."""
     found: dict[str, list[str]] = {"": [folder for folder, _, _ in folders]}
     for folder, changed, _ in folders:
         with suppress(OSError):  # a file, or a folder that may not be read
@@ -214,7 +213,7 @@ def _content(path: str, changed: int, size: int, regular: bool) -> _Content:
 
 
 def guarded(data: bytes) -> bool:
-    """Whether a header says that it is to be read once, by its first directive or by `#pragma once`."""
+    """Whether a header protects itself from being read twice, by an include guard or by `#pragma once`."""
     match = _GUARD.search(data)
     if match is None or _FIRST.search(data, 0, match.start()):
         return _ONCE.search(data) is not None

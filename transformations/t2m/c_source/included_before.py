@@ -1,7 +1,7 @@
-"""Headers that need those which are included before them: what stands before a header in the file that includes it.
+"""The headers that are included before another one, for headers that rely on them.
 
-`#include "queue.h"` and behind it `#include "pathing.h"` is enough for a compiler where the second one uses types of the first.
-Read alone, statements of the second would be lost.
+If a file has `#include "queue.h"` and then `#include "pathing.h"`, a compiler is content when the second header uses types of
+the first. Read alone, statements of the second header would be lost.
 """
 
 from __future__ import annotations
@@ -14,12 +14,14 @@ from robosmi.typed import distinct
 
 
 def included_before(path: str, units: Sequence[ccode.SourceUnit], above: tuple[str, ...] = ()) -> list[str]:
-    """The program's own headers that the first file which includes a header includes before it, those before that file first.
+    """The program's own headers that are included before a header by the first file that includes it.
+
+    Headers that come before that file itself are listed first.
 
     Args:
-        path: of the header.
-        units: that are known, in the order of the program's files.
-        above: the files whose headers are asked for already.
+        path: path of the header.
+        units: the known units, in the order of the program's files.
+        above: the files that were asked about already, further down this chain of includes.
     """
     wanted = os.path.realpath(path)
     for unit in units:

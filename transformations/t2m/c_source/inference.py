@@ -27,7 +27,7 @@ _POINTER, _RECORD, _FLOATING, _ARRAYS, _FUNCTIONS = (
 
 
 class CallSite(Struct):
-    """A call with what the parser knows of it."""
+    """A call with its unit's context and its cursor."""
 
     context: UnitContext
     call: ccode.Call
@@ -35,7 +35,7 @@ class CallSite(Struct):
 
 
 class Inferred:
-    """What the calls say of a function."""
+    """The signature inferred for a function."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -49,7 +49,7 @@ class Inferred:
         return f"{self.returns}{'' if self.returns.endswith('*') else ' '}{self.name}({types})"
 
     def parameters(self) -> list[ccode.Parameter]:
-        """Parameters without a name."""
+        """Unnamed parameters of the inferred types."""
         return [ccode.Parameter(valueType=ccode.TypeUse(spelling=t, pointerDepth=t.count("*") or None)) for t in self.types]
 
 
@@ -92,7 +92,7 @@ def _type_name(context: UnitContext, node: Node) -> str:
 
 
 def _argument_type(lib: ClangLibrary, kind: Type) -> str:
-    """The type of a parameter that takes values of a type of the parser."""
+    """The parameter type for an argument of this type of libclang."""
     canonical = lib.getCanonicalType(kind)
     text = lib.text(lib.getTypeSpelling(kind))
     if canonical.kind in _FLOATING:
@@ -113,7 +113,7 @@ def _literal_type(argument: ccode.Expression) -> str:
 
 
 def _common(types: list[str]) -> str:
-    """One type for all: a pointer before a real number before int."""
+    """One type that covers all given ones: a pointer before a floating type before int."""
     pointers = [t for t in types if t.endswith("*")]
     if pointers:
         return pointers[0] if len(set(pointers)) == 1 else next((p for p in pointers if "char" in p), "void *")

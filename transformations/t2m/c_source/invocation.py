@@ -1,7 +1,7 @@
-"""What the parser is called with: its arguments, and files that exist for it alone.
+"""The arguments that libclang is called with, and virtual files that exist for it alone.
 
-These are our own standard headers and the prelude, which declares what nothing else does (`prelude`). The arguments are those of
-the research note on libclang, section 8.
+These are our own standard headers and the prelude, which declares what nothing else does (`prelude`). The arguments are those
+of the research note on libclang, section 8.
 """
 
 from __future__ import annotations

@@ -31,8 +31,8 @@ class Linker:
     """Links the units of one program.
 
     Args:
-        contexts: of the units, in order.
-        declarations: of each unit at file scope.
+        contexts: the contexts of the units, in order.
+        declarations: the declarations at file scope of each unit.
     """
 
     def __init__(self, contexts: list[UnitContext], declarations: list[list[ccode.Declaration]]) -> None:
@@ -42,11 +42,11 @@ class Linker:
         self.own_types = [_types(c) for c in contexts]
         read = {os.path.abspath(p) for c in contexts for p in c.parsed.inclusions[1:]}
         self._shared = [c.source.path.lower().endswith(HEADERS) or os.path.abspath(c.source.path) in read for c in contexts]
-        """Whether each unit is a header: by its name, or as another unit includes it."""
+        """For each unit whether it is a header: by its file name, or because another unit includes it."""
         self._header_values = _values_of_headers(self._shared, declarations)
         self._numbers = {os.path.abspath(context.source.path): number for number, context in enumerate(contexts)}
         self._headers_read: dict[tuple[int, int], int | None] = {}
-        """Unit and a file that the parser read with it -> the unit that this file is, if it is one."""
+        """(number of a unit, handle of a file read with it) -> number of the unit of that file, None if it is none."""
         self._uses: dict[str, str] = {}
         self._sites: dict[str, list[CallSite]] = {}
         self._headers: dict[str, tuple[str, str]] = {}
@@ -89,7 +89,7 @@ class Linker:
             self._sites.setdefault(name, []).append(CallSite(context, call, nodes.get(id(call))))
 
     def _own(self, number: int, name: str) -> ccode.Function | None:
-        """The program's own function of that name: the definition in the unit or one that others see, else a prototype."""
+        """The program's own function of that name: a visible definition (the unit's own first), else a prototype."""
         own = self.own_functions[number].get(name)
         if own is not None and own.definition:
             return own
@@ -102,7 +102,7 @@ class Linker:
         return self._static_of_header(name) or own
 
     def _static_of_header(self, name: str) -> ccode.Function | None:
-        """The static function of that name in the only header that defines one: a header that is included later may call it."""
+        """The static function of that name if just one header defines one: a header that is included later may call it."""
         found = [
             functions[name]
             for number, functions in enumerate(self.own_functions)
@@ -111,7 +111,7 @@ class Linker:
         return found[0] if len(found) == 1 else None
 
     def _of_unit(self, number: int, context: UnitContext, cursor: Cursor | None, name: str) -> ccode.Function | None:
-        """The function of that name in the header among the units where the parser found it: a static one is seen so alone."""
+        """The function of that name in the program's header that libclang resolved the call to; this finds static ones too."""
         if cursor is None:
             return None
         file, _ = clang.file_offset(context.lib.getCursorLocation(cursor))
@@ -134,7 +134,7 @@ class Linker:
 
     @staticmethod
     def _builtin_signature(context: UnitContext, cursor: Cursor, name: str) -> str:
-        """The signature that the parser itself knows of a library function, empty for a function that it knows nothing of."""
+        """libclang's built-in signature of a library function, empty if it has none."""
         if cursor.kind not in FUNCTION_KINDS:
             return ""
         kind: str = context.lib.text(context.lib.getTypeSpelling(context.lib.getCursorType(cursor)))
@@ -178,7 +178,7 @@ class Linker:
                 connect(reference, "target", element)
 
     def _of_header(self, name: str) -> ccode.Declaration | None:
-        """The variable or enumerator of that name that a header among the units declares; a definition in another unit first."""
+        """The variable or enumerator of that name that an own header declares, or the definition of that variable."""
         return self._header_values.get(name)
 
     def _external_symbol(self, context: UnitContext, reference: ccode.NameReference, cursor: Cursor) -> ccode.Declaration | None:
@@ -214,7 +214,7 @@ class Linker:
                 connect(use, "declaration", own)
 
     def _own_type(self, number: int, name: str, use: ccode.TypeUse, language: str) -> ccode.Declaration | None:
-        """The type that a unit, or else a header among the units, declares under that name: by a tag or by a typedef."""
+        """The type of that name that the unit, else one of the program's headers, declares: by a tag or by a typedef."""
         tag = not _TAGS.isdisjoint(use.spelling.split())
         headers = (t for t, shared in paired(self.own_types, self._shared) if shared)
         for types in (self.own_types[number], *headers):
@@ -235,7 +235,7 @@ def _functions(declarations: Iterable[ccode.Declaration]) -> dict[str, ccode.Fun
 def _values_of_headers(
     shared: Iterable[bool], declarations: Iterable[Iterable[ccode.Declaration]]
 ) -> dict[str, ccode.Declaration]:
-    """Variables and enumerators that headers among the units declare, by name; a variable's definition before others."""
+    """Variables and enumerators that the program's headers declare, by name; a variable's definition takes precedence."""
     found: dict[str, ccode.Declaration] = {}
     defined: dict[str, ccode.Declaration] = {}
     for header, declared in paired(shared, declarations):
@@ -251,14 +251,14 @@ def _values_of_headers(
 
 
 def _types(context: UnitContext) -> dict[tuple[str, bool], ccode.Declaration]:
-    """The types that a unit declares, by name and whether that is a tag."""
+    """The types that a unit declares, by (name, whether it is a tag)."""
     kinds = (ccode.Typedef, ccode.Record, ccode.Enumeration)
     found = (d for d in context.declared.values() if isinstance(d, kinds) and d.name)
     return {(str(d.name), not isinstance(d, ccode.Typedef)): d for d in found}
 
 
 def _type_headers(context: UnitContext) -> dict[str, str]:
-    """Name -> header of the types that the file takes from headers that were found."""
+    """Name of a type -> the header that declares it, for the types that the file uses."""
     found: dict[str, str] = {}
     pending = list(context.parsed.nodes)
     while pending:

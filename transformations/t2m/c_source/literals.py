@@ -78,7 +78,7 @@ def character(context: UnitContext, node: Node) -> ccode.Expression:
 
 
 def character_value(text: str) -> int:
-    """The value of a character constant; 0 for a form that C leaves to the compiler."""
+    """The value of a character constant; 0 for a form whose value C leaves to the implementation."""
     inner = text[text.find("'") + 1 : text.rfind("'")]
     if len(inner) == 1:
         return ord(inner)
@@ -90,7 +90,7 @@ def character_value(text: str) -> int:
 
 
 def evaluated(context: UnitContext, node: Node) -> int | None:
-    """The parser's value of a constant expression."""
+    """libclang's value of a constant expression, None if it is not constant."""
     result = context.lib.Cursor_Evaluate(node.cursor)
     if not result:
         return None

@@ -1,8 +1,8 @@
-"""Macros: the preprocessor's elements of a unit, and expressions that come out of a macro's expansion.
+"""Macros: the preprocessor's elements of a unit, and expressions that come out of macro expansion.
 
-An expression out of an object-like macro is a reference to its name, but not where the macro makes a call around it; one out of a
-function-like macro of a header is a call by that name with the arguments as written; the body of the program's own function-like
-macros, also of those in headers of its own, is built as it expands, and its calls are marked `viaMacro`.
+An expression from an object-like macro becomes a reference to the macro's name, unless it contains a call. One from a
+function-like macro of a header becomes a call by that name with the arguments as written. The body of the program's own
+function-like macros, those in its own headers included, is built as it expands, and its calls are marked `viaMacro`.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ CALL = cursor_kinds.CALL_EXPR
 
 
 def expansion_of(context: UnitContext, node: Node) -> Expansion | None:
-    """The macro use that the whole node comes out of; None when it is (part of) an argument or more than the use."""
+    """The macro use that a whole node is expanded from; None if the node is part of an argument or extends beyond the use."""
     for expansion in context.expansions_at(node.start):
         if node.end <= expansion.end:
             return expansion
@@ -29,7 +29,7 @@ def expansion_of(context: UnitContext, node: Node) -> Expansion | None:
 
 
 def from_macro(context: UnitContext, node: Node, build: Build) -> ccode.Expression | None:
-    """The element for a node that comes out of a macro, or None when it is to be built like any other."""
+    """The element for a node that comes out of a macro; None if it is to be built like any other node."""
     expansion = expansion_of(context, node)
     if expansion is None:
         return None
@@ -45,7 +45,7 @@ def from_macro(context: UnitContext, node: Node, build: Build) -> ccode.Expressi
 
 
 def macro_call(context: UnitContext, node: Node, expansion: Expansion, build: Build) -> ccode.Expression:
-    """The use of a header's function-like macro as a call, its arguments taken from where the expansion has them."""
+    """A use of a header's function-like macro as a call; its arguments are built from the expansion."""
     arguments: list[ccode.Expression] = []
     for start, end in context.arguments(expansion):
         found = _within(node, start, end)
@@ -60,7 +60,7 @@ def macro_call(context: UnitContext, node: Node, expansion: Expansion, build: Bu
 
 
 def call_place(context: UnitContext, node: Node) -> tuple[TextRange, str, bool]:
-    """Place of a call, the callee's name where a header's alias hides it, and whether it stands in the body of an own macro."""
+    """The place of a call, its callee's name if a header's macro hides it, and whether an own macro makes the call."""
     if not node.from_macro:
         return context.source.place(node.start, node.end), "", False
     for expansion in context.expansions_at(node.start):
@@ -84,7 +84,7 @@ def _has_call(node: Node) -> bool:
 
 
 def _within(node: Node, start: int, end: int) -> Node | None:
-    """The outermost node, first in order, that covers the range exactly, or else that lies in it."""
+    """The first outermost expression that covers the range exactly, else the first that lies within it."""
     inside: Node | None = None
     pending = [node]
     while pending:
@@ -98,7 +98,7 @@ def _within(node: Node, start: int, end: int) -> Node | None:
 
 
 def uses(context: UnitContext) -> list[ccode.MacroUse]:
-    """The uses of macros in the file, in text order; names that only our prelude defines are left out."""
+    """The macro uses of the file in text order."""
     found: list[ccode.MacroUse] = []
     seen: set[tuple[int, int]] = set()
     headers: dict[str, str] = {}
@@ -126,7 +126,7 @@ def uses(context: UnitContext) -> list[ccode.MacroUse]:
 
 
 def header_of(context: UnitContext, cursor: Cursor | None) -> str | None:
-    """The header that a declaration stands in, as it is included; empty for our prelude, None for the file itself."""
+    """The header that declares a cursor, named as in an include; empty for the prelude, None for the file itself."""
     if cursor is None:
         return None
     file, _ = clang.file_offset(context.lib.getCursorLocation(cursor))

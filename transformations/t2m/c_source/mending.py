@@ -1,9 +1,9 @@
-"""Mending a damaged text for the parser alone: edits of a scratch copy, and the way back from its offsets to the file's.
+"""Repairs a damaged text for libclang alone: edits of a scratch copy, and the mapping of its offsets to the file's.
 
-In C a statement with a syntax error is lost, often with the one behind it. So the parser's own fix-its (a missing semicolon)
-are applied to a copy of the text, and where it has none, a bracket, brace or comma is put where it says that one is missing.
-An edit is kept only when fewer complaints are left. The complaints stay findings; the file and the model's text are never
-changed. Which edits are tried is here, the loop is in `parsing`.
+In C a statement with a syntax error is lost, often with the next one. So libclang's own fix-its (a missing semicolon) are
+applied to a copy of the text, and where it has none, a bracket, brace or comma is inserted where it reports a missing one. An
+edit is kept only when fewer errors are left. The errors stay findings; the file and the model's text are never changed. This
+module proposes edits, the loop is in `parsing`.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from robosmi.typed import sum_of
 
 NESTED = "function definition is not allowed here"
 MAX_ROUNDS = 10
-"""Rounds of mending a text; each is one parse more."""
+"""Attempts to repair a text; each costs one parse."""
 _ENDING = re.compile(r"[\s)\]};]*(?://.*)?$")
 _HEADS = frozenset(["if", "while", "for", "switch"])
 _CLOSERS = {")": "(", "]": "[", "}": "{"}
@@ -26,7 +26,7 @@ _EXPECTED = {"expected ')'": ")", "expected ']'": "]", "expected '('": "(", "exp
 
 
 class Edit(NamedTuple):
-    """A change of the copy: at an offset of the file so many bytes are replaced by a text."""
+    """An edit of the copy: so many bytes at an offset of the file are replaced by a text."""
 
     offset: int
     removed: int
@@ -34,11 +34,11 @@ class Edit(NamedTuple):
 
 
 class Scratch:
-    """A text with edits.
+    """A copy of a text with edits applied.
 
     Args:
         source: the bytes of the file.
-        edits: in any order; one that touches another is left out.
+        edits: in any order; one that overlaps another is left out.
     """
 
     def __init__(self, source: bytes, edits: Sequence[Edit] = ()) -> None:
@@ -61,7 +61,7 @@ class Scratch:
         self.data = b"".join(parts) if self.edits else source
 
     def source_offset(self, offset: int) -> int:
-        """Where an offset of the copy is in the file; what was put in stands where it was put."""
+        """The offset in the file of an offset in the copy; inserted text maps to the place of its insertion."""
         number = bisect_right(self._starts, offset) - 1
         if number < 0:
             return offset
@@ -71,13 +71,13 @@ class Scratch:
 
 
 def guess(message: str, offset: int, tokens: Sequence[Token], earlier: Sequence[int]) -> list[Edit]:
-    """Edits that may answer a complaint for which the parser has no fix-it; empty where nothing is known.
+    """Edits that may repair an error for which libclang has no fix-it; empty if none is known.
 
     Args:
-        message: the complaint.
+        message: libclang's message.
         offset: its place in the file.
-        tokens: of the file, comments and directives left out.
-        earlier: starts of these tokens.
+        tokens: tokens of the file without comments and directives.
+        earlier: start offsets of these tokens.
     """
     number = bisect_right(earlier, offset) - 1
     if number >= 0 and tokens[number][2] <= offset:
@@ -101,18 +101,18 @@ def guess(message: str, offset: int, tokens: Sequence[Token], earlier: Sequence[
 
 
 def declared_only(offsets: Sequence[int], tokens: Sequence[Token]) -> list[Edit]:
-    """Edits that make GNU C's functions within functions, which the parser does not know, a declaration and a block.
+    """Edits that turn GNU C's nested functions, which libclang does not know, into a declaration and a block.
 
     Args:
-        offsets: where it complains about them: at their braces.
-        tokens: of the file. None of this is done where braces are missing: then a function was rather not closed.
+        offsets: the offsets of their opening braces, where libclang reports them.
+        tokens: tokens of the file. If its braces do not match, there are no edits: rather a function was not closed.
     """
     depth = sum_of((text == "{") - (text == "}") for kind, _, _, text in tokens if kind == "punct")
     return [Edit(offset, 0, b";") for offset in offsets] if depth == 0 else []
 
 
 def opening(offset: int, tokens: Sequence[Token], earlier: Sequence[int]) -> list[Edit]:
-    """An opening bracket behind the name before a place, where the statement closes one bracket more than it opens."""
+    """An edit that inserts `(` after the name before a place, if the statement closes more parentheses than it opens."""
     number = bisect_right(earlier, offset) - 1
     if number >= 0 and tokens[number][2] > offset:
         number -= 1  # the place is at the token behind the name
@@ -131,7 +131,7 @@ def opening(offset: int, tokens: Sequence[Token], earlier: Sequence[int]) -> lis
 
 
 def closed_strings(tokens: Sequence[Token]) -> list[Edit]:
-    """A quote for each string that its line does not end, before the brackets and the semicolon that end the statement."""
+    """Edits that close each unterminated string before the brackets and the semicolon at the end of its line."""
     edits = []
     for kind, start, _, text in tokens:
         if kind in ("string", "char") and (len(text) < 2 or text[-1] != text.lstrip("LuU8")[0]):
@@ -142,7 +142,7 @@ def closed_strings(tokens: Sequence[Token]) -> list[Edit]:
 
 
 def _statement_start(tokens: Sequence[Token], number: int) -> int:
-    """Where the statement that holds a token begins."""
+    """The offset at which the statement that contains a token begins."""
     depth = 0
     i = min(number, len(tokens)) - 1
     while i >= 0:
@@ -155,7 +155,7 @@ def _statement_start(tokens: Sequence[Token], number: int) -> int:
 
 
 def _closed_too_early(tokens: Sequence[Token], number: int) -> int | None:
-    """The brace before a surplus one that ended a function although its text goes on; None where nothing stands between."""
+    """The offset of the brace before a surplus one, which ended a function too early; None if no text lies between the two."""
     depth = 0
     last = None
     for kind, start, _, text in tokens[:number]:
@@ -170,7 +170,7 @@ def _closed_too_early(tokens: Sequence[Token], number: int) -> int | None:
 
 
 def _of_a_head(tokens: Sequence[Token], number: int) -> bool:
-    """Whether the bracket that is open at a token is that of `if`, `while`, `for` or `switch`."""
+    """Whether the innermost parenthesis open at a token belongs to `if`, `while`, `for` or `switch`."""
     open_: list[str] = []
     for i in range(number - 1, -1, -1):
         text = tokens[i][3]

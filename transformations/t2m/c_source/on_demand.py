@@ -1,10 +1,10 @@
-"""Driver for C programs as they lie on disk: a model over libclang in which nothing is built that no query asks for.
+"""Driver for C programs as they lie on disk: a model over libclang that builds an element only when a query needs it.
 
-Types and features are those of the metamodel `ccode`, the elements of its classes and built by the builders of `read_program`, so
-that queries, constraints and templates cannot tell the difference. A file is parsed at the first question about what
-it holds; a function's body, a statement's parts, an expression's operands wait until they are looked at (`model.on_demand`); what
-was built stays. Only links to names from outside the program, and those from declarations to their uses, need all of it.
-Read-only: it is a view of its sources. Not here: what a unit holds (`on_demand_unit`).
+Types, features and element classes are those of the metamodel `ccode`, built by the builders of `read_program`, so that
+queries, constraints and templates cannot tell the difference. A file is parsed at the first question about its contents; a
+function's body, a statement's parts and an expression's operands are built when they are accessed (`model.on_demand`), and
+kept. Only links to names from outside the program, and those from declarations to their uses, need the whole program. The model
+is a read-only view of its sources. The contents of a unit are in `on_demand_unit`.
 """
 
 from __future__ import annotations
@@ -41,11 +41,11 @@ LEAVES = {
     cursor_kinds.STRING_LITERAL: ccode.StringLiteral,
     cursor_kinds.CHARACTER_LITERAL: ccode.CharacterLiteral,
 }
-"""CXCursorKind -> the class of what is built of it outside of macros; such a cursor holds nothing else."""
+"""CXCursorKind -> the class of its element, for leaves outside of macros."""
 LONGEST = 100
-"""A longer integer literal stands for text that was cut (`bounds`) and becomes another element."""
+"""Length above which an integer literal stands for text that was cut (`bounds`) and becomes another element."""
 IN_EXTERNALS = (ccode.Function, ccode.ExternalSymbol, ccode.Parameter, ccode.TypeUse)
-"""What `Program.externals` and all below it is made of: functions from outside have no bodies."""
+"""The classes of elements in and below `Program.externals`; functions from outside have no bodies."""
 
 
 class OnDemandProgram(TypedModel):
@@ -133,7 +133,7 @@ class OnDemandProgram(TypedModel):
         return found
 
     def _walk(self, wanted: type, start: Element | None = None) -> Iterator[Element]:
-        """Elements in pre-order; what can hold no element of the wanted class is passed over."""
+        """Elements in pre-order; subtrees that cannot contain an element of the wanted class are skipped."""
         pending: list[Element] = [start if start is not None else self.program]
         while pending:
             element = pending.pop()
@@ -183,7 +183,7 @@ class OnDemandProgram(TypedModel):
         return found
 
     def _near(self, unit: Unit, element: Element, name: str) -> Element | None:
-        """The program's own declaration that a use refers to, if it can be told without the rest of the program."""
+        """The program's own declaration that a use refers to, if it can be found without linking the whole program."""
         cursor = unit.cursors.get(id(element))
         if isinstance(element, ccode.MacroUse) and name == "macro":
             return unit.macro(str(element.name))
@@ -256,7 +256,7 @@ def _containments(cls: type[Element]) -> list[EReference]:
 
 
 def _ways(cls: type[Element], wanted: type) -> list[tuple[str, bool]]:
-    """Where elements of the wanted class may be below an element of a class: slots, and whether they hold many."""
+    """The containment slots of a class below which elements of a wanted class may be, each with whether it is many-valued."""
     if (cls, wanted) not in _WAYS:
         _WAYS[cls, wanted] = [(key_of(feature), feature.many) for feature in _containments(cls) if _can_hold(feature, wanted)]
     return _WAYS[cls, wanted]
@@ -270,7 +270,7 @@ def _links(cls: type[Element]) -> list[EReference]:
 
 
 def _can_hold(feature: EReference, wanted: type) -> bool:
-    """Whether the metamodel lets elements of the class be below a containment feature."""
+    """Whether the metamodel allows elements of the class in or below a containment reference."""
     known = _HOLDS.get((feature, wanted))
     if known is None and feature.eContainingClass is ccode.Program.eClass and feature.name == "externals":
         known = _HOLDS[feature, wanted] = any(issubclass(cls, wanted) for cls in IN_EXTERNALS)
@@ -292,7 +292,7 @@ _CLASSES = [c for c in ccode.eClassifiers.values() if isinstance(c, type) and is
 
 
 def _holds_only_others(promise: Promise, wanted: type) -> bool:
-    """Whether all that waits in a slot are leaves of other classes than the wanted one."""
+    """Whether everything still unbuilt in a slot is a leaf of a class other than the wanted one."""
     if not promise.hint:
         return False
     for node in promise.hint:

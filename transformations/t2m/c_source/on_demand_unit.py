@@ -37,7 +37,7 @@ Linked: TypeAlias = "Element | Sequence[Element] | None"
 
 
 class WaitingContext(UnitContext):
-    """A context whose builders leave parts for later; what a macro with arguments gives is built at once, in order."""
+    """A context whose builders leave parts for later; the contents of function-like macros are built at once, in order."""
 
     def __init__(self, unit: Unit, parsed: Parsed, api: ApiIndex, folders: Sequence[str]) -> None:
         super().__init__(parsed, api, BUILDERS, folders)
@@ -47,7 +47,7 @@ class WaitingContext(UnitContext):
     def later(
         self, kind: type, build: Callable[Concatenate[UnitContext, P], R], *arguments: P.args, **named: P.kwargs
     ) -> R | None:
-        """A stand-in, unless it was the part's turn."""
+        """A stand-in for the element; None if the stand-in is just being resolved."""
         if self._now:
             self._now = False
             return None
@@ -151,7 +151,7 @@ class Unit:
         return coverage.calls(self.context)
 
     def settled(self, element: T) -> T:
-        """An element that was just built, read-only and with promises in the place of its links."""
+        """Make a newly built element read-only, with promises for its cross references."""
         settle(element, self._linked)
         return element
 
@@ -163,7 +163,7 @@ class Unit:
 
     @property
     def cursors(self) -> dict[int, Cursor | None]:
-        """What the parser says a call or a name refers to, by the element's identity."""
+        """The `id` of each call and name -> the cursor of the declaration that libclang resolved it to."""
         known = self._cursors
         context = self.context
         total = len(context.calls) + len(context.references)
@@ -174,7 +174,7 @@ class Unit:
         return known
 
     def declared(self, cursor: Cursor) -> ccode.Declaration | None:
-        """The element that was built for a declaration's cursor, or None; those at file scope are built for this."""
+        """The element built for a declaration's cursor, or None; this builds the declarations at file scope."""
         len(self.element.declarations)
         return self.context.declared.get(self.context.pointer(cursor))
 
@@ -196,10 +196,10 @@ class Unit:
 
 
 def in_building_order(unit: Unit) -> None:
-    """Put what is to be linked into the order in which `read_program` builds it: parts before wholes, features in order.
+    """Sort what is to be linked in the order in which `read_program` builds it: parts before wholes, features in order.
 
-    In three kinds of element that is not the metamodel's order: `do` and `for` are built as the text has them, and in a list of
-    initial values the value comes before its designator.
+    In three classes that is not the metamodel's order: the parts of `do` and `for` are built in text order, and in an
+    initialiser list the value is built before its designator.
     """
     start: list[EObject] = [unit.element]
     rank = {id(element): place for place, element in enumerate(post_order(start, _parts))}
@@ -209,7 +209,7 @@ def in_building_order(unit: Unit) -> None:
 
 
 def _parts(element: EObject) -> list[EObject]:
-    """What an element contains, in the order in which it is built."""
+    """The direct contents of an element, in the order in which they are built."""
     parts: Sequence[EObject | None] = contents(element)
     if isinstance(element, ccode.DoWhile):
         parts = [element.body, element.condition]

@@ -39,7 +39,7 @@ _MISSING_DECLARATIONS = (
 
 
 class Diagnostic(Struct):
-    """A complaint of the parser: where in the file (-1 for elsewhere), its words, 2 warning, 3 error, 4 fatal, its fix-its."""
+    """A diagnostic of libclang: offset in the file (-1: elsewhere), message, severity (3 error, 4 fatal), fix-its."""
 
     offset: int
     message: str
@@ -48,7 +48,7 @@ class Diagnostic(Struct):
 
     @property
     def syntax(self) -> bool:
-        """True for a complaint about the form of the text, not about what names mean."""
+        """Whether it is a syntax error, and not about the meaning of names."""
         m = self.message
         return m.startswith(
             (
@@ -65,12 +65,12 @@ class Diagnostic(Struct):
 
     @property
     def about_missing(self) -> bool:
-        """Whether it is about a declaration that is not there, so that it says nothing against the text."""
+        """Whether it reports a missing declaration or header, which is no fault of the text."""
         return self.message.startswith(_MISSING_DECLARATIONS) or self.message.endswith("file not found")
 
 
 class Parsed(Struct):
-    """A text with its tree. Give it back with `close`."""
+    """A parsed text with its tree; `close` frees libclang's memory."""
 
     source: ReadSource
     unit: int
@@ -95,7 +95,7 @@ class Parsed(Struct):
 def parse(
     source: ReadSource, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str], before: Sequence[str] = ()
 ) -> Parsed | None:
-    """Parse a text, again with declarations for what it does not declare; None when the parser gave up."""
+    """Parse a text, again with declarations of what it does not declare; None if libclang gave up."""
     return _parse(source, api, defines, Call(source, api, include_dirs, defines, before))
 
 
@@ -152,10 +152,10 @@ def _parse(source: ReadSource, api: ApiIndex, defines: Sequence[str], call: Call
 
 
 def _doubt(diagnostics: list[Diagnostic]) -> list[Diagnostic]:
-    """Complaints by which a tree with a precompiled header may be another than one without.
+    """The errors that suggest that the tree would be another without the precompiled header.
 
-    They are about made-up declarations, which come before headers or behind them, about headers that were changed, or about
-    a declaration that the parser takes into its tree but not into the list of the file's own.
+    They are about made-up declarations, which come before headers or after them, about headers that were changed, or about a
+    declaration that libclang has in its tree but not in its list of the file's own declarations.
     """
     return [d for d in diagnostics if _doubtful(d)]
 
@@ -167,7 +167,7 @@ def _doubtful(diagnostic: Diagnostic) -> bool:
 
 
 def _prelude(source: ReadSource, api: ApiIndex) -> Prelude:
-    """The prelude before anything is known of a text."""
+    """The prelude to begin with, before anything is known about a text."""
     prelude = Prelude(api, source.language == "C++")
     if b"va_arg" in source.parsed:  # it takes a type, so it cannot be guessed as a function
         prelude.always.append("#include <stdarg.h>")
@@ -175,7 +175,7 @@ def _prelude(source: ReadSource, api: ApiIndex) -> Prelude:
 
 
 def _foresee(prelude: Prelude, source: ReadSource, names: frozenset[str], defines: Sequence[str]) -> bool:
-    """Put into a prelude what the text will surely be found not to declare; whether there is any."""
+    """Add to a prelude the names that the text surely uses without a declaration; False if there are none."""
     if prelude.cxx:
         return False
     settings = prelude.platform.settings["parser"]
@@ -189,7 +189,7 @@ def _foresee(prelude: Prelude, source: ReadSource, names: frozenset[str], define
 
 
 def _as_foreseen(diagnostics: list[Diagnostic], prelude: Prelude) -> bool:
-    """Whether what was foreseen is all that the text needs, and contradicts nothing in it."""
+    """Whether the predicted declarations left no error: they are all that the text needs, and contradict nothing in it."""
     for diagnostic in diagnostics:
         message = diagnostic.message
         if message.startswith("conflicting types for"):
@@ -202,7 +202,7 @@ def _as_foreseen(diagnostics: list[Diagnostic], prelude: Prelude) -> bool:
 
 
 class _Attempt:
-    """The mending of one text: the copy that is parsed next, and what was mended so far."""
+    """The repair of one text: the copy to parse next, and the errors that were repaired so far."""
 
     def __init__(self, source: ReadSource, taken_out: list[Edit]) -> None:
         self.source = source
@@ -216,7 +216,7 @@ class _Attempt:
         self._before: list[Diagnostic] = []
 
     def next(self, diagnostics: list[Diagnostic]) -> bool:
-        """Whether another copy is to be parsed, after the complaints about this one."""
+        """Whether another copy is to be parsed, given the diagnostics of this one."""
         errors = [d for d in diagnostics if d.offset >= 0 and not d.about_missing]
         if not errors and self._best is None:
             return False
@@ -235,7 +235,7 @@ class _Attempt:
         return False
 
     def _propose(self, base: Scratch, errors: list[Diagnostic]) -> bool:
-        """Put the next edits to be tried into the copy."""
+        """Apply the next edits that were not tried yet to the copy; False if there are none."""
         fixed = [d for d in errors if d.edits]
         syntax = sorted((d for d in errors if d.syntax), key=lambda d: d.offset)
         proposals = [(fixed, [e for d in fixed for e in d.edits])] if fixed else []
@@ -264,7 +264,7 @@ class _Attempt:
 
 
 def _score(errors: list[Diagnostic]) -> tuple[int, int, int]:
-    """How damaged a text still is: fewer complaints about its form, fewer at all, the first one later."""
+    """How damaged a text still is, less being better: number of syntax errors, of all errors, negated offset of the first."""
     syntax = [d.offset for d in errors if d.syntax]
     return len(syntax), len(errors), -min(syntax, default=0)
 

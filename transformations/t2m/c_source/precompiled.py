@@ -1,10 +1,10 @@
-"""Headers that programs begin with, parsed once for all files of a process that begin with them.
+"""Precompiled headers for the includes that several files of a process begin with.
 
-Most of the time of a file with the vendor's headers is the parse of these: a dozen lines pull in thousands. So what a file
-includes before anything else is kept as the parser's precompiled header when several files begin so, and is blank in the copy
-that is parsed. The tree is the same either way, and shorter to walk, as the index leaves out what is not of the file. Headers
-that complain, or that must not be read as they are (`bounds`), are not kept; nor are those that were changed since, or beside
-which something was put that an include might mean now.
+Parsing the vendor's headers takes most of the time of a file: a dozen lines pull in thousands. So the leading includes are kept
+as libclang's precompiled header when several files begin with them, and are blanked in the copy that is parsed. The tree is the
+same either way, and shorter to walk, as the index leaves out what is not of the file. Headers that cause errors, or that must
+not be read as they are (`bounds`), are not kept; nor are those that were changed since, or beside which a file was put that an
+include might now refer to.
 """
 
 from __future__ import annotations
@@ -35,16 +35,16 @@ if TYPE_CHECKING:
     import tempfile
 
 BASE = f"{VIRTUAL}/base.h"
-"""The prelude of a precompiled header: what is said of every program."""
+"""Path of the virtual prelude of a precompiled header, which does not depend on the program."""
 _BEGINNING = f"{VIRTUAL}/beginning.h"
 LEAST = 60_000
-"""Bytes of headers below which it takes longer to keep them than to read them again."""
+"""Bytes of headers below which a precompiled header saves no time."""
 ENOUGH = 3
-"""Files with the same beginning after which it is kept; to make one takes as long as to read the headers three times."""
+"""Files with the same leading includes after which they are precompiled; this takes as long as three parses of the headers."""
 MANY = 12
-"""Files after which more headers are kept than a shorter beginning has."""
+"""Files after which a longer run of includes is precompiled although a shorter one is."""
 MOST = 64
-"""Kept at one time; one is about a megabyte on the disk."""
+"""Precompiled headers kept at one time; each takes about a megabyte on the disk."""
 _NAMED = re.compile(r'"([^"\n]+)"|<([^>\n]+)>')
 _BLANK = bytes(byte if byte in b"\r\n" else 32 for byte in range(256))
 
@@ -53,11 +53,11 @@ class Beginning(Struct, frozen=True):
     """A precompiled header for the start of a text.
 
     Attributes:
-        end: offset behind the last include that it stands for.
+        end: offset in the text after the last include that it replaces.
         file: path of the precompiled header.
         inclusions: paths of the headers in it, standard ones too.
-        macros: names of the macros that are defined behind it, those of the prelude left out.
-        states: of these and of their folders, when they were read.
+        macros: names of the macros that it defines, without those of the prelude.
+        states: states of these headers and of their folders when they were read.
     """
 
     end: int
@@ -67,7 +67,7 @@ class Beginning(Struct, frozen=True):
     states: tuple[State, ...] = ()
 
     def blank(self, text: bytes) -> bytes:
-        """The text with nothing but the ends of lines where the includes were."""
+        """The text with its precompiled includes blanked; line ends stay."""
         return text[: self.end].translate(_BLANK) + text[self.end :]
 
     def standard(self) -> list[str]:
@@ -76,27 +76,27 @@ class Beginning(Struct, frozen=True):
 
     @property
     def current(self) -> bool:
-        """Whether its headers are as they were."""
+        """Whether none of its headers has changed."""
         return all(state == state_of(state[0]) for state in self.states)
 
 
 def beginning(source: ReadSource, api: ApiIndex, given: Sequence[str], folders: Folders) -> Beginning | None:
-    """The precompiled header for what a text begins with; None where there is none, or it would not pay.
+    """The precompiled header for the leading includes of a text; None if there is none and it would not pay.
 
     There is none for C++: the list of a file's own declarations has instances of templates there, and leaves out others.
 
     Args:
         source: the text.
-        api: its platform.
+        api: the platform it was written for.
         given: the parser's arguments.
-        folders: with headers.
+        folders: folders with headers.
     """
     run = _leading(source, api, folders) if source.language == "C" else []
     return _kept(os.getpid()).find(run, api, given, folders) if any(include.place for include in run) else None
 
 
 def forget(found: Beginning) -> None:
-    """Keep a precompiled header no longer: its headers say something else now."""
+    """Discard a precompiled header whose headers have changed."""
     _kept(os.getpid()).drop(found)
 
 
@@ -109,7 +109,7 @@ class _Include(NamedTuple):
 
 
 def _leading(source: ReadSource, api: ApiIndex, folders: Folders) -> list[_Include]:
-    """The includes before anything else whose headers are there."""
+    """The leading includes of a text, up to the first whose header is missing."""
     own = os.path.dirname(os.path.abspath(source.path))
     run: list[_Include] = []
     for kind, _, end, text in source.tokens:
@@ -128,13 +128,13 @@ def _leading(source: ReadSource, api: ApiIndex, folders: Folders) -> list[_Inclu
 
 
 def _left_open(directive: str) -> bool:
-    """Whether a comment that begins in a directive never ends; the parser complains of it."""
+    """Whether a directive contains a comment that is never closed, which libclang reports."""
     comments = [directive[start:end] for start, end in directive_comments(directive)]
     return any(text.startswith("/*") and (len(text) < 4 or not text.endswith("*/")) for text in comments)
 
 
 class _Kept:
-    """The precompiled headers of one process, in a folder that goes with it."""
+    """The precompiled headers of one process, in a folder that is deleted with it."""
 
     def __init__(self) -> None:
         self._seen: Counter[object] = Counter()
@@ -144,7 +144,7 @@ class _Kept:
         self._lock = Lock()
 
     def find(self, run: Sequence[_Include], api: ApiIndex, given: Sequence[str], folders: Folders) -> Beginning | None:
-        """The longest beginning of these includes that is kept, or that is worth it from now on."""
+        """The longest prefix of these includes that is precompiled, or that is now worth it."""
         headers = tuple(include[:2] for include in run)
         keys = [(api.origin, *given, folders.stamped, headers[: number + 1]) for number in range(len(run))]
         with self._lock:
@@ -165,7 +165,7 @@ class _Kept:
             return replaced(found, end=run[kept].end)
 
     def drop(self, found: Beginning) -> None:
-        """Keep it no longer."""
+        """Discard a precompiled header."""
         with self._lock:
             self._drop(found)
 
@@ -175,7 +175,7 @@ class _Kept:
             os.unlink(found.file)
 
     def _current(self, key: object) -> bool:
-        """Whether there is one, made from what the headers say now."""
+        """Whether there is a precompiled header under this key that is not stale."""
         found = self._made.get(key)
         if found is None or found.current:
             return found is not None
@@ -183,7 +183,7 @@ class _Kept:
         return False
 
     def _make(self, run: Sequence[_Include], api: ApiIndex, given: Sequence[str], folders: Folders) -> Beginning | None:
-        """A precompiled header; None for headers that are too small for it, complain, or must not be read as they are."""
+        """Precompile headers; None if they are too small for it, cause errors, or must not be read as they are."""
         text = b"".join(
             b'#include "%s"\n' % os.fsencode(i.place) if i.place else b"#include %s\n" % i.written.encode() for i in run
         )
@@ -217,7 +217,7 @@ class _Kept:
 
 
 def _passing_folder() -> tempfile.TemporaryDirectory[str]:
-    """A folder that goes with the process.
+    """A temporary folder that is deleted at the end of the process.
 
     Raises:
         OSError: there is no place for it.
@@ -234,5 +234,5 @@ def _passing_folder() -> tempfile.TemporaryDirectory[str]:
 
 @kept
 def _kept(process: int) -> _Kept:
-    """Those of a process: one that was forked off must not share its parent's folder."""
+    """The precompiled headers of a process, by its id: a forked process must not share its parent's folder."""
     return _Kept()

@@ -27,22 +27,22 @@ _ASSIGNMENTS = frozenset(["=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "
 
 
 MEMBERS, STREAM = "robosmi_members", "robosmi_stream"
-"""Types that we make up for objects that nothing declares."""
+"""Made-up record types for objects that nothing declares."""
 
 
 class Prelude:
-    """Names to declare and how.
+    """The declarations that are put before a text because it lacks them.
 
     Attributes:
-        platform: what is known of the platform.
-        cxx: the text is C++, where empty parentheses mean no parameters and functions must be declared too.
+        platform: the API of the source platform.
+        cxx: whether the text is C++, where empty parentheses mean no parameters and functions must be declared too.
         types: type name -> True when it must be a record.
         values: value name -> its declaration.
         macros: attribute macros to define empty.
-        standard: names of the standard library that need no guess.
+        standard: name of the standard library -> its include or declaration.
         functions: platform function -> the type of its value.
-        members: member of records -> its declarator.
-        always: lines that the text needs from the first parse on.
+        members: member that the text uses of any record -> its declarator.
+        always: lines that are needed from the first parse on.
         in_std: name of the namespace std -> its declaration.
     """
 
@@ -60,11 +60,11 @@ class Prelude:
         self._fixed: set[str] = set()
 
     def collect(self, messages: Iterable[str], tokens: list[Token], own_names: Callable[[], dict[str, str]]) -> bool:
-        """Take over what the diagnostics complain about.
+        """Declare the names that diagnostics report as undeclared.
 
         Args:
             messages: diagnostics of the last parse.
-            tokens: of the text.
+            tokens: tokens of the text.
             own_names: gives the names that the text itself declares at file scope, with `function`, `variable` or `type`.
 
         Returns:
@@ -111,12 +111,12 @@ class Prelude:
         return new
 
     def foresee(self, names: Iterable[str], tokens: list[Token], functions: Iterable[str]) -> None:
-        """Take over names that nothing declares, before any parse.
+        """Declare names before the first parse.
 
         Args:
-            names: in text order.
-            tokens: of the text.
-            functions: that the text declares at file scope.
+            names: names that nothing declares, in text order.
+            tokens: tokens of the text.
+            functions: functions that the text declares at file scope.
         """
         uses, own = _Uses(tokens), dict.fromkeys(functions, "function")
         for name in names:
@@ -125,7 +125,7 @@ class Prelude:
         self._add_functions(uses, own)
 
     def _behind(self, name: str) -> set[str]:
-        """The types taken for numbers that a name may mean: itself, or for a name of the program's any of the platform."""
+        """The types declared as int so far that an error about a record may mean: the named one, else any of the platform."""
         if name in self.types:
             return {name} if not self.types[name] else set()
         candidates = {each for each, record in self.types.items() if not record} - self._fixed
@@ -165,7 +165,7 @@ class Prelude:
 
     @property
     def _any(self) -> str:
-        """The parameters of a function that takes anything."""
+        """The parameter list of a function that accepts any arguments."""
         return "..." if self.cxx else ""
 
     def _function_of_cxx(self, name: str) -> str:
@@ -175,7 +175,7 @@ class Prelude:
         return f"{result if plain and result else 'int'} {name}(...);"
 
     def _from_platform(self, name: str, uses: _Uses) -> str | None:
-        """The declaration of a value that the repository knows; a type goes straight into `types`."""
+        """The declaration of a value that the repository knows, else None; a type is added to `types`."""
         found = self.platform.entries(name)
         if not found:
             return None
@@ -198,7 +198,7 @@ class Prelude:
         return f"enum {{ {name} = {self._number()} }};"
 
     def _add_functions(self, uses: _Uses, own: dict[str, str]) -> None:
-        """Functions whose value is a pointer, a record or a real number: as int their uses would not parse."""
+        """Declare called platform functions that return a pointer, record or real number, whose uses would else not parse."""
         for name in uses.called - own.keys() - self.functions.keys():
             found = self.platform.entries(name)
             if not found or found[0].kind != "function" or self.platform.kind_of(found[0]) != "platform":
@@ -240,12 +240,12 @@ class Prelude:
         return "\n".join(lines) + "\n"
 
     def declares(self, name: str) -> bool:
-        """Whether the name is one that this prelude made up, standard names left out."""
+        """Whether this prelude made up the declaration of a name; standard names do not count."""
         return name in self.types or name in self.values
 
 
 class _Uses:
-    """How a text uses its names, from its tokens alone; bodies of macros count too."""
+    """How a text uses its names, judged by its tokens alone, bodies of macros included."""
 
     def __init__(self, tokens: list[Token]) -> None:
         plain: list[tuple[str, str]] = []
@@ -282,11 +282,11 @@ class _Uses:
         return any(test(self._texts, i) for i in self._places.get(name, ()))
 
     def as_pointer(self, name: str) -> bool:
-        """`T *x`, `(T *)`, `T *)` in some place where a type may stand."""
+        """Whether the name is followed by `*` where a type may stand, as in `T *x` or `(T *)`."""
         return self._any(name, lambda t, i: t[i + 1] == "*" and (i == 0 or t[i - 1] in _BEFORE_TYPE))
 
     def as_type(self, name: str) -> bool:
-        """A declaration of a local, a parameter or a cast."""
+        """Whether the name is used as the type of a local variable, a parameter or a cast."""
 
         def test(t: list[str], i: int) -> bool:
             before = t[i - 1] if i else ";"
@@ -307,12 +307,12 @@ class _Uses:
         return self._any(name, test)
 
     def record_values(self, name: str) -> bool:
-        """Some variable of the type is used with a member."""
+        """Whether a member of some variable of the type is used."""
         variables = {self._texts[i + 1] for i in self._places.get(name, ()) if _word(self._texts[i + 1])}
         return any(self._any(v, lambda t, i: t[i + 1] in (".", "->")) for v in variables)
 
     def written(self, name: str) -> bool:
-        """Assigned to, counted up or down, or its address is taken."""
+        """Whether the name is assigned, incremented, decremented, indexed, or its address is taken."""
 
         def test(t: list[str], i: int) -> bool:
             before = t[i - 1] if i else ""
@@ -323,18 +323,18 @@ class _Uses:
         return self._any(name, test) or (self.indexed(name))
 
     def member_access(self, name: str) -> str:
-        """`.` or `->` where the name is used with a member, else empty."""
+        """The operator by which a member of the name is used, `.` or `->`; empty if none is."""
         for access in ("->", "."):
             if self._any(name, lambda t, i, a=access: t[i + 1] == a):  # type: ignore[misc]
                 return access
         return ""
 
     def indexed(self, name: str) -> bool:
-        """Used with an index."""
+        """Whether the name is indexed."""
         return self._any(name, lambda t, i: t[i + 1] == "[")
 
     def attribute(self, name: str) -> bool:
-        """Directly followed by another type: a macro that stands for an attribute."""
+        """Whether the name directly precedes a type, as a macro does that stands for an attribute."""
         words = TYPE_WORDS | STORAGE_WORDS | {"struct", "union", "enum"}
         return self._any(
             name, lambda t, i: t[i + 1] in words or (_word(t[i + 1]) and _word(t[i + 2]) and t[i + 1] not in QUALIFIERS)

@@ -66,7 +66,7 @@ def read(
 
 
 class _Headers:
-    """Which file an include means; our own standard headers have no path."""
+    """Resolves includes to files; our own standard headers have no path."""
 
     def __init__(self, context: UnitContext) -> None:
         own = os.path.dirname(os.path.abspath(context.source.path))

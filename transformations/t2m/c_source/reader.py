@@ -116,7 +116,7 @@ def _units(files: Sequence[Compiled], api: ApiIndex, contexts: list[UnitContext]
 
 
 def _again_behind_others(file: Compiled, api: ApiIndex, contexts: list[UnitContext], units: list[ccode.SourceUnit]) -> None:
-    """Read the last file again behind the headers that are included before it, where that loses less of its text."""
+    """Parse the last file again after the headers that are included before it, if less of its text is lost that way."""
     lost = _lost(contexts[-1])
     before = included_before(file.path, units[:-1]) if lost else []
     if not before:
@@ -129,7 +129,7 @@ def _again_behind_others(file: Compiled, api: ApiIndex, contexts: list[UnitConte
 
 
 def _lost(context: UnitContext) -> int:
-    """How much of a text the parser could not read."""
+    """How many findings report text that libclang could not read."""
     return len([finding for finding in context.findings if finding.rule in _LOST])
 
 

@@ -1,8 +1,8 @@
-"""What a compiler of C++ refuses of a finished program, found by parsing it before anybody compiles it.
+"""Finds what a C++ compiler will refuse in a finished program, by parsing it with libclang before anybody compiles it.
 
-The target's own headers need not be there: their place takes a text with the types of the language. So only complaints count that
-these headers cannot be the cause of, and of names that nobody declares only functions that the program itself defines. What is
-told of forms of C while reading (`m2m.refused_forms`) is more exact; this finds what nobody thought of.
+The target's own headers may be missing: a text with the types of the language replaces them. So only errors count that these
+headers cannot cause, and of undeclared names only functions that the program itself defines. The checks made while reading
+(`m2m.refused_forms`) are more exact; this one finds what nobody foresaw.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ typedef unsigned int word; typedef __builtin_va_list va_list; typedef struct __f
 #define NULL __null
 """
 _STUB = "/none/types"
-"""A folder that no machine has: the program and what stands for the target's headers are given to the parser as texts."""
+"""A folder that exists on no machine: the program and the replaced headers are passed to libclang as texts."""
 _SKETCH = "/none/sketch"
 _FLAGS = (
     "-xc++", "-std=gnu++11", "-target", "avr", "-nostdinc", "-nostdinc++", "-fpermissive", "-w", "-ferror-limit=0",
@@ -31,7 +31,7 @@ _FLAGS = (
 )  # fmt: skip
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
 _BODIES = re.compile(rb"^((?:static )?inline [^\n]*\)) \{(?:[^\n]*\n(?:[ \t#][^\n]*\n|\n)*\}|[^\n]*\})$", re.MULTILINE)
-"""Functions of the adapters, whose bodies are none of the program's."""
+"""Matches inline functions of the adapters, whose bodies are not the program's own code."""
 _ON_AFTER_MISSING = 0x200
 """Option of a parse: go on after a header that is not there."""
 _SURE = re.compile(
@@ -51,7 +51,7 @@ _SURE = re.compile(
     |conversion\ from\ '.*'\ to\ '.*'\ is\ not\ allowed""",
     re.VERBOSE,
 )
-"""Complaints about what the program itself says."""
+"""Matches errors that are about the program itself, not about a missing header."""
 _UNKNOWN = re.compile(r"use of undeclared identifier '(\w+)'")
 
 
@@ -70,12 +70,12 @@ class Refused(NamedTuple):
 
 
 def refused_texts(files: Mapping[str, bytes], main_header: str, adapters: str = ADAPTERS_FILE) -> list[Refused]:
-    """What a compiler refuses in the files of a program, each line once, in the order of the files.
+    """The lines of a program's files that a compiler refuses, each once, in the order of the files.
 
     Args:
         files: the name of each file in the program's folder -> its bytes.
-        main_header: the target's header that each file includes; what stands for it has the types of the language.
-        adapters: the file whose text is none of the program's.
+        main_header: the target's header that each file includes; a text with the types of the language replaces it.
+        adapters: name of the file that contains the adapters.
     """
     texts = {f"{_SKETCH}/{name}": data for name, data in files.items()}
     shown = files.get(adapters, b"")

@@ -1,7 +1,7 @@
-"""Definitions of one name in one scope, again and again: the parser compares each with all before it, which takes it minutes.
+"""Limits how often one name is declared in one scope: libclang compares each declaration with all before it.
 
-C allows a name one definition, and a text with hundreds is made up or made wrong by a tool. So those beyond `MOST_DECLARED`
-are cut out of the copy that is parsed, as what nests too deep is (`bounds`), and are reported like that.
+C allows a name one definition, and a text with hundreds was made by a tool; parsing it would take minutes. So those beyond
+`MOST_DECLARED` are cut out of the copy that is parsed, as is what nests too deep (`bounds`), and are reported in the same way.
 """
 
 from __future__ import annotations
@@ -14,27 +14,27 @@ from robosmi.transformations.t2m.c_source.mending import Edit
 from robosmi.typed import in_threes
 
 MOST_DECLARED = 400
-"""Declarations of one name in one scope; alternatives between `#if` and `#else` count each."""
+"""Declarations of one name in one scope, each alternative of `#if` and `#else` counted."""
 
 _BEHIND = frozenset("=;,[(")
 _NO_TYPE = frozenset(["return", "goto", "else", "case", "do", "sizeof", "typeof", "__typeof__", "__extension__", "default"])
 
 _NO_NAME = frozenset(["__attribute__", "__attribute", "__declspec", "asm", "__asm", "__asm__", "_Alignas"])
-"""Words within a declaration that stand before round brackets and name nothing."""
+"""Words that stand before parentheses within a declaration without being the declared name."""
 
 
 def repeats(tokens: Sequence[Token]) -> list[Edit]:
-    """Edits that take out the declarations beyond the limit.
+    """Edits that remove the declarations beyond the limit.
 
     Args:
-        tokens: those of a file without comments and directives.
+        tokens: tokens of a file without comments and directives.
     """
     often = _often(tokens)
     return _cuts(tokens, often) if often else []
 
 
 def _often(tokens: Sequence[Token]) -> set[str]:
-    """The names that look as if they were declared more often than the limit anywhere in the file."""
+    """The names that may be declared more often than the limit, judged over the whole file."""
     if len(tokens) < 3 * MOST_DECLARED:
         return set()
     names = Counter(text for kind, _, _, text in tokens if kind == "name")
@@ -82,7 +82,7 @@ def _cuts(tokens: Sequence[Token], often: set[str]) -> list[Edit]:
 
 
 def _end(tokens: Sequence[Token], number: int) -> int:
-    """The last token of a declaration: its semicolon, or the brace that closes the body of a function."""
+    """The index of a declaration's last token: its semicolon, or the brace that closes the body of a function."""
     depth = 0
     for i in range(number, len(tokens)):
         text = tokens[i][3]
@@ -95,7 +95,7 @@ def _end(tokens: Sequence[Token], number: int) -> int:
 
 
 def _take_out(edits: list[Edit], start: int, end: int, behind: int) -> None:
-    """Add a cut; one that follows directly on the last makes that longer, so that it is told once."""
+    """Add a cut, merged with the previous one if it directly follows it, so that both are reported as one."""
     if edits and edits[-1].offset + edits[-1].removed == behind:
         start = edits.pop().offset
     edits.append(Edit(start, end - start, b" "))

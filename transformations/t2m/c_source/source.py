@@ -152,7 +152,7 @@ def _zeros_as_blanks(source: ReadSource) -> None:
 
 
 def _spelt(token: Token, source: ReadSource) -> Token:
-    """A name as it is written, not with a character for each byte."""
+    """A name token in Unicode; the tokeniser gives one character for each byte."""
     kind, start, end, text = token
     return token if kind != "name" or text.isascii() else (kind, start, end, source.text(start, end))
 

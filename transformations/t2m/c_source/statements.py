@@ -110,9 +110,9 @@ def _if(context: UnitContext, node: Node) -> ccode.Statement:
 
 
 def leading(context: UnitContext, node: Node) -> tuple[ccode.Statement | None, ccode.DeclarationStatement | None, list[Node]]:
-    """What may stand before a condition in C++: a statement, and a variable that is the condition; and the other children.
+    """The parts of a C++ statement head before the condition: an initial statement, a declared condition variable, the rest.
 
-    The parser does not give the statement of each kind of head; it is kept as text then.
+    libclang does not report the initial statement of every kind of head; it is kept as text then.
     """
     children = node.children
     if context.source.language != "C++":
@@ -149,7 +149,7 @@ def _head_as_text(context: UnitContext, start: int, end: int) -> ccode.Statement
 
 
 def _semicolons(context: UnitContext, opened: int) -> list[Token]:
-    """The semicolons between a parenthesis and the one that closes it, outside of further brackets, as tokens."""
+    """The semicolons directly within a pair of parentheses, as tokens."""
     depth, found = 0, []
     for token in context.tokens[opened : context.matching(opened)]:
         depth += (token[3] in ("(", "[", "{")) - (token[3] in (")", "]", "}"))
@@ -201,7 +201,7 @@ def _for(context: UnitContext, node: Node) -> ccode.Statement:
 
 
 def for_parts(context: UnitContext, node: Node) -> tuple[Node | None, Node | None, Node | None, Node | None]:
-    """The clauses and the body of a for loop; the parser gives those that are written without saying which they are."""
+    """Initial statement, condition, step and body of a for loop; libclang gives those present without saying which they are."""
     children = [child for child in node.children if child.kind != _VARIABLE]  # of the condition, in C++
     if len(children) == 4:
         return children[0], children[1], children[2], children[3]

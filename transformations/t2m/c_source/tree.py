@@ -1,8 +1,8 @@
-"""The parser's tree as plain Python: a `Node` per cursor of the file, with its kind, byte offsets and children.
+"""libclang's tree as plain Python: a `Node` per cursor of the file, with its kind, byte offsets and children.
 
-One visit in C with one callback a cursor; places are compared as numbers, not asked one by one. Cursors of headers and of
-the prelude are left out. Also the macro expansions in the file and the ranges that the preprocessor skipped. What kinds
-mean is in the builders.
+One visit in C with one callback per cursor; locations are compared as numbers, not queried one by one. Cursors of headers and
+of the prelude are left out. The macro expansions in the file and the ranges that the preprocessor skipped are collected too.
+The builders know what the kinds mean.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _OWN = {FUNCTION: "function", VARIABLE: "variable", TYPEDEF: "type"}
 
 
 LEAF: list[Node] = []
-"""The children of all nodes that have none; never changed."""
+"""The shared empty list of children of all leaves; never changed."""
 
 
 class Node:
@@ -80,8 +80,8 @@ class TreeReader:
     """Reads the tree of one translation unit.
 
     Args:
-        unit: the handle.
-        path: of the main file, as it was parsed.
+        unit: the handle of the translation unit.
+        path: path of the main file, as it was parsed.
         scratch: the text that was parsed; all offsets that come out of here are those of the file itself.
     """
 
@@ -98,7 +98,7 @@ class TreeReader:
         self._root = lib.getTranslationUnitCursor(unit)
 
     def offset(self, location: clang.SourceLocation) -> int:
-        """The offset of a place in the main file, -1 for any other place."""
+        """The byte offset of a location in the main file, -1 for any other location."""
         raw = location.int_data
         if raw < MACRO_ID:
             found = raw - self.base if 0 <= raw - self.base <= self.length else -1
@@ -131,9 +131,9 @@ class TreeReader:
         return start, stop if stop >= start else start, begin >= MACRO_ID
 
     def made_up(self, function: Cursor) -> bool:
-        """Whether nothing declares a function, so that the parser made up a declaration where it is first called.
+        """Whether libclang made up the declaration of an undeclared function at its first call.
 
-        Such a declaration has no text; that of a function which the compiler has itself is the name alone.
+        Such a declaration has no text; that of a compiler's built-in function is the name alone.
         """
         extent = self._extent(function)
         named = len(clang.library().text(clang.library().getCursorSpelling(function)).encode())
@@ -234,7 +234,7 @@ class TreeReader:
 
     @staticmethod
     def _enters(kind: int, cursor: Cursor, types: set[int | None]) -> bool:
-        """Whether to read what is below; the parser shows a type again below each declarator: twice as much for each level."""
+        """Whether to read a cursor's children; libclang repeats a type below each declarator, doubling at each level."""
         if kind not in _TAGGED:
             return True
         name = cursor.data[0]

@@ -1,7 +1,7 @@
-"""Expressions of a unit with their types, for the work on widths: the parser's tree of the expanded text as `TypedExpression`.
+"""Expressions of a unit with their types, for the work on integer widths: libclang's tree of the expanded text.
 
-Types are the parser's own for the source platform; what a declared type is on the target follows the typedefs down to where
-the target's own headers decide (`size_t`). What is done with widths is `m2m.width_rules`'.
+Types are libclang's own for the source platform; the target's version of a declared type follows its typedefs down to those
+that the target's own headers define (`size_t`). `m2m.width_rules` decides what to do about widths.
 """
 
 from __future__ import annotations
@@ -94,20 +94,20 @@ def typed_unit(
     before: Sequence[str] = (),
     stayed: list[TextPlace] | None = None,
 ) -> list[TypedExpression]:
-    """What a unit declares and does, with types.
+    """The top-level declarations of a unit as typed trees.
 
     Args:
         unit: the unit.
-        path: of its file, for includes beside it.
+        path: path of its file, for includes beside it.
         data: its bytes.
         macros: the program's, by name.
         api: the source platform.
-        machines: what the source and the target compute in.
+        machines: the integer models of the source and of the target.
         include_dirs, defines: as the program was read.
         platform: names of functions that adapters replace.
         wider: names of standard types that are written as wider ones.
-        before: paths of headers that stand before the unit in the file that includes it.
-        stayed: gets the uses of macros that stand for too much to be read.
+        before: paths of headers that are included before the unit in the file that includes it.
+        stayed: a list to which the macro uses are appended that were too large to expand.
     """
     expanded = expanded_unit(unit, data, macros)
     if stayed is not None:
@@ -208,7 +208,7 @@ class _Reader:
         return made
 
     def _of_header_macro(self, node: Node) -> bool:
-        """Whether an expression comes out of the body of a macro that is not the program's."""
+        """Whether an expression comes out of the body of a macro that the program does not define."""
         if not node.from_macro:
             return False
         end = self.ends.get(node.start)
@@ -254,11 +254,11 @@ class _Reader:
     # ---- types
 
     def kind(self, node: Node) -> NumberKind:
-        """The type of an expression."""
+        """The type of an expression on both platforms."""
         return self.typed(self.lib.getCursorType(node.cursor))
 
     def typed(self, kind: clang.Type) -> NumberKind:
-        """A type on both platforms."""
+        """A type on both platforms, computed once for each spelling."""
         key = f"{kind.kind} {self.lib.text(self.lib.getTypeSpelling(kind))}"
         found = self._kinds.get(key)
         if found is None:
@@ -310,7 +310,7 @@ class _Reader:
         return self._number(plain)
 
     def _enumeration(self, declared: Cursor) -> Number:
-        """What the values of an enumeration are promoted to on the target, in C++."""
+        """The type that values of an enumeration are promoted to in C++ on the target."""
         values: list[int] = []
 
         def visitor(cursor: Cursor, parent: Cursor, data: int | None) -> int:

@@ -1,7 +1,7 @@
-"""Type uses and declarators: the type as written from the tokens, its meaning on the source platform from the parser.
+"""Type uses and declarators: the type as written comes from the tokens, its meaning on the source platform from libclang.
 
-The parser alone would lose pointers and names of types that nothing declares, and the tokens alone know no typedef. What
-declarations are made of types is in `declarations`.
+libclang alone would lose pointers and names of undeclared types, and the tokens alone know no typedef. `declarations` makes
+declarations of them.
 """
 
 from __future__ import annotations
@@ -39,14 +39,14 @@ _STORAGES = {0: "unspecified", 1: "unspecified", 2: "externStorage", 3: "staticS
 
 
 class Specifiers(Struct):
-    """What stands before the declarators of a declaration.
+    """The specifiers before the declarators of a declaration.
 
     Attributes:
         text: the type, without storage words, a record's body and attribute macros.
-        end: number of the first token behind them.
+        end: index of the first token after them.
         start: offset of the first token of the type.
-        base: the name that the type goes back to: a tag, a typedef's name, or empty.
-        constant: const is among them.
+        base: the tag or typedef name that they name, or empty.
+        constant: whether `const` is among them.
     """
 
     text: str
@@ -114,7 +114,7 @@ def specifiers(context: UnitContext, offset: int, stop: int) -> Specifiers:
 
 
 def _qualified(context: UnitContext, number: int, stop: int) -> tuple[str, int]:
-    """A name of C++ with what is joined to it (`std::vector<int>`), and the number of its last token."""
+    """A C++ name with its qualifiers and template arguments (`std::vector<int>`), and the index of its last token."""
     tokens, last = context.tokens, number
     while last + 1 < len(tokens) and tokens[last + 1][1] < stop:
         following = [t[3] for t in tokens[last + 1 : last + 4]]
@@ -131,7 +131,7 @@ def _qualified(context: UnitContext, number: int, stop: int) -> tuple[str, int]:
 
 
 def last_of_name(context: UnitContext, start: int, end: int) -> int:
-    """Where the last part of the name at an offset begins: that of `abort` in `std::abort()`; the offset itself in C."""
+    """The offset of the last part of a qualified name, such as `abort` in `std::abort()`; in C the start itself."""
     if context.source.language != "C++":
         return start
     number = context.token_at(start)
@@ -144,7 +144,7 @@ def last_of_name(context: UnitContext, start: int, end: int) -> int:
 
 
 def _behind_template(context: UnitContext, number: int) -> int:
-    """The number of the token behind `template <...>`."""
+    """The index of the token after `template <...>`."""
     depth, i = 0, number + 1
     while i < len(context.tokens):
         text = context.tokens[i][3]
@@ -156,7 +156,7 @@ def _behind_template(context: UnitContext, number: int) -> int:
 
 
 def _attribute(context: UnitContext, number: int, stop: int) -> bool:
-    """Whether a token is a macro before the type, as in `INLINE count_t f(void)`."""
+    """Whether a token is a macro before the type, such as INLINE in `INLINE count_t f(void)`."""
     _, begin, _, _ = context.tokens[number]
     if not context.expansions_at(begin) or number + 1 >= len(context.tokens):
         return False
@@ -167,7 +167,7 @@ def _attribute(context: UnitContext, number: int, stop: int) -> bool:
 _BEFORE_A_NAME = frozenset(["*", "(", "const", "volatile", "restrict", "^", "&", "&&"]) | {
     f"__{word}{end}" for word in ("const", "volatile", "restrict") for end in ("", "__")
 }
-"""What stands between a type and a name; GNU C spells words with underlines, too."""
+"""Tokens that may stand between a type and a name; GNU C also spells qualifiers with underscores."""
 
 
 def declarator(context: UnitContext, spec: Specifiers, name_offset: int) -> tuple[str, str, int, int]:
@@ -239,7 +239,7 @@ def written_type(context: UnitContext, start: int, end: int, kind: Type) -> ccod
 
 
 def read_type(context: UnitContext, kind: Type) -> ccode.TypeUse:
-    """A type that is not written where it is used, given by the parser's type."""
+    """A type that is not written out where it is used, given by libclang's type."""
     text = context.lib.text(context.lib.getTypeSpelling(kind))
     return _type_use(context, kind, text, "", "", text.count("*"), text.startswith("const "))
 

@@ -1,7 +1,7 @@
 """An EAGLE schematic as records: parts with their devices, nets with the pins on them over all sheets and module instances.
 
-Nets are one where they have one name, whatever sheet they are on. Parts and nets of a module instance bear its name before
-their own (`M1:R1`); a net of the instance that is called like one of the module's ports is that of the port outside. Supply
+Nets of one name are one net, whatever sheet they are on. Parts and nets of a module instance are prefixed with its name
+(`M1:R1`); a net of the instance that has the name of one of the module's ports is joined with that port's net outside. Supply
 pins of gates that are not drawn are on the net of their name, as in EAGLE.
 """
 
@@ -50,7 +50,7 @@ class EaglePart(Struct):
 
 
 class PinRef(Struct, frozen=True):
-    """A pin on a net: name of the part, gate, pin as written, line."""
+    """A pin on a net: name of the part, gate, name of the pin as written, line."""
 
     part: str
     gate: str
@@ -82,7 +82,7 @@ class EagleSchematic:
 
 
 def recognises(head: bytes) -> bool:
-    """Whether a file that begins so is an EAGLE drawing: its XML, or a binary file of EAGLE 5 and before, which is refused."""
+    """Whether a file that begins so is an EAGLE drawing: XML, or a binary file of EAGLE 5 and before, which is refused."""
     if head.startswith(_BINARY):
         return True
     text = head.decode("utf-8-sig", "replace").lstrip()
@@ -117,7 +117,7 @@ def read_schematic(path: Path) -> EagleSchematic:
 
 
 class _Reading:
-    """One schematic, sheet by sheet."""
+    """Collects the records of one schematic, sheet by sheet."""
 
     def __init__(self, made: EagleSchematic, drawn: etree._Element) -> None:
         self.made, self.instances, self.elements = made, 0, 0
@@ -126,7 +126,7 @@ class _Reading:
         self.modules = {module.get("name", ""): module for module in drawn.iterfind("modules/module")}
 
     def all_of(self, owner: etree._Element, prefix: str, inside: tuple[str, ...]) -> None:
-        """Take parts and nets of the schematic or of a module instance."""
+        """Collect the parts and nets of the schematic or of a module instance."""
         own: dict[str, EaglePart] = {}
         for element in owner.iterfind("parts/part"):
             part = self._part(element, prefix)
@@ -159,7 +159,7 @@ class _Reading:
             raise SourceError(cause, location=place, fix="check that it is the drawing you meant")
 
     def _instances(self, owner: etree._Element, prefix: str, inside: tuple[str, ...]) -> Iterator[tuple[str, set[str]]]:
-        """The module instances with the names of their ports; what is in them is taken."""
+        """Collect the contents of the module instances; yields the name of each instance with the names of its ports."""
         for element in owner.iterfind("sheets/sheet/moduleinsts/moduleinst"):
             name, kind = element.get("name", ""), element.get("module", "")
             module = self.modules.get(kind)
@@ -195,9 +195,9 @@ class _Reading:
         return name
 
     def _supplies_by_name(self, own: dict[str, EaglePart], names: Iterable[str], prefix: str) -> None:
-        """Put each supply pin that no wire reaches on the net that has its name, as EAGLE does.
+        """Put each supply pin without a wire on the net of its name, as EAGLE does.
 
-        That is the net with a supply symbol of this name, else the one that is called so. Gates that need not be drawn count.
+        That is the net with a supply symbol of this name, else the net called so. Gates that need not be drawn count, too.
         """
         wired: set[tuple[str, str, str]] = set()
         nets: dict[str, str] = {}

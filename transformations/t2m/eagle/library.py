@@ -37,11 +37,11 @@ class EagleDevice(Struct, frozen=True):
     """A device of a device set.
 
     Attributes:
-        title: name of the device set, with the device's where that has one.
+        title: name of the device set, followed by the device's if it has one.
         description: the library's sentence about it.
         pins: by gate and name as written.
         pads: how many pads its package has wired.
-        addlevels: how each gate comes into the drawing (`request` gates of supplies may be left out).
+        addlevels: EAGLE's add level of each gate (`request` gates of supplies need not be drawn).
     """
 
     title: str
@@ -121,7 +121,7 @@ def connectors_of(pins: Iterable[tuple[str, str]]) -> dict[tuple[str, str], str]
 
 
 def spoken(written: str) -> str:
-    """The name of a pin without its counter (`GND@1`) and without marks for lines over it (`!RESET!`)."""
+    """The name of a pin without its counter (`GND@1`) and without overline marks (`!RESET!`)."""
     return _COUNTER.sub("", written).replace(_OVERLINE, "") or written
 
 

@@ -1,8 +1,7 @@
 """The transformation itself: an EAGLE schematic in, a `hardware.Circuit` and findings out.
 
-Parts have the names that EAGLE gives them, which are also their identities. A pin on a part or of a name that is not there, or
-of a name that stands twice, is left out and said. The file itself is read by `document`, what symbols stand for is told by
-`schematic`.
+Parts have the names that EAGLE gives them, which are also their identities. A pin on an unknown part, an unknown pin, or a name
+that stands twice, is left out and reported. `document` reads the file, `schematic` decides what symbols stand for.
 """
 
 from __future__ import annotations
@@ -50,7 +49,7 @@ def read_circuit(
 
 
 class _Drawn:
-    """The records of a file as those that all tools with symbols and nets have."""
+    """The records of an EAGLE file converted to those that all schematic tools share."""
 
     def __init__(self, document: EagleSchematic, builder: CircuitBuilder) -> None:
         self.document, self.report = document, builder.report
@@ -134,10 +133,10 @@ class _Drawn:
 
 
 def _part(identity: str, part: EaglePart, wired: Mapping[tuple[str, str], str]) -> SchematicPart:
-    """The part as all tools have it; its id is the device set with its library's name before it.
+    """The part in the form that all schematic tools share; its id is the library's name and the device set.
 
     Args:
-        identity: of the part.
+        identity: the part's identity.
         part: as it was read.
         wired: its pins that are on nets, all that is known of a part without its library: gate and name -> connector.
     """

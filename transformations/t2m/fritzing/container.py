@@ -1,8 +1,7 @@
 """Fritzing files as bytes: a plain `.fz`, or the ZIP of a `.fzz` with its sketch and its embedded part definitions.
 
-Everything is read in memory and within limits, names inside an archive are never used as paths, nothing is extracted. What
-the bytes mean is told by `document` and `part_file`. Every way in which a file can be no sketch at all ends here or there in
-a `SourceError`.
+Everything is read in memory and within limits, names inside an archive are never used as paths, nothing is extracted.
+`document` and `part_file` interpret the bytes. Any file that is no sketch is refused here or there with a `SourceError`.
 """
 
 from __future__ import annotations

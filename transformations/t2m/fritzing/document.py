@@ -1,7 +1,7 @@
 """The text of a sketch as plain records: instances, their properties, and in each view what is connected to what.
 
-XML is read by `guarded_xml`, without a document type at all (Fritzing writes none). What the parts are, and which connectors
-are one node, is not told here.
+XML is read by `guarded_xml`, with any document type refused (Fritzing writes none). What the parts are, and which connectors
+form one node, is decided elsewhere.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from robosmi.errors import SourceError
 from robosmi.transformations.t2m.guarded_xml import line_of, parse_xml
 
 VIEWS = ("breadboardView", "schematicView", "pcbView")
-"""The views that hold connections, in the order in which they are believed."""
+"""The views that contain connections, in the order of their precedence."""
 
 MAX_INSTANCES = 10_000
 """Parts and wires in one sketch; the largest public one has under 3,000."""
@@ -24,11 +24,11 @@ MAX_INSTANCES = 10_000
 _OWN_ATTRIBUTES = frozenset({"moduleIdRef", "modelIndex", "path"})
 
 Edge = tuple[str, str, str]
-"""Own connector, the other's model index, the other's connector."""
+"""A connection: own connector, the other instance's model index, its connector."""
 
 
 class View:
-    """What an instance has in one view: connections, connectors mentioned, wire flags (None if not given) and colour."""
+    """An instance in one view: its connections, the connectors mentioned, wire flags (None if not given) and colour."""
 
     def __init__(self) -> None:
         self.edges: list[Edge] = []
@@ -51,7 +51,7 @@ class Instance(Struct):
     read: dict[str, View] = {}
 
     def view(self, name: str) -> View:
-        """What it has in the view of that name; an empty record where it is not in that view."""
+        """The record of the instance in a view; an empty one where it is not in that view."""
         if name not in self.read:
             element = self.elements.get(name)
             self.read[name] = View() if element is None else _view(element)

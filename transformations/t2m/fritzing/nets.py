@@ -1,7 +1,7 @@
 """Which connectors of a drawing are one electrical node: plain records in, sets of nodes out.
 
 A node is a connector with all that its part joins to it (a bus); a wire is one node from end to end. Stripboards, net labels
-and power symbols join by what their properties say. What a net is for (rails) is told by `knowledge/rails`.
+and power symbols join connectors as their properties say. `knowledge/rails` decides what a net is for (rails).
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from robosmi.transformations.t2m.connectivity import Joined, Leaders, Node
 from robosmi.transformations.t2m.fritzing.document import Instance
 
 DERIVED = 8 | 16
-"""Wire flags of old jumpers and of rats' nests: hints that Fritzing derives and does not conduct by (viewgeometry.h)."""
+"""Wire flags of old jumpers and of ratsnest lines: hints that Fritzing derives and that do not conduct (viewgeometry.h)."""
 
 PCB_TRACE, SCHEMATIC_TRACE = 4, 128
 """Wire flags of what was drawn in one view only. Old sketches repeat such a wire in every view; only its own shows it or conducts
@@ -30,15 +30,15 @@ class ViewWiring:
 
     Attributes:
         view: the view they were read from.
-        joined: the nodes.
-        used: connectors that the drawing mentions in a connection, by instance.
-        wire_ends: connectors of components at a wire's ends, by wire.
+        joined: the disjoint sets of nodes.
+        used: identity of an instance -> its connectors that are in some connection.
+        wire_ends: identity of a wire -> the connectors of components at its ends.
         wires: identities of the wires that conduct.
         ignored_wires: how many wires are derived hints.
         foreign_wires: how many wires are traces of another view.
         dangling: connections to instances that are not in the drawing.
-        lacking: connectors that a connection names and that the part has not, by instance; such connections are left out.
-        too_big: boards of strips that have more holes than are followed.
+        lacking: identity of an instance -> connectors in connections that its part lacks; those connections are left out.
+        too_big: stripboards with more than `MAX_HOLES` holes, which are left out.
     """
 
     def __init__(self, view: str) -> None:
@@ -55,14 +55,14 @@ class ViewWiring:
 
 
 def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders, has: Has, twice: Collection[str] = ()) -> ViewWiring:
-    """What is joined in a view.
+    """The connections of a view.
 
     Args:
         view: name of the view.
         instances: the live instances by identity, which is their model index.
         leaders: what parts join inside (`bus_leaders`), by module id.
         has: whether an instance that is no wire has a connector.
-        twice: model indices that several instances have: what names one of them is left out, as nobody knows which is meant.
+        twice: model indices that several instances have: connections that name one of them are left out as ambiguous.
     """
     result = ViewWiring(view)
     joined, used = result.joined, result.used
@@ -115,7 +115,7 @@ def wiring(view: str, instances: Mapping[str, Instance], leaders: Leaders, has: 
 
 
 def _foreign(view: str, wire: Instance) -> int:
-    """The flags that make a wire a trace of another view: a schematic without a PCB view has the PCB's flag in old sketches."""
+    """The flags that mark a wire as a trace of another view; old schematics without a PCB view have the PCB's flag."""
     if view == "breadboardView":
         return PCB_TRACE | SCHEMATIC_TRACE
     return SCHEMATIC_TRACE if view == "pcbView" else PCB_TRACE if "pcbView" in wire.elements else 0
@@ -144,7 +144,7 @@ _VOLTAGE = re.compile(r"[-+]?\d+(?:\.\d+)?")
 
 
 def symbol_net(instance: Instance) -> dict[str, str]:
-    """The common net of each connector of a net label or power symbol, by connector; empty for other parts.
+    """Connector -> the common net it belongs to, for a net label or power symbol; empty for other parts.
 
     Source: fritzing-app src/items/symbolpaletteitem.cpp.
     """
@@ -163,7 +163,7 @@ def symbol_net(instance: Instance) -> dict[str, str]:
 
 
 def label_text(instance: Instance) -> str:
-    """What a net label says; empty for other parts."""
+    """The text of a net label; empty for other parts."""
     if instance.module_id not in ("NetLabelModuleID", "LeftNetLabelModuleID"):
         return ""
     return instance.properties.get("label", "") or instance.title

@@ -31,7 +31,7 @@ _WORD = re.compile(r"[^\W_]{2,30}")
 
 
 class PartLibrary:
-    """What was read: each part with the word counts of its description, and what was left out."""
+    """Each part that was read with the word counts of its description, and findings about what was left out."""
 
     def __init__(self) -> None:
         self.parts: list[tuple[Part, Counter[str]]] = []
@@ -79,7 +79,7 @@ def read_library(folders: Sequence[Path], project: Path | None = None) -> PartLi
 
 
 def _files(folders: Sequence[Path]) -> Iterator[tuple[Path, str]]:
-    """The definitions in search order, each with how it is named afterwards: its folder and name, never a whole path."""
+    """The definitions in search order, each with the name that results show: its folder and name, never a full path."""
     for folder in folders:
         if folder.is_file():
             yield folder, folder.name

@@ -54,7 +54,7 @@ def read_circuit(
 
 
 class _Reading:
-    """The reading of one file."""
+    """Reads one file."""
 
     def __init__(self, container: Container, sketch: FritzingSketch, builder: CircuitBuilder) -> None:
         self.container = container

@@ -1,6 +1,6 @@
-"""Which view of a sketch is believed.
+"""Selects the view of a sketch that is used.
 
-Fritzing stores the connections in each of its views, and they should agree. The breadboard view is read; where it connects no
+Fritzing stores the connections in each of its views, and they should agree. The breadboard view is used; where it connects no
 parts, the schematic and then the PCB view; where the first two disagree, that is a finding. The views are never united, since
 that would unite their errors.
 """
@@ -24,12 +24,12 @@ def believed(
     has: Has,
     twice: Collection[str] = (),
 ) -> tuple[ViewWiring, list[Finding]]:
-    """The wiring of the view that is believed, and what speaks against it.
+    """The wiring of the view that is used, and findings where another view contradicts it.
 
     Args:
         instances: the live instances by identity.
         leaders: what parts join inside, by module id.
-        by_bus: instances that only join others (breadboards), which views need not have in common.
+        by_bus: instances that only join connectors (breadboards), in which the views may differ.
         path: the file, for findings.
         has: whether an instance that is no wire has a connector.
         twice: model indices that several instances have.

@@ -1,8 +1,8 @@
-"""Buses of a KiCad sheet: which names they have in them, and which members meet where a bus goes into a sheet.
+"""Buses of a KiCad sheet: the names of their members, and which members are joined where a bus enters a sheet.
 
-A bus is named by the labels on its lines: a vector (`D[0..7]`), a group (`{SCL SDA}`, `USB{DP DM}` with `USB.DP` in it), or one
-of these with a name for several members (`bus_alias`). Nets join a bus by the names of its members. Where two names meet on one
-bus, members of one name are one, and those of different names by their place, as in KiCad's own netlist.
+A bus is named by the labels on its lines: a vector (`D[0..7]`), a group (`{SCL SDA}`, `USB{DP DM}` with the member `USB.DP`),
+or one of these with an alias for several members (`bus_alias`). Nets join a bus by the names of its members. Where a bus has
+two names, members of equal names are joined, and members of different names by position, as in KiCad's own netlist.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _MOST_MEMBERS = 1_000
 _DEEPEST = 5
 
 Aliases = Mapping[str, Sequence[str]]
-"""Names for several members of a bus."""
+"""Alias of several members of a bus -> their names."""
 
 
 def members(text: str, aliases: Aliases | None = None) -> list[str]:
@@ -47,7 +47,7 @@ def _members(text: str, aliases: Aliases, depth: int) -> Iterator[str]:
 
 
 def pairs(one: Sequence[str], other: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Which members of two names of one bus are one: those of one name, or each with the one at its place."""
+    """The pairs of members that two names of one bus join: those of equal name, else those at equal positions."""
     shared = {*one} & {*other}
     if shared:
         yield from ((name, name) for name in one if name in shared)

@@ -1,7 +1,7 @@
-"""KiCad's s-expressions: the lists of a file with the lines that they stand in.
+"""KiCad's s-expressions: the lists of a file with their lines.
 
-The outer layers are gone through here, so that each list has its line and what is not needed is not parsed; each list that is
-asked for is parsed by `sexpdata`. Depth is bounded before that. What the lists mean is the business of the forms' readers.
+The two outer layers are scanned here, so that each list has its line and what is not needed is not parsed; each requested list
+is parsed by `sexpdata`. Nesting is bounded before that. The readers of each format interpret the lists.
 """
 
 from __future__ import annotations
@@ -40,22 +40,22 @@ MOST_LISTS = 5_000_000
 """Lists of one file; the largest public schematic has under 200,000."""
 
 _FARTHEST = 1e9
-"""Millimetres that no sheet is wide."""
+"""Greatest coordinate in millimetres; no sheet is that wide."""
 
 FIX = "open it in KiCad and save it again"
 _LOOKS = frozenset(("effects", "stroke", "fill", "polyline", "rectangle", "circle", "arc", "bezier", "text", "justify"))
-"""Lists that only say how something looks; they are most of a file, and are not parsed."""
+"""Lists that only describe appearance; they are most of a file, and are not parsed."""
 
 _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*+"|[()]|"', re.DOTALL)
 _LISP = re.compile(r"[\[\]'\\]")
-"""Letters that mean something to `sexpdata` and nothing to KiCad: other brackets, other quotes."""
+"""Characters that are special in Lisp, and so to `sexpdata`, but not in KiCad: other brackets, other quotes."""
 _NAME = re.compile(r'"(?:[^"\\]|\\.)*+"|(?<![^\s()"])[^\s()"\[\]\'\\]*+[\[\]\'\\][^\s()"]*+', re.DOTALL)
-"""A text in quotes, or a name with such letters."""
+"""Matches a quoted text, or an unquoted name that contains such characters."""
 _HEAD = re.compile(r'\(\s*("(?:[^"\\]|\\.)*+"|[^\s()"]*)', re.DOTALL)
 
 
 class Expression(Struct, frozen=True):
-    """A list of a text: its first word, where it begins and ends."""
+    """A list of the text: its first word, its start and end."""
 
     head: str
     start: int
@@ -118,11 +118,11 @@ class Expressions:
         return root
 
     def members(self, listed: Expression) -> Iterator[Expression]:
-        """The lists in a list of the two outer layers, in the file's order."""
+        """The lists directly within a list of the two outer layers, in the file's order."""
         return iter(self._members.get(listed.start, ()))
 
     def parsed(self, listed: Expression) -> Listed:
-        """A list as Python's, names and texts as texts, numbers as numbers.
+        """Parse a list to Python lists, names, texts and numbers.
 
         Raises:
             SourceError: it is damaged.
@@ -136,7 +136,7 @@ class Expressions:
         return found
 
     def _without_looks(self, listed: Expression) -> str:
-        """The text of a list without what only says how something looks."""
+        """The text of a list without the lists that only describe appearance."""
         pieces, place = [], listed.start
         first = bisect_left(self._looks, (listed.start, 0))
         for start, end in islice(self._looks, first, None):
@@ -148,11 +148,11 @@ class Expressions:
         return _NAME.sub(_quoted, text) if _LISP.search(text) is not None else text
 
     def line(self, place: int) -> int:
-        """The line of a place."""
+        """The line of an offset."""
         return bisect_right(self.breaks, place - 1) + 1
 
     def error(self, cause: str, place: int) -> SourceError:
-        """What to raise for a fault at a place."""
+        """The error for a fault at an offset."""
         return SourceError(f"not a sound file of KiCad: {cause}", location=Location(self.path, self.line(place)), fix=FIX)
 
     def _head(self, start: int) -> str:
@@ -161,12 +161,12 @@ class Expressions:
 
 
 def _quoted(found: re.Match[str]) -> str:
-    """A name in quotes, so that each of its letters stands for itself; a text in quotes as it is."""
+    """A name in quotes, so that special characters lose their meaning; a quoted text unchanged."""
     return found[0] if found[0].startswith('"') else '"' + found[0].replace("\\", "\\\\") + '"'
 
 
 def word(value: SExpression) -> str:
-    """A name, a text or a number as text; nothing for a list."""
+    """The text of a name, a text or a number; empty for a list."""
     if isinstance(value, sexpdata.Symbol):
         return str(value.value())
     if isinstance(value, bool) or value is None or isinstance(value, list):
@@ -175,36 +175,36 @@ def word(value: SExpression) -> str:
 
 
 def head(value: SExpression) -> str:
-    """The first word of a list; nothing for what is none."""
+    """The first word of a list; empty for anything else."""
     return word(value[0]) if isinstance(value, list) and value else ""
 
 
 def is_listed(value: SExpression, name: str) -> TypeGuard[Listed]:
-    """Whether it is a list that begins with a word."""
+    """Whether a value is a list whose first word is `name`."""
     return head(value) == name and isinstance(value, list)
 
 
 def child(found: Listed, name: str) -> Listed | None:
-    """The first list in a list that begins with a word."""
+    """The first list within `found` whose first word is `name`."""
     return next((entry for entry in found if is_listed(entry, name)), None)
 
 
 def children(found: Listed, name: str) -> Iterator[Listed]:
-    """The lists in a list that begin with a word."""
+    """The lists within `found` whose first word is `name`."""
     return (entry for entry in found if is_listed(entry, name))
 
 
 def told(found: Listed, name: str) -> str:
-    """The word behind the first word of the first list of that name."""
+    """The second word of the first list within `found` whose first word is `name`; empty if there is none."""
     entry = child(found, name)
     return word(entry[1]) if entry is not None and len(entry) > 1 else ""
 
 
 def numbers(found: Listed, name: str, count: int) -> tuple[float, ...]:
-    """The numbers in the first list of that name; those behind the first two are zero where they are not written.
+    """The numbers in the first list within `found` whose first word is `name`; missing ones after the first two are zero.
 
     Raises:
-        ValueError: the list is missing, or has something else there: a place that is taken for another would join wires.
+        ValueError: the list is missing or contains anything else: a misread position would join wires.
     """
     values = (child(found, name) or [name])[1 : count + 1]
     if len(values) < min(2, count):
@@ -213,10 +213,10 @@ def numbers(found: Listed, name: str, count: int) -> tuple[float, ...]:
 
 
 def coordinate(value: SExpression) -> float:
-    """A number of a drawing.
+    """A coordinate in a drawing.
 
     Raises:
-        ValueError: it is none, or of a size that no sheet has.
+        ValueError: it is no number, or greater than any sheet.
     """
     if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) < _FARTHEST:
         raise ValueError(f"'{value if isinstance(value, int | float) else word(value)}' is no coordinate")

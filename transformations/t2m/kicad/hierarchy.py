@@ -1,7 +1,7 @@
 """The sheets of a KiCad schematic as one drawing: files read from the drawing's folder, symbols as parts, pins as nets.
 
-A sheet that is drawn twice is two sheets with parts of their own, told apart by KiCad's ids. Units of one reference are one part;
-symbols without a number (`U?`) are parts each. How a file is read is the business of its form.
+A sheet file that is used twice gives two sheets with parts of their own, told apart by KiCad's ids. Units with one reference
+are one part; each symbol without a number (`U?`) is a part by itself. The reader of each format reads the files.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ from robosmi.transformations.t2m.kicad.sheet import (
 from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart
 
 MOST_SHEETS = 1_000
-"""Sheets of a drawing, one drawn twice counted twice."""
+"""Sheets of a drawing, counted once for each use of a sheet file."""
 
 SheetReader = Callable[[str, str], Sheet | None]
-"""The sheet of a file, and the one that names it, both relative to the drawing's folder; None where there is no such file."""
+"""Reads a sheet file, given its path and that of the file that names it, both relative to the folder; else None."""
 
 
 class _Part(Struct):
-    """A part while its units are gathered."""
+    """A part whose units are being collected."""
 
     identity: str
     title: str
@@ -47,12 +47,12 @@ class _Part(Struct):
 
 
 class Hierarchy:
-    """The sheets of a drawing.
+    """Collects the parts and nets of all sheets of a drawing.
 
     Args:
         root: the sheet of the file that was given.
-        read: what reads a further sheet.
-        builder: where findings go.
+        read: the function that reads a further sheet.
+        builder: the builder that collects the findings.
     """
 
     def __init__(self, root: Sheet, read: SheetReader, builder: CircuitBuilder) -> None:
@@ -65,7 +65,7 @@ class Hierarchy:
         self._walk(root, "", f"/{root.uuid}" if root.uuid else "", (), ())
 
     def fill(self, made: Schematic) -> None:
-        """Give parts and nets to a schematic."""
+        """Add the parts and nets to a schematic."""
         made.parts = [self._part(part) for part in self.parts.values()]
         ends: dict[Node, dict[End, None]] = {}
         for part in self.parts.values():
@@ -82,8 +82,7 @@ class Hierarchy:
                 made.nets.append(SchematicNet(net_name(names.get(root, "")), left))
 
     def _on_several(self, nets: Iterable[Iterable[End]]) -> set[End]:
-        """Connectors on more than one net, and the finding for each: several pins have their number, and which is meant is not
-        known."""
+        """The connectors on more than one net, with a finding for each: several pins have its number."""
         counts = Counter(end for net in nets for end in net)
         found = {end for end, count in counts.items() if count > 1}
         for part in self.parts.values():
@@ -156,7 +155,7 @@ class Hierarchy:
         self, symbol: SheetSymbol, library: LibrarySymbol | None, reference: str, unit: int, path: str, names: tuple[str, ...],
         sheet: Sheet,
     ) -> _Part:  # fmt: skip
-        """The part that a symbol is a unit of: one that is there, or a new one."""
+        """The part that a symbol is a unit of, created if it is the first."""
         identity = f"{path}/{symbol.uuid}".removeprefix(f"/{self.root.uuid}/").strip("/") or f"line{symbol.line}"
         numbered = bool(reference) and not reference.endswith("?") and not (library is not None and library.power)
         key = (reference, symbol.identity, "" if numbered else identity)
@@ -178,7 +177,7 @@ class Hierarchy:
         return made
 
     def _named(self, symbol: SheetSymbol, path: str) -> tuple[str, int]:
-        """Reference and unit of a symbol on the sheet of a path."""
+        """The reference and the unit of a symbol on the sheet with this path."""
         kept = self.root.instances.get(f"{path}/{symbol.uuid}".removeprefix(f"/{self.root.uuid}"))
         if kept is not None:
             return kept

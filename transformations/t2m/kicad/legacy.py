@@ -1,6 +1,6 @@
-"""An EESchema `.sch` (KiCad 5 and before) as a `Sheet`: lines of text, each kind of entry with a number of them.
+"""An EESchema `.sch` (KiCad 5 and before) as a `Sheet`: a text of lines, a fixed number for each kind of entry.
 
-The file has no symbols: these are in libraries beside it (`symbol_library`). Places are in thousandths of an inch.
+The file contains no symbols: these are in libraries beside it (`symbol_library`). Coordinates are in thousandths of an inch.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def read_legacy(text: str, path: str) -> Sheet:
 
 
 class _Legacy:
-    """The reading of one file."""
+    """Reads one file."""
 
     def __init__(self, text: str, path: str) -> None:
         self.path = path
@@ -153,7 +153,7 @@ class _Legacy:
 
 
 def shlex_last(line: str) -> str:
-    """The last text in quotes of a line: the name of a field that the user added."""
+    """The last quoted text of a line, which names a field that the user added."""
     try:
         return shlex.split(line)[-1]
     except ValueError:

@@ -38,10 +38,10 @@ from robosmi.transformations.t2m.kicad.sheet import (
 from robosmi.typed import sum_of
 
 _STEPS = 10_000
-"""Steps in a millimetre: KiCad keeps ten thousandths."""
+"""Steps per millimetre: KiCad stores ten-thousandths."""
 
 _VALUES = 20_220_914
-"""From this version on a symbol of a supply names its net by its value."""
+"""The file version from which on a power symbol names its net by its value."""
 
 _UNIT = re.compile(r"_([0-9]{1,9})_([0-9]{1,9})$")
 _LABELS = {"label": LOCAL, "global_label": GLOBAL, "hierarchical_label": UPWARD}
@@ -58,7 +58,7 @@ def read_modern(text: str, path: str) -> Sheet:
 
 
 class _Modern:
-    """The reading of one file."""
+    """Reads one file."""
 
     def __init__(self, listed: Expressions) -> None:
         self.listed = listed
@@ -161,7 +161,7 @@ class _Modern:
 
 
 def _lines(found: Listed) -> list[Wire]:
-    """The line of a wire or of a bus; none where it has not two ends."""
+    """The line of a wire or bus; empty unless it has two ends."""
     ends = [_point(entry[1], entry[2]) for entry in children(child(found, "pts") or [], "xy") if len(entry) > 2]
     return [Wire(ends[0], ends[1])] if len(ends) == 2 else []
 
@@ -186,7 +186,7 @@ def _pins(found: Listed) -> list[LibraryPin]:
 
 
 def _matrix(angle: int, mirror: str) -> tuple[int, int, int, int]:
-    """Turned against the clock, then mirrored at an axis; y grows downwards."""
+    """The matrix of a rotation (counterclockwise, y grows downwards) followed by a mirroring at an axis."""
     a, b, c, d = _TURNS.get(angle, _TURNS[0])
     if mirror == "x":
         return a, b, -c, -d

@@ -1,4 +1,4 @@
-"""A netlist of KiCad (`.net`, the form with `(export ...)`) as parts and nets: KiCad has told what joins what."""
+"""Reads a KiCad netlist (`.net` with `(export ...)`), in which KiCad has already computed which pins are joined."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ MOST_PARTS = 50_000
 
 
 def fill_from_netlist(text: str, made: Schematic, builder: CircuitBuilder) -> None:
-    """Give the parts and nets of a netlist to a schematic.
+    """Add the parts and nets of a netlist to a schematic.
 
     Raises:
         SourceError: it is damaged, or has too many parts.
@@ -23,7 +23,7 @@ def fill_from_netlist(text: str, made: Schematic, builder: CircuitBuilder) -> No
 
 
 class _Netlist:
-    """The reading of one file."""
+    """Reads one file."""
 
     def __init__(self, listed: Expressions, made: Schematic, builder: CircuitBuilder) -> None:
         self.listed, self.made, self.report = listed, made, builder.report
@@ -52,7 +52,7 @@ class _Netlist:
         return next((told([self.listed.parsed(entry)], name) for entry in self.listed.members(listed) if entry.head == name), "")
 
     def _library(self, section: Expression | None) -> dict[str, tuple[str, dict[str, str]]]:
-        """Description and pins of each symbol, by `LIBRARY:NAME`, aliases too."""
+        """`LIBRARY:NAME` of each symbol, aliases included -> its description and pins."""
         found: dict[str, tuple[str, dict[str, str]]] = {}
         for entry in self.listed.members(section) if section is not None else ():
             part = self.listed.parsed(entry)
@@ -126,7 +126,7 @@ class _Netlist:
 
 
 def _number(pin: Listed, number: str, name: str) -> str:
-    """The number of a pin, or its name where nobody has given it one."""
+    """The number of a pin, or its name if it has no number."""
     found = told(pin, number)
     return found if found not in ("", "~") else told(pin, name)
 

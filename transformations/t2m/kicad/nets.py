@@ -1,9 +1,9 @@
-"""Which pins of a KiCad schematic are one net: by place, by wires and junctions, by labels, over sheets.
+"""Which pins of a KiCad schematic are one net: by position, by wires and junctions, by labels, across sheets.
 
 The rules are those of KiCad's own netlist. A wire joins what is at its ends; a junction or a label joins the wires that pass
-its place; pins at one place are joined. Labels of a sheet join by their text on that sheet; labels of the whole drawing and
-symbols of supplies join everywhere, and what bears their name on the same sheet is theirs too. A pin of a sheet's symbol is the
-label of that name in the sheet. Of a bus each member is joined by its name (`buses`).
+its position; pins at one position are joined. Labels of a sheet join by their text on that sheet; global labels and power
+symbols join everywhere, and include what bears their name on the same sheet. A pin of a sheet symbol is joined with the label
+of its name inside the sheet. Each member of a bus is joined by its name (`buses`).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from robosmi.transformations.t2m.kicad.sheet import GLOBAL, Label, Point, Sheet,
 
 
 class _Lines:
-    """Lines of a sheet, wires or those of buses, which join what is at their ends."""
+    """The wires or the bus lines of a sheet, each of which joins what is at its ends."""
 
     def __init__(self, joined: Joined, path: str, kind: str, lines: Iterable[Wire], junctions: Iterable[Point]) -> None:
         self.joined, self.path, self.kind = joined, path, kind
@@ -35,11 +35,11 @@ class _Lines:
             self.join_passing(place)
 
     def at(self, place: Point) -> Node:
-        """The node of a place."""
+        """The node of a position."""
         return self.path, f"{self.kind}{place.x} {place.y}"
 
     def join_passing(self, place: Point) -> bool:
-        """Join a place with the lines that pass it; whether there is one."""
+        """Join a position with the lines that pass through it; False if there are none."""
         here, found = self.at(place), False
         for line in self._passing(place):
             self.joined.union(here, self.at(line.start))
@@ -59,13 +59,13 @@ class _Lines:
 
 
 class SheetNets:
-    """The joining of what is on one sheet of a hierarchy.
+    """Joins the pins and labels of one sheet of a hierarchy.
 
     Args:
-        joined: the sets of the whole drawing.
+        joined: the disjoint sets of the whole drawing.
         path: identity of the sheet in the hierarchy.
         sheet: its records.
-        aliases: names for several members of buses, those of the sheets above too.
+        aliases: aliases of bus members, including those of the sheets above.
     """
 
     def __init__(self, joined: Joined, path: str, sheet: Sheet, aliases: Aliases) -> None:
@@ -84,30 +84,30 @@ class SheetNets:
                     joined.union(self.at(end), self.at(wire))
 
     def at(self, place: Point) -> Node:
-        """The node of a place."""
+        """The node of a position."""
         return self._wires.at(place)
 
     def name(self, text: str) -> Node:
-        """The node of a name that holds on this sheet."""
+        """The node of a name that is local to this sheet."""
         self._local.add(text)
         return self.path, f"name {text}"
 
     def everywhere(self, text: str) -> Node:
-        """The node of a name that holds in the whole drawing."""
+        """The node of a name that is global to the drawing."""
         self._global.add(text)
         return "", f"name {text}"
 
     def close(self) -> None:
-        """Join names of the sheet to those of the whole drawing that are on it too."""
+        """Join each local name of the sheet with the global name of the same text, if that is used on this sheet."""
         for text in self._local & self._global:
             self.joined.union(self.name(text), self.everywhere(text))
 
     def members(self, text: str) -> list[str]:
-        """The names of a bus's members; none for a name that is no bus."""
+        """The names of a bus's members; empty for a name that is no bus."""
         return members(text, self._aliases)
 
     def sheet_pin(self, pin: Label, below: SheetNets) -> None:
-        """Join a pin of a sheet's symbol on this sheet to the label of its name in the sheet below."""
+        """Join a pin of a sheet symbol with the label of its name inside that sheet."""
         inside = below.members(pin.text) or self.members(pin.text)
         if not inside:
             self.joined.union(self.at(pin.at), below.name(pin.text))
@@ -127,7 +127,7 @@ class SheetNets:
         self.joined.union(self.at(label.at), self.everywhere(label.text) if label.kind == GLOBAL else self.name(label.text))
 
     def _on_bus(self, place: Point, names: list[str]) -> Sequence[str]:
-        """The names of the members of the bus at a place: those of its first label, or else of what is first found on it."""
+        """The members of the bus at a position, named as its first label or pin did; `names` if it has none yet."""
         if not self._buses.join_passing(place):
             return names
         return self._named_buses.setdefault(self.joined.find(self._buses.at(place)), names)

@@ -1,8 +1,8 @@
 """The transformation itself: a KiCad schematic or netlist in, a `hardware.Circuit` and findings out.
 
-Parts have KiCad's own ids as identities, and their references, with the names of their sheets before them, as titles. Which
-form a file has is told by what it begins with; each is read by a module of its own, and what symbols stand for is told by
-`schematic`.
+Parts have KiCad's own ids as identities, and their references, prefixed with the names of their sheets, as titles. The format
+of a file is recognised by its first bytes; each format is read by a module of its own, and `schematic` decides what symbols
+stand for.
 """
 
 from __future__ import annotations
@@ -35,8 +35,10 @@ _OLD_NETLIST = re.compile(r"(?:#|\( \{) *EESchema Netlist", re.IGNORECASE)
 
 
 def recognises(head: bytes) -> bool:
-    """Whether a file that begins so is a schematic or a netlist of KiCad, or a form of that ending that is refused with advice:
-    an old netlist, a schematic of gEDA."""
+    """Whether a file that begins so is a schematic or a netlist of KiCad.
+
+    Also True for files with that ending that are refused with advice: old netlists, schematics of gEDA.
+    """
     text = head.decode("utf-8-sig", "replace").lstrip()
     return text.startswith(HEAD) or any(form.match(text) is not None for form in (_MODERN, _NETLIST, _OLD_NETLIST, _GEDA))
 
@@ -85,7 +87,7 @@ def read_circuit(
 
 
 class _Sheets:
-    """The sheets of a drawing, each file read once; symbols of the older form are looked up in the libraries beside it."""
+    """Reads the sheets of a drawing, each file once; symbols of the older format are looked up in the libraries beside it."""
 
     def __init__(self, folder: DrawingFolder, builder: CircuitBuilder) -> None:
         self.folder, self.builder = folder, builder

@@ -1,7 +1,6 @@
-"""One sheet of a KiCad schematic as records, whatever the form of its file: wires, labels, symbols, sheets below it.
+"""One sheet of a KiCad schematic as records, whatever its file format: wires, labels, symbols, sheets below it.
 
-Positions are in whole numbers of the form's own finest step, so that what is at one place compares equal. Which of it is one
-net is told by `nets`.
+Positions are integers in the format's own finest step, so that equal positions compare equal. `nets` decides what is one net.
 """
 
 from __future__ import annotations
@@ -17,21 +16,21 @@ MOST_SYMBOLS = 50_000
 """Symbols of a drawing; the largest public schematic has a few thousand."""
 
 _NO_NUMBER = ("", "~")
-"""Numbers of pins that have none."""
+"""How files write the number of a pin without a number."""
 
 LOCAL, GLOBAL, UPWARD = "local", "global", "upward"
-"""Kinds of labels: of the sheet, of the whole drawing, of a pin of the sheet's symbol."""
+"""Scopes of labels: the sheet, the whole drawing, and the sheet symbol's pin that leads to the sheet above."""
 
 
 class Point(NamedTuple):
-    """A place on a sheet."""
+    """A position on a sheet."""
 
     x: int
     y: int
 
 
 class Wire(NamedTuple):
-    """A straight wire."""
+    """A straight wire between two positions."""
 
     start: Point
     end: Point
@@ -50,8 +49,7 @@ class LibraryPin(Struct, frozen=True):
 
 
 class LibrarySymbol(Struct, frozen=True):
-    """A symbol of a library: its id with the library's name, whether it only names a net (`local`: of its sheet alone), what the
-    library says, its pins."""
+    """A symbol of a library: id with the library's name, whether it only names a net (`local`: of its sheet), pins."""
 
     identity: str
     power: bool = False
@@ -61,9 +59,10 @@ class LibrarySymbol(Struct, frozen=True):
     local: bool = False
 
     def connectors(self, style: int) -> list[tuple[str, LibraryPin]]:
-        """The pins of a body style, each with the identity of its connector: its number, which pins of several units may share.
+        """The pins of a body style, each with the identity of its connector.
 
-        Pins to which nobody has given a number are connectors each, called by their names, those of one name with a counter.
+        That is its number, which pins of several units may share. Each pin without a number is a connector by itself, called by
+        its name, with a counter if several have that name.
         """
         shown = [pin for pin in self.pins if pin.style in (0, style)]
         taken = {pin.number for pin in shown}
@@ -82,10 +81,10 @@ class SheetSymbol(Struct, frozen=True):
 
     Attributes:
         uuid: KiCad's own id.
-        identity: of its symbol, with the library's name.
-        library: the key of its symbol among those that the file has.
-        at: its place.
-        matrix: what turns places of the symbol into places relative to `at`: x' = a x + b y, y' = c x + d y.
+        identity: id of its library symbol, with the library's name.
+        library: the key of that symbol among those in the file.
+        at: its position.
+        matrix: maps positions in the symbol to positions relative to `at`: x' = a x + b y, y' = c x + d y.
         unit: which unit of the part it is.
         style: which body style.
         properties: `Reference`, `Value` and others.
@@ -108,7 +107,7 @@ class SheetSymbol(Struct, frozen=True):
 
 
 class Label(Struct, frozen=True):
-    """A label: its kind, text and place."""
+    """A label: its scope, text and position."""
 
     kind: str
     text: str
@@ -116,7 +115,7 @@ class Label(Struct, frozen=True):
 
 
 class SubSheet(Struct, frozen=True):
-    """A sheet below: its id, name, file, pins as labels, line."""
+    """A sheet symbol, which stands for a sheet below: its id, name, file, pins as labels, line."""
 
     uuid: str
     name: str
@@ -160,7 +159,7 @@ _ESCAPED = {
     "{slash}": "/", "{backslash}": "\\", "{lt}": "<", "{gt}": ">", "{colon}": ":", "{dblquote}": '"', "{space}": " ",
     "{brace}": "{",
 }  # fmt: skip
-"""How KiCad writes letters in names that mean something in its own lists."""
+"""KiCad's escape sequences for characters in names that are special in its lists."""
 
 
 def net_name(text: str) -> str:
@@ -191,6 +190,6 @@ def of_library(family: str, name: str) -> tuple[str, str]:
 
 
 def placed_at(symbol: SheetSymbol, pin: LibraryPin) -> Point:
-    """The place of a pin on the sheet."""
+    """The position of a symbol's pin on the sheet."""
     a, b, c, d = symbol.matrix
     return Point(symbol.at.x + a * pin.at.x + b * pin.at.y, symbol.at.y + c * pin.at.x + d * pin.at.y)

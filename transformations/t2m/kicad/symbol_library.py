@@ -14,7 +14,7 @@ _KINDS = {"W": "power_in", "w": "power_out"}
 
 
 def library_of(folder: DrawingFolder, identities: Iterable[str]) -> dict[str, LibrarySymbol]:
-    """The symbols of a schematic, by the names that it calls them.
+    """The library symbols that a schematic uses, by the names that it uses for them.
 
     KiCad's own cache (`NAME-cache.lib`) is read first, then what was rescued (`NAME-rescue.lib`), then libraries of the names
     that stand before the symbols' (`LIBRARY.lib`), each where it lies beside the schematic.
@@ -38,7 +38,7 @@ def library_of(folder: DrawingFolder, identities: Iterable[str]) -> dict[str, Li
 
 
 def _caches(folder: Path) -> list[str]:
-    """Caches of other schematics in the folder: a sheet's symbols are in the cache of the schematic that it is of."""
+    """Caches of other schematics in the folder: the symbols of a sub-sheet are in the cache of the top schematic."""
     try:
         return sorted(path.name for path in folder.glob("*-cache.lib"))
     except OSError:

@@ -1,8 +1,8 @@
-"""A Wokwi `diagram.json` as records: its parts and connections with their lines, and what in it is neither.
+"""A Wokwi `diagram.json` as records: its parts and connections with their lines, and entries that are neither.
 
-The format is that of https://docs.wokwi.com/diagram-format. The first two layers of the JSON are gone through here, so that each
-part and each connection has its line; each of them is parsed by Python's own reader. What parts are and which of their pins exist
-is the business of `reader`. A file that is no diagram at all ends here in a `SourceError`.
+The format is that of https://docs.wokwi.com/diagram-format. The two outer layers of the JSON are scanned here, so that each
+part and each connection has its line; each of them is parsed by Python's json. `reader` decides what parts are and which of
+their pins exist. A file that is no diagram is refused with a `SourceError`.
 """
 
 from __future__ import annotations
@@ -102,7 +102,7 @@ def read_diagram(path: Path) -> Diagram:
 
 
 class _Reading:
-    """One text, gone through from the beginning."""
+    """Scans one text from its beginning."""
 
     def __init__(self, path: Path, text: str) -> None:
         self.path = path
@@ -182,7 +182,7 @@ class _Reading:
             place = self._expect(",", end)
 
     def _items(self, start: int) -> tuple[list[_Entry], int]:
-        """The items of a list with their places, and the place behind the list."""
+        """The items of a list with their places, and the offset after the list."""
         items: list[_Entry] = []
         place = self._skip(start + 1)
         if self._at("]", place):
@@ -240,9 +240,9 @@ class _Reading:
 
 
 def _text(value: object) -> str:
-    """A value as Wokwi takes it: a text or a number; nothing for all else.
+    """A text or number as text; empty for all else.
 
-    Half of a character, which JSON can say (`\\ud800`) and no file can hold, becomes the character for what is not readable.
+    An unpaired surrogate, which JSON can express (`\ud800`) and no file can contain, becomes the replacement character.
     """
     if isinstance(value, bool):
         return str(value).lower()

@@ -2,8 +2,8 @@
 
 Parts have the ids that the diagram gives them, which are also their titles; their pins are those of the catalogue
 (`parts/wokwi.toml`), or those that the diagram uses where the catalogue has no such type. Nets follow from the connections and
-from what parts join inside. A connection to a part or a pin that is not there, or to an id that stands twice, is left out and
-said: a pin that cannot be told is none. The file itself is read by `document`.
+from what parts join inside. A connection to an unknown part or pin, or to an id that stands twice, is left out and reported.
+`document` reads the file.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ from robosmi.typed import distinct
 
 TOOL = "Wokwi"
 _SYMBOLS = {"wokwi-gnd": "GND", "wokwi-vcc": "VCC"}
-"""Types that only name a net, with their pin: all of one type are joined."""
+"""Part types that only name a net -> their pin; all parts of one type are joined."""
 _PREFIXES = ("wokwi-", "board-", "chip-")
 _BOARD = "board-"
 _OWN = "chip-"
-"""How the types of chips begin that a person has made."""
+"""Prefix of the types of custom chips."""
 _NO_PART = "$"
-"""How names begin that are no parts, as `$serialMonitor`."""
+"""Prefix of names that are no parts, such as `$serialMonitor`."""
 _NAMED = 12
 
 
@@ -58,7 +58,7 @@ def read_circuit(
 
 
 class _Reading:
-    """The reading of one file."""
+    """Reads one file."""
 
     def __init__(self, diagram: Diagram, builder: CircuitBuilder) -> None:
         self.diagram = diagram
@@ -76,7 +76,7 @@ class _Reading:
         self.wires: list[tuple[Connection, tuple[End, End]]] = []
 
     def _identified(self) -> dict[str, DiagramPart]:
-        """The parts by identity, which is their id where that is theirs alone."""
+        """The parts by identity: their id, made unique if several parts have it."""
         found: dict[str, DiagramPart] = {}
         for part in self.diagram.parts:
             identity = free_identity(part.identity, part.line, found)
@@ -90,7 +90,7 @@ class _Reading:
         return found
 
     def _known(self, part: DiagramPart) -> tuple[str, KnownPart]:
-        """The id that the part is known by, which may be that of a variant of its type, and what is known of it."""
+        """The id under which the part is known, perhaps of a variant of its type, and what is known about it."""
         if part.kind not in self.variants:
             self.variants[part.kind] = self.builder.catalogue.variants(part.kind)
         listed = {f"{name}={value}" for name, value in part.attributes.items()} if self.variants[part.kind] else ()
@@ -100,7 +100,7 @@ class _Reading:
         return part_id, self.builder.know(part_id, described, own=part.kind.startswith(_OWN))
 
     def _take_board(self) -> None:
-        """Where no part is a board that is known, the only one of an unknown type that is called like a board is one."""
+        """If no part is a known board, take the only part of unknown type that is named like a board for one."""
         if any(known.part.role == "Board" for _, known in self.known.values()):
             return
         called = [i for i, part in self.parts.items() if part.kind.startswith(_BOARD) and not self.known[i][1].part.connectors]
@@ -138,7 +138,7 @@ class _Reading:
             self.wires.append((connection, (one, other)))
 
     def _end(self, text: str, connection: Connection) -> End | None:
-        """What an end of a connection is, or None, and a finding, where it is nothing."""
+        """The connector at an end of a connection; None, with a finding, if it does not exist."""
         identity, _, pin = text.partition(":")
         if identity not in self.parts and (longer := text.rpartition(":"))[0] in self.parts:
             identity, _, pin = longer
@@ -194,5 +194,5 @@ class _Reading:
 
 
 def _counted(pin: str) -> bool:
-    """Whether a pin is one of several of a name (`GND.2`)."""
+    """Whether a pin is one of several with the same name (`GND.2`)."""
     return pin.rpartition(".")[2].isdigit() and not pin[0].isdigit()
