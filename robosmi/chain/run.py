@@ -232,7 +232,7 @@ class ChainRun:
         if result.state == "failed":
             self.stopped |= set(step.models)
         if step.kind != "load" and step.makes and step.file is not None and result.state in ("done", "up to date"):
-            files = (step.file, *step.metamodel)  # the same model again changes nothing behind it
+            files = (step.file, *step.metamodel_files())  # the same model again changes nothing behind it
             self.content[step.makes] = digest_of_all((str(n), digest_of(path)) for n, path in enumerate(files))
         return result
 

@@ -74,7 +74,15 @@ class Step(Struct, frozen=True):
     def inputs(self) -> list[Path]:
         """The files and folders that it reads, but for those of its models."""
         own = [self.file] if self.kind == "load" and self.file is not None else []
-        return [*own, *self.metamodel, *([self.templates] if self.templates is not None else []), *self.reads, *self.code]
+        return [*own, *self.metamodel_files(), *([self.templates] if self.templates is not None else []), *self.reads, *self.code]
+
+    def metamodel_files(self) -> list[Path]:
+        """The .ecore files of its model, and those that they refer to."""
+        if not self.metamodel:
+            return []
+        from robosmi.model.ecore_references import files_of  # a chain of functions needs no metamodels
+
+        return files_of(self.metamodel)
 
     def outputs(self) -> list[Path]:
         """The files and folders that it makes."""

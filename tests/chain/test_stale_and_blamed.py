@@ -12,6 +12,7 @@ import pytest
 
 from robosmi.chain import read_chain
 from robosmi.errors import RobosmiError, RuleError, SourceError
+from robosmi.model.ecore_references import files_of
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
@@ -111,3 +112,27 @@ def test_a_step_that_changes_what_it_reads_is_done_again_for_the_steps_behind_it
     again = read_chain(site / "chain.toml").run()
     assert {r.step.name: r.state for r in again.steps}["to_site"] == "done"
     assert sorted(path.name for path in (site / "out").glob("*.html")) == first
+
+
+def test_a_change_of_a_metamodel_that_the_named_one_refers_to_is_seen(tmp_path: Path) -> None:
+    boxes = Path(shutil.copytree(HERE / "boxes", tmp_path / "boxes"))
+    chain = boxes / "chain.toml"
+    assert read_chain(chain).run()["texts"].state == "done"
+    assert (boxes / "out" / "boxes.txt").read_text(encoding="utf-8") == "anon\n"
+    assert [step.state for step in read_chain(chain).run().steps] == ["up to date"] * 3
+    replace(boxes / "base.ecore", "anon", "nobody")
+    assert read_chain(chain).run()["texts"].state == "done"
+    assert (boxes / "out" / "boxes.txt").read_text(encoding="utf-8") == "nobody\n"
+
+
+def test_metamodels_that_refer_to_each_other_or_to_nothing_do_not_stop_a_chain(tmp_path: Path) -> None:
+    boxes = Path(shutil.copytree(HERE / "boxes", tmp_path / "boxes"))
+    assert [path.name for path in files_of([boxes / "top.ecore"])] == ["top.ecore", "base.ecore"]
+    replace(
+        boxes / "base.ecore",
+        "</ecore:EPackage>",
+        '<eClassifiers name="X" eSuperTypes="top.ecore#//Box no.ecore#//Y"/></ecore:EPackage>',
+    )
+    assert [path.name for path in files_of([boxes / "top.ecore"])] == ["top.ecore", "base.ecore"]
+    (boxes / "base.ecore").write_text("<", encoding="utf-8")
+    assert [path.name for path in files_of([boxes / "top.ecore"])] == ["top.ecore"]
