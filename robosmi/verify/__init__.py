@@ -1,6 +1,5 @@
-"""Checking what was generated: a compile with the real toolchain, and comparison of two runs.
+"""Checks generated programs: compiling with the real toolchain, and comparing two runs.
 
-What lives here runs tools and reads what they say. Which tools, boards, flags, messages and libraries there are is data in
-`platform_repo`; no module of this package names one. Import the modules: `verify.toolchain` (compile), `verify.doctor` (what
-is installed).
+The modules here run tools and read their output. Tools, boards, flags, messages and libraries are data in `platform_repo`; no
+module of this package names one. Import the modules: `verify.toolchain` (compile), `verify.doctor` (what is installed).
 """

@@ -1,8 +1,8 @@
-"""What a program does at a pin as a person or a device sees it: levels that stay, waves, pulses of servos, bursts.
+"""What a program does at a pin as a person or a device perceives it: steady levels, waves, servo pulses, bursts.
 
-A trace is edges and waves of timers; two programs that do the same on two machines never have the same edges. `activity` turns
-the edges of one pin into few events, in the same way for every machine, and `console_lines` what was printed. Comparing them is
-`comparison`'s. Times are microseconds.
+A trace consists of edges and of waves made by timers; two programs that do the same on two machines never have the same edges.
+`activity` turns the edges of one pin into few events, in the same way for every machine, and `console_lines` does so for the
+printed text. `comparison` compares them. Times are microseconds.
 """
 
 from __future__ import annotations
@@ -21,21 +21,21 @@ from robosmi.verify.simulation import ConsoleByte, PinTrace
 
 LEVEL, PULSES, WAVE, BURST, LINE, READING = "level", "pulses", "wave", "burst", "line", "reading"
 HELD, PULSE = "held", "pulse"
-"""The kinds of events with what they say.
+"""The kinds of events; the value of an event depends on its kind.
 
-In this order: (0 or 1,), (width in us,), (Hz, duty), (number of pulses,), (text,), (text,), (0 or 1, us) twice, less than 0 us
-where that is over. A reading is a line of a program that measures; held is how long a line that is shared with a device is
-driven, a pulse how long those are that one function makes in one go. A level that is a text is how a line is driven that the
-program lets go (see `driven_lines`).
+`level`: (0 or 1,), or (text,) for a line that is let go (see `driven_lines`). `pulses` of a servo: (width in us,). `wave`:
+(frequency in Hz, duty cycle). `burst`: (number of pulses,). `line` of text: (text,). `reading`, a line of a program that
+measures: (text,). `held`: (level 0 or 1, how long a line shared with a device is driven in us). `pulse`: (level 0 or 1, length
+in us of the pulses that one function makes). In the last two a negative length ends the previous state.
 """
 
 
 class Sight(Struct, frozen=True):
-    """How short an event may be to count as one of its own.
+    """Resolution of the events.
 
     Attributes:
-        pause_us: pulses that follow each other within this time are one activity: a shorter pause in a tone is not seen.
-        frames: so many frames of a servo at least have to have a width for it to be seen.
+        pause_us: pulses with shorter pauses than this between them are one activity.
+        frames: a servo's width counts only if at least this many frames have it.
     """
 
     pause_us: float = 60_000.0
@@ -43,32 +43,31 @@ class Sight(Struct, frozen=True):
 
 
 SIGHTS = (Sight(), Sight(90_000.0), Sight(40_000.0))
-"""Several, since a pause, or what a servo shows, may last a little less than any limit on one side and more on the other."""
+"""Several resolutions, since a pause may be just below any limit on one side and just above it on the other."""
 
 _SERVO_PERIOD_US = (12_000.0, 30_000.0)
 _SERVO_WIDTH_US = (300.0, 3_000.0)
 _SILENCE_US = 200_000.0
 _CLEAR = 1.2
-"""A pause is clearly longer or shorter than another when it is so many times as long, or less than that part of it."""
+"""A pause is clearly longer or shorter than another if their ratio exceeds this factor."""
 
 
 class ActivityEvent(Struct, frozen=True):
-    """From `at_us` on something is so.
+    """A state of a channel that begins at `at_us` and lasts until the next event.
 
     Attributes:
-        at_us: when it begins.
+        at_us: when it begins, in microseconds.
         kind: one of the kinds above.
-        value: what it is, as the kind says.
-        pulses: of how many edges up a wave or burst is made, where it is made of edges and not by a timer; else 0.
-        frames: how many frames of a servo have the width, without a pause.
-        unclear: whether a pause about as long as the one that ends an activity is near, so that it may be seen otherwise.
-        barely: whether it only just happens, so that another run of the same program may do without it.
-        vague_us: by how much its begin may be put otherwise, since what was before passes into it slowly.
-        off: by what part of itself a wave's frequency, or each number of a reading, may be off beyond what counts as the same
-            anyway, since it is off in other runs of the program.
-        exact: whether each number of a reading is the same whatever is measured, so that it may not be off at all.
-        between: the least and the most that each number of a reading may be where boards measure the same, None where that is
-            not known.
+        value: its value, as the kind defines it.
+        pulses: the number of rising edges of a wave or burst that consists of edges; 0 for one made by a timer.
+        frames: the number of consecutive servo frames with the width.
+        unclear: whether a pause near it is about as long as one that ends an activity, so that it might be divided differently.
+        barely: whether it is so marginal that another run of the same program may lack it.
+        vague_us: the uncertainty of its begin, if the previous state changes into it gradually.
+        off: relative tolerance of a wave's frequency, or of each number of a reading, in addition to the usual one, since other
+            runs of the program differ that much.
+        exact: for each number of a reading, whether it does not depend on measurements and so has no tolerance.
+        between: for each number of a reading, its least and greatest value if boards measure the same, None if unknown.
     """
 
     at_us: float
@@ -105,17 +104,17 @@ class ActivityEvent(Struct, frozen=True):
 
 
 IDLE = ActivityEvent(0.0, LEVEL, (0,))
-"""What every pin does before the program does anything there, and what one does that is let go."""
+"""The state of every pin before the program uses it, and of a pin that is let go."""
 
 
 def activity(trace: PinTrace, pin: str, sight: Sight = SIGHTS[0], pulses: Sequence[Pulse] | None = None) -> list[ActivityEvent]:
-    """What happens at a pin, by time; it begins with `IDLE`, and no event says the same as the one before.
+    """The events at a pin in order of time, beginning with `IDLE`; consecutive events differ.
 
     Args:
-        trace: what was seen.
+        trace: the trace of the run.
         pin: label of the pin.
         sight: one of `SIGHTS`.
-        pulses: those of the pin, where they are known already.
+        pulses: the pin's pulses, if computed already.
     """
     runs: list[list[Pulse]] = []
     unclear: list[bool] = []
@@ -140,14 +139,14 @@ def activity(trace: PinTrace, pin: str, sight: Sight = SIGHTS[0], pulses: Sequen
 
 
 def _until(trace: PinTrace, pin: str = "") -> float:
-    """The instant after which nothing is known: the end of the run, but of a program that has ended and left the pin low."""
+    """The time after which nothing is known: the end of the run, or infinity for a program that ended and left the pin low."""
     levels = trace.levels(pin)
     left_high = bool(levels) and levels[-1][1] == 1
     return math.inf if trace.state == "done" and not left_high else trace.simulated_us
 
 
 def merged(events: Sequence[ActivityEvent]) -> list[ActivityEvent]:
-    """Events without those that say the same as the one before."""
+    """The events without those that are equal to their predecessor."""
     kept: list[ActivityEvent] = []
     for event in sorted(events, key=lambda each: each.at_us):
         if not kept or (event.kind, event.value) != (kept[-1].kind, kept[-1].value):
@@ -156,7 +155,7 @@ def merged(events: Sequence[ActivityEvent]) -> list[ActivityEvent]:
 
 
 def _run(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
-    """The events of pulses that follow each other closely; the pauses between what they are parted into are no ends."""
+    """The events of a sequence of pulses with short pauses; boundaries between its parts are not ends of activity."""
     found: list[ActivityEvent] = []
     number = 0
     while number < len(pulses):
@@ -177,7 +176,7 @@ def _run(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[ActivityE
 
 
 def _edges(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
-    """The events of high times that follow each other closely: a servo's frames, waves, a burst, or mere levels."""
+    """The events of a sequence of high times with short pauses: servo frames, waves, a burst, or plain levels."""
     if _is_frames(pulses):
         return _frames(pulses, horizon_us, sight)
     if len(pulses) < FEWEST:
@@ -192,7 +191,7 @@ def _is_servo_pulse(pulse: Pulse) -> bool:
 
 
 def _is_frames(pulses: Sequence[Pulse]) -> bool:
-    """Whether pulses are frames of a servo, by their widths and their distance; the last one may be cut off."""
+    """Whether pulses are servo frames, judged by their widths and distances; the last one may be cut off."""
     periods = [after.begin - before.begin for before, after in pairwise(pulses)]
     whole = pulses[:-1] if len(pulses) > 2 and pulses[-1].end - pulses[-1].begin < _SERVO_WIDTH_US[0] else pulses
     return (
@@ -216,7 +215,7 @@ def _levels(pulse: Pulse, horizon_us: float) -> list[ActivityEvent]:
 
 
 def _wave(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
-    """A wave by the middle of its periods, and its end."""
+    """A wave event with the median period, and its end."""
     periods = sorted(after.begin - before.begin for before, after in pairwise(pulses))
     middle = periods[len(periods) // 10 : len(periods) - len(periods) // 10] or periods
     period = sum_of(middle) / len(middle)
@@ -226,12 +225,12 @@ def _wave(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[Activity
 
 
 def _end(at_us: float, horizon_us: float, sight: Sight) -> list[ActivityEvent]:
-    """The end of an activity, where the run went on for long enough to tell it from a pause."""
+    """The end of an activity, unless the run ends too early to distinguish it from a pause."""
     return [ActivityEvent(at_us, LEVEL, (0,))] if at_us + sight.pause_us < horizon_us else []
 
 
 def _frames(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:
-    """The widths that some frames of a servo have one after the other, and the end of the frames."""
+    """The successive widths of servo frames, and the end of the frames."""
     found = [
         ActivityEvent(at_us, PULSES, (width_us,), frames=frames, vague_us=vague_us, barely=barely)
         for at_us, width_us, frames, vague_us, barely in servo_widths(pulses, sight.frames)
@@ -240,7 +239,7 @@ def _frames(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[Activi
 
 
 def console_lines(trace: PinTrace, measures: bool = False) -> list[ActivityEvent]:
-    """What was printed: a line each, at the time of its last character; also what stands without an end when it gets quiet.
+    """The printed lines, each at the time of its last character; text without a line end counts when the console gets quiet.
 
     Args:
         trace: what was seen.

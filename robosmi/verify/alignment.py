@@ -1,8 +1,8 @@
-"""Which events of two runs belong together: those that say the same, in the same order.
+"""Aligns the events of two runs: events of equal value in the same order correspond.
 
-A servo may show what it was told for too short a time in one run and not at all in another, as the frames fall, and a wheel that
-turns round at a mark of its way may stay short of it: such an event needs no counterpart. Whether what belongs together comes in
-time, and lasts as long, is `comparison`'s to judge.
+An event may be left without a counterpart if it is marginal: a servo width shown for few frames, which depend on when frames
+begin, or a wheel that just reaches or misses a mark. Whether corresponding events agree in time and duration is judged by
+`comparison`.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ _NUMBERS = 0.01
 _NUMBER = re.compile(r"(?<![\w.])-?\d{1,15}(?:\.\d{1,15})?(?![\w.])")
 _DUTY = 0.02
 _FASTEST_HZ = 5_000.0
-"""Edges that a program makes itself faster than this are only counted: nothing is claimed of how fast the source makes them."""
+"""Edges that a program makes itself at a higher rate are only counted, since the source's exact speed is not known."""
 _FEW_FRAMES = 2
-"""So few frames of a servo may be one less, which is not seen, where the other side's frames begin at another time."""
+"""A servo width with at most this many frames may have one less, and so be invisible, when the frames begin at another time."""
 _MOST_STEPS = 200_000
 
 
 def alike(one: ActivityEvent, other: ActivityEvent) -> bool:
-    """Whether two events say the same, within what can be told apart."""
+    """Whether two events have the same value within the tolerances."""
     if one.pulses and other.pulses and (one.kind != other.kind or float(one.value[0]) > _FASTEST_HZ):
         return one.pulses == other.pulses
     if one.kind != other.kind:
@@ -52,14 +52,13 @@ def alike(one: ActivityEvent, other: ActivityEvent) -> bool:
 
 
 def _reads_alike(one: str, other: str, told: ActivityEvent) -> bool:
-    """Whether two lines are the same, but for numbers that are off by one in their last digit, or by 1 %: measured values.
+    """Whether two lines are equal except for measured numbers, which may differ by one in the last digit, or by 1 %.
 
-    Where it is known between which numbers a measured one lies, that counts instead.
+    If the range of a measured number is known, that range is the tolerance instead.
 
     Args:
         one, other: the lines.
-        told: the event that tells of each number by what part more it may be off, whether it is none that is measured, and
-            between which numbers it lies.
+        told: the event that has the tolerance of each number, whether it is exact, and its range.
     """
     if one == other:
         return True
@@ -84,7 +83,7 @@ def _reads_alike(one: str, other: str, told: ActivityEvent) -> bool:
 
 
 def _written_alike(mine: str, theirs: str) -> bool:
-    """Whether two numbers have as many decimals, and as many digits where one is filled up with zeros."""
+    """Whether two numbers are printed with the same number of decimals, and, if one has leading zeros, of digits."""
     if float(mine) == float(theirs) != 0:
         return False
     if len(mine.partition(".")[2]) != len(theirs.partition(".")[2]):
@@ -95,17 +94,17 @@ def _written_alike(mine: str, theirs: str) -> bool:
 
 
 def numbers_of(event: ActivityEvent) -> list[str]:
-    """The numbers in a text."""
+    """The numbers in an event's text."""
     return matches(_NUMBER, str(event.value[0]))
 
 
 def shape_of(event: ActivityEvent) -> str:
-    """A text without its numbers."""
+    """An event's text with every number replaced by 0."""
     return _NUMBER.sub("0", str(event.value[0]))
 
 
 def parts_off(one: ActivityEvent, other: ActivityEvent) -> tuple[float, ...]:
-    """By what part of itself a wave's frequency, or each number of a reading, is off in an event that says the same."""
+    """The relative differences of a wave's frequency, or of each number of a reading, between two corresponding events."""
     if one.kind == other.kind == WAVE:
         return (_part(float(one.value[0]), float(other.value[0])),)
     if one.kind == other.kind == READING:
@@ -115,7 +114,7 @@ def parts_off(one: ActivityEvent, other: ActivityEvent) -> tuple[float, ...]:
 
 
 def larger(one: tuple[float, ...], other: tuple[float, ...]) -> tuple[float, ...]:
-    """The larger of each two parts; what only one has is that one's."""
+    """The elementwise maximum of two tuples, which may differ in length."""
     longer, shorter = (one, other) if len(one) >= len(other) else (other, one)
     return tuple(max(part, shorter[at]) if at < len(shorter) else part for at, part in enumerate(longer))
 
@@ -128,8 +127,8 @@ class Alignment(Struct, frozen=True):
     """Which events of two runs correspond.
 
     Attributes:
-        pairs: numbers of the events of both runs, without those that repeat what was said before something too short.
-        own, other: the numbers of the first events that have no counterpart; the lengths of the runs where all have.
+        pairs: indices of corresponding events, without those that only repeat the value from before a marginal event.
+        own, other: indices of the first events without a counterpart; the lengths of the runs if all have one.
     """
 
     pairs: list[tuple[int, int]]
@@ -140,11 +139,11 @@ class Alignment(Struct, frozen=True):
 def aligned(
     own: Sequence[ActivityEvent], other: Sequence[ActivityEvent], fitting: Callable[[int, int], bool] | None = None
 ) -> Alignment:
-    """Find which events of two runs correspond: the longest common sequence.
+    """Find which events of two runs correspond, as a longest common prefix in which marginal events may be skipped.
 
     Args:
-        own, other: the events.
-        fitting: whether two events that say the same may belong together, by their numbers; all may if None.
+        own, other: the events of the runs.
+        fitting: whether two events of equal value, given by their indices, may correspond; all may if None.
     """
     best = ((-1, 0), 0, 0, None)  # type: tuple[tuple[int, int], int, int, _Way | None]
     waiting: list[tuple[int, int, _Way | None]] = [(0, 0, None)]
@@ -171,7 +170,7 @@ def aligned(
 
 
 class _Way(Struct, frozen=True):
-    """A pair and those before it."""
+    """A linked list of pairs: the last pair, and those before it."""
 
     pair: tuple[int, int]
     before: _Way | None
@@ -187,7 +186,7 @@ def _pairs(way: _Way | None) -> list[tuple[int, int]]:
 
 
 def _needless(events: Sequence[ActivityEvent], number: int, last: int) -> bool:
-    """Whether an event needs no counterpart: it only just happens, is too short, or says what was said before such a one."""
+    """Whether an event may lack a counterpart: it is marginal, very short, or repeats the value from before such an event."""
     event = events[number]
     if event.barely or (event.kind == PULSES and 0 < event.frames <= _FEW_FRAMES):
         return True

@@ -24,7 +24,7 @@ Seen = TypeVar("Seen", PinChange, Wave, ConsoleByte, DeviceEvent)
 Level = int | str
 """How the program drives a pin: 0, 1, `z` (an input) or `p` (an input with its pull-up on)."""
 MOST_CHANGES = 2_000_000
-"""So often a program changes its pins in a run at most: each change takes about 130 bytes, and as many again on the way."""
+"""Limit on the pin changes of a run; each takes about 130 bytes, and as many again while it is transferred."""
 
 
 class Bench(ABC):
@@ -64,7 +64,7 @@ class Bench(ABC):
         return self.cycle * 1e6 / self.clock_hz
 
     def at(self, at_us: float, action: Callable[[], None]) -> None:
-        """Do something at that time, at once if it is past."""
+        """Schedule an action for a time; it happens at once if that has passed."""
         cycle = round(at_us * self.clock_hz / 1e6)
         if cycle <= self.cycle:
             action()
@@ -75,10 +75,10 @@ class Bench(ABC):
 
     @abstractmethod
     def wake_at(self, cycle: int) -> None:
-        """Have `wake` called at that cycle, which comes before any that was asked for earlier."""
+        """Request a call of `wake` at a cycle earlier than any requested before."""
 
     def wake(self) -> int | None:
-        """Do what is due, and tell the cycle of what is to be done next, if there is anything."""
+        """Perform the actions that are due, and return the cycle of the next one, if any."""
         while self._actions and self._actions[0][0] <= self.cycle:
             heapq.heappop(self._actions)[2]()
         return self._actions[0][0] if self._actions else None
@@ -87,11 +87,14 @@ class Bench(ABC):
 
     @abstractmethod
     def set_level(self, pin: str, level: int | None) -> None:
-        """Drive a pin from outside, low or high; None lets go of it. It matters while the program does not drive the pin."""
+        """Drive a pin from outside, low or high; None releases it.
+
+        It has an effect only while the program does not drive the pin.
+        """
 
     @abstractmethod
     def set_voltage(self, pin: str, millivolts: float) -> None:
-        """Put a voltage on a pin of the converter."""
+        """Set the voltage at a pin of the analog-to-digital converter."""
 
     @abstractmethod
     def send(self, data: bytes) -> None:
@@ -100,7 +103,7 @@ class Bench(ABC):
     # ---- what an engine tells
 
     def pin_changed(self, pin: str, level: Level) -> None:
-        """Note that the program drives a pin differently from now on, and tell the devices at it."""
+        """Record that the program changed how it drives a pin, and notify the devices connected to it."""
         if self.driven[pin] == level:
             return
         if len(self.changes) >= MOST_CHANGES:
@@ -111,22 +114,22 @@ class Bench(ABC):
             device.pin_changed(pin, level)
 
     def bus_start(self, address: int, read: bool) -> bool:
-        """Note that the program addresses a device on the bus; whether one acknowledges."""
+        """The program addresses a device on the bus; returns whether one acknowledges."""
         device = self._on_bus.get(address)
         return device is not None and device.bus_start(read)
 
     def bus_write(self, address: int, byte: int) -> bool:
-        """Hand a byte to the device that was addressed; whether it acknowledges."""
+        """Pass a byte to the addressed device; returns whether it acknowledges."""
         device = self._on_bus.get(address)
         return device is not None and device.bus_write(byte)
 
     def bus_read(self, address: int) -> int:
-        """The next byte of the device that was addressed; 255, what an idle bus reads, without one."""
+        """The next byte from the addressed device; 255, the value of an idle bus, if there is none."""
         device = self._on_bus.get(address)
         return device.bus_read() if device is not None else 0xFF
 
     def bus_stop(self, address: int) -> None:
-        """Note that the program is done with the device that was addressed."""
+        """The program ends the transfer with the addressed device."""
         device = self._on_bus.get(address)
         if device is not None:
             device.bus_stop()
@@ -134,7 +137,7 @@ class Bench(ABC):
     def trace(
         self, engine: str, state: str, horizon_us: float, waves: Iterable[Wave], console: Iterable[ConsoleByte]
     ) -> PinTrace:
-        """What was seen until the horizon, by time."""
+        """The trace of the run until the horizon, in order of time."""
 
         def by_time(found: Iterable[Seen]) -> tuple[Seen, ...]:
             return tuple(sorted((each for each in found if each.at_us <= horizon_us), key=itemgetter(0)))
@@ -173,7 +176,7 @@ class Bench(ABC):
             device.start()
 
     def ended(self) -> None:
-        """Tell the devices that the run is over."""
+        """Notify the devices that the run is over."""
         for device in self._devices:
             device.ended()
 
@@ -221,29 +224,29 @@ class Device:
         self.settings = {**self.setting_names, **settings}
 
     def start(self) -> None:
-        """Take the state that the device has when the board is switched on."""
+        """Set the device's state at power-up."""
 
     def pin_changed(self, pin: str, level: Level) -> None:
-        """React to what the program does at one of the device's pins."""
+        """React to a change of how the program drives one of the device's pins."""
 
     def ended(self) -> None:
-        """Note what is still open when the run is over."""
+        """Record what is unfinished when the run is over."""
 
     def bus_start(self, read: bool) -> bool:
-        """React to being addressed on the bus, for reading or writing; whether to acknowledge."""
+        """React to being addressed on the bus, for reading or writing; returns whether to acknowledge."""
         return False
 
     def bus_write(self, byte: int) -> bool:
-        """Take a byte from the bus; whether to acknowledge."""
+        """Receive a byte from the bus; returns whether to acknowledge."""
         return False
 
     def bus_read(self) -> int:
-        """Give a byte to the bus."""
+        """Send a byte on the bus."""
         return 0xFF
 
     def bus_stop(self) -> None:
         """React to the end of a transfer."""
 
     def note(self, what: str, value: Any) -> None:
-        """Note that something happened now."""
+        """Record an event of the device at the current time."""
         self.bench.events.append(DeviceEvent(self.bench.now, self.number, what, value))

@@ -1,8 +1,9 @@
-"""What a board's file says against what the core says that its programs are compiled with (RS810).
+"""Compares a board's file with the core with which its programs are compiled (RS810).
 
-The core's own headers are asked by the compiler: a small file with what is to be known (`[board_check]` of the toolchain's data)
-is compiled to assembler, and the values are read there. A core may also list its boards in a file of its own. What a board claims
-is content (`Board.claims`); whether it holds is told here. Answers are kept by all that they depend on.
+The compiler evaluates the core's headers: a small file with the expressions of interest (`[board_check]` of the toolchain's
+data) is compiled to assembler, and the values are read from there. A core may also list its boards in a file of its own. The
+claims of a board are content (`Board.claims`); whether they hold is checked here. Results are cached by everything that they
+depend on.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ _TOLD = "told_of_board"
 _LONGEST = 200
 
 Arrays = Mapping[str, bytes]
-"""Name of an array -> its bytes, lowest first."""
+"""Name of an array -> its bytes, in little-endian order."""
 
 
 def board_findings(board: Board, toolchain: Toolchain, installed: Installed) -> list[Finding]:
@@ -82,7 +83,7 @@ def _pin_findings(
 
 
 def _asked(claim: Claim) -> list[tuple[str, str]]:
-    """Of the claim's question, answer and choices: the array, empty for none, and the expression of the index or the value."""
+    """For a claim's question, answer and choices: the array (empty for none) and the expression of the index or value."""
     found = []
     for text in (claim.ask, claim.answer, *claim.choices):
         element = _ELEMENT.fullmatch(text)

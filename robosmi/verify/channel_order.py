@@ -1,10 +1,10 @@
-"""In which order two things happen at different pins, when they follow each other too closely for their times to tell.
+"""Compares the order of events on different pins that follow each other too closely for their times to tell.
 
-The comparison of a channel lets an event come tens of milliseconds too early or late, so that two lamps that flash one after
-the other, a millisecond apart, may be swapped unseen. But where one thread of a program makes both, and the source keeps their
-order and distance however much its steps cost, the order is the program's own. Only what is seen to begin sharply is looked at:
-levels and the begins of waves; not frames of servos, and not text, which is sent later than it is printed. Near a change of an
-input the order may hang on where in its loop the program is, so that nothing is said there.
+The comparison of a channel tolerates tens of milliseconds, so two lamps that flash a millisecond apart could be swapped unseen.
+If a single thread of the program causes both, and the source keeps their order and distance whatever its steps cost, the order
+is intended. Only events with a sharp begin are compared: levels and begins of waves, not servo frames, and not text, which is
+sent later than it is printed. Near a change of an input the order may depend on where in its loop the program is, so nothing is
+compared there.
 """
 
 from __future__ import annotations
@@ -18,16 +18,16 @@ from robosmi.verify.alignment import aligned
 from robosmi.verify.comparison import FirstDifference
 
 _SURE_MS = 0.3
-"""Events nearer to one another are unordered: nothing is claimed of the source below about 100 us."""
+"""Events closer to each other have no order: the source's times are not known below about 100 us."""
 _NEAR_MS = 150.0
-"""Events further apart are compared by their times alone."""
+"""Events further apart are compared by their times only."""
 _QUIET_MS = 150.0
-"""For so long before an event no input may have changed."""
+"""Minimum time between the last change of an input and an event that is compared."""
 _SHARP = (LEVEL, WAVE, BURST)
 
 
 class _Begin(NamedTuple):
-    """A begin in the source's nominal run: when, of what, and when it comes in the varied runs and on the target (ms)."""
+    """The begin of an event in the source's nominal run, with its times in the varied runs and on the target (ms)."""
 
     at_ms: float
     channel: str
@@ -63,7 +63,7 @@ def first_disorder(
 
 
 def _begins(channel: str, runs: Sequence[Sequence[ActivityEvent]], target: Sequence[ActivityEvent]) -> list[_Begin]:
-    """What begins sharply on a channel and has its counterpart in all runs and on the target."""
+    """The sharp begins on a channel that have a counterpart in all runs and on the target."""
     nominal, *varied = runs
     sharp = [number for number in range(1, len(nominal)) if _sharp(nominal[number - 1], nominal[number])]
     if not sharp:
@@ -82,14 +82,14 @@ def _begins(channel: str, runs: Sequence[Sequence[ActivityEvent]], target: Seque
 
 
 def _sharp(before: ActivityEvent, event: ActivityEvent) -> bool:
-    """Whether the instant of an event is the program's: how a wave or a servo's frames end is not."""
+    """Whether the program determines the exact time of an event, unlike that of the end of a wave or of servo frames."""
     if event.kind not in _SHARP:
         return False
     return before.kind == LEVEL if event.kind == LEVEL else not (event.kind == WAVE and float(event.value[0]) <= 0)
 
 
 def _swapped(before: _Begin, after: _Begin) -> bool:
-    """Whether the target has clearly turned round what the source always does in one order, at about one distance."""
+    """Whether the target clearly reverses two events whose order and distance are the same in all runs of the source."""
     apart_ms = after.at_ms - before.at_ms
     spread_ms = max((abs(b - a - apart_ms) for a, b in paired(before.varied_ms, after.varied_ms)), default=0.0)
     coarse_ms = max(_SURE_MS, *(_period_ms(each.event) for each in (before, after)))
@@ -97,7 +97,7 @@ def _swapped(before: _Begin, after: _Begin) -> bool:
 
 
 def _period_ms(event: ActivityEvent) -> float:
-    """A wave is seen from some part of its first period on."""
+    """The uncertainty of an event's begin: a wave's period, since its first period may be seen only partly; 0 for others."""
     return 1000 / float(event.value[0]) if event.kind == WAVE else 0.0
 
 

@@ -1,8 +1,8 @@
-"""Comparing what two programs do, channel by channel: the same values in the same order, at about the same times, for as long.
+"""Compares two programs channel by channel: the same values in the same order, at about the same times, for as long.
 
-This is the (tau, eps)-closeness of conformance testing with a clause for durations. What counts as about the same is derived: a
-base from the kind of the channel, and twice as much as the source differs from itself when its steps cost more or less and its
-inputs come a little earlier or later. A source whose values differ from its own is racy: nothing can be decided with it.
+This is the (tau, eps)-closeness of conformance testing, extended by durations. The tolerance is derived: a base that depends on
+the kind of channel, plus twice the differences between runs of the source whose steps cost more or less and whose inputs come a
+little earlier or later. If even the values of these runs differ, the channel is racy and nothing can be decided with it.
 """
 
 from __future__ import annotations
@@ -24,26 +24,26 @@ if TYPE_CHECKING:
 SAME, DIFFERENT, NOT_EXERCISED, RACY = "same", "different", "not-exercised", "racy"
 
 _BASE_MS = {LEVEL: 45.0, PULSES: 65.0, WAVE: 45.0, BURST: 45.0, LINE: 45.0, READING: 45.0, HELD: 45.0, PULSE: 45.0}
-"""The longer of two polling periods and 5 ms; where a servo's frame makes the event, that frame too."""
+"""Base tolerance in ms by kind of event: the longer of two polling periods, 5 ms, and a servo frame where one makes the event."""
 _PRINTED = (LINE, READING, HELD, PULSE)
 _DURATION = 0.01
 _RESOLUTION_MS = 0.25
-"""Nothing is claimed of the source below about 100 us, at the begin and at the end of what lasts."""
+"""Tolerance in ms for both ends of a duration, since the source's times are not known below about 100 us."""
 _FRAME_MS = 21.0
 _REST_MS = 5.0
-"""A rest ends when the program comes round: what it does until then takes other times on another microcontroller."""
+"""Tolerance in ms for a low level, which ends when the program's loop comes round: the code in between takes other times."""
 RESONATOR = 0.005
-"""A board's resonator may be off by so much: times drift by it."""
+"""Relative error of a board's ceramic resonator, by which times drift."""
 
 
 class FirstDifference(Struct, frozen=True):
-    """Where two programs differ first.
+    """The first difference between two programs.
 
     Attributes:
-        at_ms: when, in milliseconds of the source's time.
-        channel: of what.
-        message: what is different, in words.
-        source, target: what each side does from then on, None where it does nothing more.
+        at_ms: its time, in milliseconds of the source.
+        channel: the channel's name.
+        message: what differs, in words.
+        source, target: the differing events, None for a side that has no further event.
     """
 
     at_ms: float
@@ -65,15 +65,15 @@ def _event_json(event: ActivityEvent | None) -> dict[str, Json] | None:
 
 
 class ChannelComparison(Struct, frozen=True):
-    """What became of one channel in one scenario.
+    """The result of comparing one channel in one scenario.
 
     Attributes:
         channel: its name.
         status: same, different, not-exercised, or racy.
         difference: the first one, or None.
-        events: how many were compared, or the source has where it is racy, without what it does at the beginning.
-        greatest_dt_ms: the greatest distance in time of two events that belong together.
-        itself: where the source first differs from itself, if it does.
+        events: the number of events compared (of a racy channel: of the source), without the initial state.
+        greatest_dt_ms: the greatest time difference between corresponding events.
+        itself: where runs of the source first differ from each other, or None.
     """
 
     channel: str
@@ -85,12 +85,12 @@ class ChannelComparison(Struct, frozen=True):
 
 
 class EventTolerance(Struct, frozen=True):
-    """How far an event may be off beyond the base.
+    """The tolerance of one event in addition to the base.
 
     Attributes:
-        time_ms: in time, in milliseconds.
-        duration_ms: how much longer or shorter what it begins may last.
-        parts: what it says: by what part of itself a wave's frequency, or each number of a reading.
+        time_ms: of its time, in milliseconds.
+        duration_ms: of its duration.
+        parts: relative tolerances of its value: of a wave's frequency, or of each number of a reading.
     """
 
     time_ms: float = 0.0
@@ -99,15 +99,16 @@ class EventTolerance(Struct, frozen=True):
 
 
 class ClosedLoop(Struct, frozen=True):
-    """That a program waits for what it drives by what that tells, which ends when the last small step of it is seen.
+    """A program that waits for a motion by reading a sensor of it, so that the wait ends with the last small step of the
+    motion.
 
-    Whether that step is needed hangs on the last microsecond, in the source as on the target. Runs of the source tell how far
-    several such ends have come apart, but not each of them what one end may take.
+    Whether one more step is needed depends on microseconds, on the source as on the target. Runs of the source show how far the
+    ends of several such waits diverge together, but not the tolerance of each single one.
 
     Attributes:
         since_ms: when the first such motion begins.
-        ms: by how much one of them may end earlier or later.
-        rests: whether the channel tells when nothing is driven: how long that lasts hangs on the program's own waits alone.
+        ms: the tolerance of the end of one motion.
+        rests: whether the channel has events for standing still, whose duration depends only on the program's own waits.
     """
 
     since_ms: float
@@ -115,7 +116,7 @@ class ClosedLoop(Struct, frozen=True):
     rests: bool = False
 
     def loosened(self, source: Sequence[ActivityEvent], allowed: Sequence[EventTolerance]) -> list[EventTolerance]:
-        """The tolerances with what a single end may take, from the first motion on."""
+        """The tolerances increased by that of a single motion's end, from the first motion on."""
         return [
             EventTolerance(each.time_ms + self.ms, each.duration_ms + self._lasts_ms(source[at]), each.parts)
             if source[at].at_us / 1000 >= self.since_ms
@@ -128,7 +129,7 @@ class ClosedLoop(Struct, frozen=True):
 
 
 def tolerances(source: Sequence[ActivityEvent], varied: Sequence[Sequence[ActivityEvent]]) -> list[EventTolerance] | None:
-    """How far each event may be off, from runs of the source itself; None if these have other values: the channel is racy.
+    """The tolerance of each event, from runs of the source itself; None if their values differ, so that the channel is racy.
 
     Args:
         source: the nominal run's events.
@@ -226,7 +227,7 @@ def _racy(
     varied: Sequence[Sequence[ActivityEvent]],
     horizon_ms: float,
 ) -> ChannelComparison:
-    """A channel on which the source differs from itself: what is sure of it may be different all the same, but for its times."""
+    """The result for a racy channel: values that all runs of the source agree on are still compared, their times are not."""
     itself = first_self_difference(source, varied)
     found = ChannelComparison(channel, RACY, events=max(0, len(source) - 1), itself=itself)
     if itself is None:
@@ -249,7 +250,7 @@ def _racy(
 
 
 def _may_be_beyond(mine: ActivityEvent | None, theirs: ActivityEvent | None, beyond_ms: float, horizon_ms: float) -> bool:
-    """Whether events that do not belong together are so near to the end that the other side may be late."""
+    """Whether events without counterparts are so near the horizon that the counterparts may come after it."""
     if mine is None or theirs is None:
         extra = mine or theirs
         assert extra is not None
@@ -259,7 +260,7 @@ def _may_be_beyond(mine: ActivityEvent | None, theirs: ActivityEvent | None, bey
 
 
 def _vague_ms(own: ActivityEvent, other: ActivityEvent) -> float:
-    """By how many milliseconds the begins of two events may be put otherwise."""
+    """The uncertainty, in milliseconds, of the begins of two events."""
     return max(own.vague_us, other.vague_us) / 1000
 
 
@@ -268,7 +269,7 @@ def _tau(event: ActivityEvent, beyond_ms: float) -> float:
 
 
 def _lasts_alike(event: ActivityEvent, after: ActivityEvent, source_ms: float, target_ms: float, beyond_ms: float) -> bool:
-    """Whether something lasts as long on both sides; what a servo's frames begin or end is as coarse as a frame."""
+    """Whether the durations of an event agree on both sides; next to servo frames only to within the period of a frame."""
     coarse = _REST_MS if event.value == (0,) else 0.0
     if PULSES in (event.kind, after.kind):
         coarse = _FRAME_MS * (1 + (event.value == (0,)))
@@ -281,7 +282,7 @@ def _ends_differ(
     horizon_ms: float,
     allowed: Sequence[EventTolerance],
 ) -> bool:
-    """Whether a varied run has events more or less, other than so near to its end that they may come after it."""
+    """Whether a varied run has more or fewer events, except near its end, where the others may come after it."""
     late_ms = max((each.time_ms for each in allowed), default=0.0)
     for run in varied:
         found = aligned(source, run)

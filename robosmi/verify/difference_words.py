@@ -1,7 +1,7 @@
-"""What to say of the first events of two programs that do not belong together: late, early, missing, once more, something else.
+"""Describes the first events of two programs that do not correspond: late, early, missing, repeated, or different.
 
-That they do not is `comparison`'s to find; which events do is `alignment`'s. What is said has to be true of the whole runs: an
-event that comes later than it should is not one that the other program does not have.
+`comparison` finds that they differ and `alignment` which events correspond. The description has to be true for the whole runs:
+an event that only comes late is not one that the other program lacks.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from robosmi.verify.activity import PULSES, ActivityEvent
 from robosmi.verify.alignment import Alignment, alike
 
 _MOST = 20_000
-"""So many events of a run are looked through at most."""
+"""Limit on the events of a run that are searched."""
 
 
 class ToldDifference(Struct, frozen=True):
@@ -23,7 +23,7 @@ class ToldDifference(Struct, frozen=True):
     Attributes:
         at_us: when it begins, in microseconds.
         message: what is different.
-        source, target: the events that it is about, None where a side has none.
+        source, target: the events that it is about, None for a side that has none.
     """
 
     at_us: float
@@ -39,13 +39,13 @@ def told_difference(
     in_time: Callable[[int, int], bool],
     allowed_ms: Callable[[int], float],
 ) -> ToldDifference:
-    """What the first events without a counterpart are.
+    """Describe the first events without a counterpart.
 
     Args:
-        source, target: the events of both programs, of which at least one has events that do not belong to the other's.
-        found: which belong together.
-        in_time: whether an event of the source and one of the target, by their numbers, are near enough in time.
-        allowed_ms: by how many milliseconds an event of the source, by its number, may be off.
+        source, target: the events of both programs, at least one of which has events without a counterpart.
+        found: the alignment of these events.
+        in_time: whether an event of the source and one of the target, given by their indices, are close enough in time.
+        allowed_ms: the time tolerance of an event of the source, given by its index, in milliseconds.
     """
     sides = _Sides(source, target, found, in_time)
     mine = source[found.own] if found.own < len(source) else None
@@ -75,7 +75,7 @@ def told_difference(
 
 
 def lasts_otherwise(event: ActivityEvent, source_ms: float, target_ms: float) -> str:
-    """That something lasts longer or shorter than it should."""
+    """The message that something lasts too long or too short."""
     verb = "last" if event.kind == PULSES else "lasts"
     return f"{event} {verb} {target_ms:.2f} ms instead of {source_ms:.2f} ms"
 
@@ -97,11 +97,11 @@ class _Sides(Struct, frozen=True):
         return {other for _, other in self.found.pairs}
 
     def met_elsewhere(self, other: int) -> bool:
-        """Whether an event of the target is in time for a later one of the source that says the same."""
+        """Whether an event of the target matches a later event of the source in value and time."""
         return any(self._fit(own, other) for own in range(self.found.own + 1, min(len(self.source), self.found.own + _MOST)))
 
     def is_elsewhere(self, own: int) -> bool:
-        """Whether an event of the source has a later one of the target in time that says the same."""
+        """Whether an event of the source matches a later event of the target in value and time."""
         return any(
             self._fit(own, other) for other in range(self.found.other + 1, min(len(self.target), self.found.other + _MOST))
         )
@@ -110,12 +110,12 @@ class _Sides(Struct, frozen=True):
         return self.in_time(own, other) and alike(self.source[own], self.target[other])
 
     def nearest(self, event: ActivityEvent, events: Sequence[ActivityEvent], paired: set[int]) -> int | None:
-        """The number of the event nearest in time that says the same and belongs to none; None if there is none."""
+        """The index of the unpaired event with the same value that is nearest in time; None if there is none."""
         free = [number for number, each in enumerate(events[:_MOST]) if number not in paired and alike(each, event)]
         return min(free, key=lambda number: abs(events[number].at_us - event.at_us), default=None)
 
     def more(self, event: ActivityEvent) -> str:
-        """That the target does something that the source does not do, at all or at that time."""
+        """The message that the target does something which the source does not do, at all or at that time."""
         if any(alike(each, event) for each in self.source[1:_MOST]):
             return f"{event} once more, which the source does not do then"
         return f"{event}, which the source does not do"

@@ -1,7 +1,7 @@
-"""How a program drives a line that it shares with a device: for how long it holds it high or low before it lets go or goes on.
+"""How long a program drives a line that it shares with a device before it releases it.
 
-A sensor that is charged, or asked by a long pulse, answers only if that lasts long enough; a simulated one may be more patient
-than a real one. So how long is looked at, too. What a device answers is its own business.
+A sensor that has to be charged, or is started by a long pulse, answers only if the line is driven long enough; a simulated
+sensor may be more tolerant than a real one, so the durations are compared, too. The device's answers are compared elsewhere.
 """
 
 from __future__ import annotations
@@ -17,19 +17,21 @@ from robosmi.verify.simulation import PinTrace
 
 DRIVEN_LOW, LET_GO = "driven low", "let go"
 _SHORTEST_US = 100.0
-"""What lasts less is not looked at: nothing is claimed of the source below that."""
+"""Shorter durations are ignored: the source's times are not known below this."""
 _AGREE = 3
-"""So many that follow one another tell a new length where a line is held often: single ones are stretched by interrupts."""
+"""If a line is driven often, a new length counts once this many in a row have it, since interrupts stretch single ones."""
 _OFTEN_US = 200_000.0
 _LEAST_PAUSE_US, _PAUSES, _CLEAR = 500_000.0, 5, 1.5
-"""A line is not held any more, or not for a long time: for so long at least, and so many times as long as usual. Another run may
-see a pause otherwise that is less than so many times as long as that."""
+"""A line is no longer driven after a pause of at least the first, and the second times the usual pause.
+
+The end is marginal if the pause is less than the third times this limit.
+"""
 NO_MORE = -1_000.0
-"""The length in an event that says so."""
+"""The length, in an event, that means that the line is no longer driven."""
 
 
 def held_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
-    """The lengths for which a line is held, by time: an event wherever they become others.
+    """For how long a line is driven at a time: an event wherever this length changes.
 
     Args:
         trace: what was seen.
@@ -41,7 +43,7 @@ def held_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
 
 
 def pulse_lengths(trace: PinTrace, pin: str) -> list[ActivityEvent]:
-    """How long the pulses are at a pin where one function alone makes them, in one go: an event wherever that becomes other.
+    """How long the pulses at a pin are that a single function call makes: an event wherever this length changes.
 
     Args:
         trace: what was seen.
@@ -77,24 +79,24 @@ def _lengths(
 
 
 def _long_pause(held: list[tuple[float, float]]) -> float:
-    """How long a line is not held where that is no part of what goes on: much longer than usual."""
+    """The pause after which a line counts as no longer driven, in microseconds: much longer than the usual pause."""
     pauses = sorted(held[at + 1][0] - held[at][0] - held[at][1] for at in range(len(held) - 1))
     return max(_LEAST_PAUSE_US, _PAUSES * pauses[len(pauses) // 2]) if pauses else inf
 
 
 def let_go_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
-    """When a line is driven low and when it is let go, up to where the program drives it high, if it does: others may pull it up.
+    """The times when a line is driven low and released, up to where the program drives it high; others may pull it up.
 
-    What comes later changes nothing about what was before, since the two sides need not be seen for equally long. Where the line
-    is first let go so near to the end that another run may do so after it, all of that only just happens.
+    The analysis is causal, so a longer trace has the same first events. If the line is first released so near the end of the
+    run that another run may do so later, all of its events are marginal.
 
     Args:
-        trace: what was seen.
+        trace: the trace of the run.
         pin: label of the pin.
 
     Returns:
-        The events, the first one being that of the begin, the only one where the line is not let go again, as at an output that
-        rests, or where a timer makes a wave at it.
+        The events, beginning with the initial state. It is the only event if the line is never released, as with an output that
+        rests, or a pin on which a timer makes a wave.
     """
     changes = trace.levels(pin)
     waves = [wave.at_us for wave in trace.waves if wave.pin == pin and wave.hz > 0]
@@ -122,7 +124,7 @@ def lengths_alike(one_us: float, other_us: float) -> bool:
 
 
 def pulses_alike(one_us: float, other_us: float) -> bool:
-    """Whether two pulses are as long, within what interrupts delay both edges by, and 1 %."""
+    """Whether two pulses are equally long, within 1 % and the delay of both edges by interrupts."""
     return abs(one_us - other_us) <= 2 * EQUAL_US + 0.01 * max(one_us, other_us)
 
 

@@ -1,23 +1,23 @@
-"""Linked programs as files (ELF, System V ABI 4.1): what is taken out of one before somebody gets it.
+"""Removes the relocations from linked ELF programs (System V ABI 4.1) before they are handed out.
 
-The linker is asked to keep its relocations, by which the stack is told (`build`). Other tools take a file that has them for one
-that is still to be linked: `addr2line` of binutils 2.26 then names wrong lines.
+The linker is asked to keep relocations, because the stack depth is computed from them (`build`). But other tools then take the
+file for one that is still to be linked: `addr2line` of binutils 2.26 reports wrong lines.
 """
 
 from __future__ import annotations
 
 _MAGIC = b"\x7fELF"
 _LAYOUTS = {1: (4, 0x20, 0x2E), 2: (8, 0x28, 0x3A)}
-"""Class of the file -> the bytes of an offset, where that of the section headers stands, and their size and number."""
+"""For each ELF class: the size of an offset in bytes, and where the offset of the section headers, their size and number are."""
 _LEAST = 0x40
-"""Bytes that the header of any such file has at most."""
+"""An upper bound on the size of an ELF header in bytes."""
 _RELOCATIONS = (4, 9)
 _TYPE = 4
-"""Where the type stands in a section header, and its bytes."""
+"""The place of the type in a section header, and its size in bytes."""
 
 
 def without_relocations(data: bytes) -> bytes:
-    """A linked program whose sections with relocations are marked as unused; what is no such program stays as it is."""
+    """A linked program with its relocation sections marked as unused; data that is not ELF is returned unchanged."""
     layout = _LAYOUTS.get(data[4]) if data.startswith(_MAGIC) and len(data) > _LEAST else None
     if layout is None:
         return data

@@ -1,7 +1,7 @@
-"""Inputs that differ a little: the same devices with other instants and values of their signals.
+"""Slightly varied inputs: the same devices, with the times and values of their signals changed a little.
 
-A result that depends on such a difference proves nothing about two programs whose steps take different times. Which differences
-matter is the caller's business; here devices are only told apart by their settings: a signal is a list of points [milliseconds,
+A result that depends on such a variation proves nothing about two programs whose steps take different times. Which variations
+matter is up to the caller; here devices are distinguished only by their settings: a signal is a list of points [milliseconds,
 value].
 """
 

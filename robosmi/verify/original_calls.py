@@ -1,7 +1,7 @@
-"""Which calls of library functions the original makes in a part of a run: what makes what is seen at its pins, and what waits.
+"""Which calls of library functions the original makes during a part of a run, to explain what is seen at its pins.
 
-The run is repeated, and its process tells the calls that it is in. Their addresses become names and places with the tools that
-built the program.
+The run is repeated, and its process reports the calls that it is in. Their addresses become names and source lines with the
+tools that built the program.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from robosmi.verify.simulation import DeviceUse
 from robosmi.verify.tools import run
 
 _CALL_BYTES = 1
-"""The address before the one to which a call goes back is the call's."""
+"""A return address minus this many bytes lies within the call instruction."""
 
 
 class LibraryCall(Struct, frozen=True):

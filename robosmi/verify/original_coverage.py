@@ -1,7 +1,7 @@
-"""What runs of the original have reached of it: lines and branches of the user's files, as the compiler counts them.
+"""The coverage of the original by runs: lines and branches of the user's files, as the compiler counts them.
 
-A run leaves its coverage counters. `reached` compares runs among each other, which is cheap; `coverage` asks the compiler's
-coverage tool which lines and branches they stand for.
+A run leaves its coverage counters. `reached` compares runs with each other, which is cheap; `coverage` asks the compiler's
+coverage tool which lines and branches the counters stand for.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""Running the original: in a process of its own and in virtual time, with the same devices at its pins as a simulator has.
+"""Runs the original program in a process of its own and in virtual time, with the devices that a simulator would have.
 
-The process may read and write its two pipes and nothing else. It tells what happens at its pins, and asks when it comes to a
-time at which a device acts, or changes a pin at which one is; the devices, on a `Bench`, answer. So a run repeats exactly,
-however fast this machine is. A `Variation` makes the costs of the program's steps differ, to find out whether what it does
-depends on them.
+The process may only read and write its two pipes. It reports what happens at its pins, and asks back when it reaches the time
+of a device's action or changes a pin that a device is connected to; the devices, on a `Bench`, answer. So a run is
+reproducible, however fast this machine is. A `Variation` changes the costs of the program's steps, to find out whether its
+behaviour depends on them.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace, Wave
 from robosmi.verify.temporary import temporary_folder
 
 STATES = {"running": "running", "finished": "done"}
-"""Status of a run -> state of its trace; any other is `crashed`."""
+"""Status of a run -> state of its trace; any other status is `crashed`."""
 
 _RECORD = struct.Struct("<QIIII")
 _COMMAND = struct.Struct("<iiq")
@@ -38,25 +38,25 @@ _GO, _LEVEL, _VOLTAGE, _TYPED = range(4)
 _LET_GO = 2
 _NEVER = (1 << 62) - 1
 _MOST_RECORDS = 1_000_000
-"""So much happens in a run at most: a trace of it takes 150 MB, and telling of it a few seconds."""
+"""Limit on the records of a run: a trace of this many takes 150 MB and a few seconds."""
 _TOGETHER_US = 45_000.0
-"""Cores that print within this time print together: by so much a line may be later in another run (see `comparison`)."""
+"""Cores that print within this time print concurrently, since a line may be this much later in another run (see `comparison`)."""
 
 
 class Variation(Struct, frozen=True):
     """How a run differs from the nominal one.
 
     Attributes:
-        seed: of the noise, and of what the program takes for random.
-        block_factor: what the program's own steps cost, as a multiple of the nominal cost: a loop that polls is faster or slower.
-        call_factor: the same for calls of the library's functions.
-        noise: by how much each cost differs at random, as a part of it: 0.1 is up to 10 % either way.
-        late_us: by how many microseconds at most a call that waits ends later.
-        early_part: the part of its time by which a call that waits ends earlier, as where a clock is fast.
-        line_part: the part by which the console's line is faster: what prints all the time comes round more
-            often; a negative part makes it slower.
-        clock_us: by how many microseconds clocks that count seconds are ahead: a program that polls one sees a second begin in
-            another poll.
+        seed: of the noise, and of the program's random numbers.
+        block_factor: cost of the program's own steps relative to the nominal cost, which makes a polling loop faster or slower.
+        call_factor: the same for calls of library functions.
+        noise: relative random variation of each cost: 0.1 is up to 10 % in either direction.
+        late_us: the most microseconds by which a waiting call ends late.
+        early_part: the fraction of its time by which a waiting call ends early, as with a fast clock.
+        line_part: the fraction by which the console's line is faster, so that a program that prints all the time iterates more
+            often; negative for slower.
+        clock_us: the microseconds by which clocks that count seconds are ahead, so that a polling program sees a second begin
+            in another iteration.
     """
 
     seed: int = 0
@@ -148,7 +148,7 @@ def _address(use: DeviceUse) -> object:
 
 
 def _ended_by(code: int) -> str:
-    """Why a process ended that could not tell it itself, by its exit code, or its signal as a negative number."""
+    """The reason why a process ended without telling it, from its exit code (a signal as a negative number)."""
     if code == -signal.SIGKILL:
         return (
             "it was stopped from outside: it calls the operating system itself, which it may not, or needs more memory than "
@@ -217,7 +217,7 @@ class _HostBench(Bench):
         self.commands.append(_COMMAND.pack(kind, which, value))
 
     def answer(self, value: int = 0) -> bytes:
-        """What the world has done since it was asked last, and when it acts next."""
+        """The command to the process: what the devices have done since it last asked, and when they act next."""
         said = b"".join(self.commands) + _COMMAND.pack(_GO, value, self.next_wake)
         self.commands.clear()
         return said
@@ -316,7 +316,7 @@ class _Conversation:
             pass  # it has ended: reading tells how
 
     def _read(self, size: int) -> bytes | None:
-        """So many bytes; None when the process has ended, or time is up."""
+        """The given number of bytes; None if the process has ended or time is up."""
         while len(self._waiting) < size:
             left = self.until - monotonic()
             if left <= 0 or not select.select([self._from], [], [], left)[0]:

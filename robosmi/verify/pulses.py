@@ -1,6 +1,6 @@
-"""The times in which a pin is high, and which of them make a wave though interrupts delay some of its edges.
+"""Groups the times in which a pin is high into waves, though interrupts delay some of their edges.
 
-What they tell of what a program does, beside servos' frames and levels, is `activity`'s. Times are microseconds.
+`activity` interprets the rest: servo frames and levels. Times are microseconds.
 """
 
 from __future__ import annotations
@@ -14,17 +14,17 @@ from robosmi.typed import sum_of
 from robosmi.verify.simulation import PinTrace
 
 FEWEST = 4
-"""So many pulses at least are a wave or a burst; fewer are levels."""
+"""Minimum number of pulses of a wave or burst; fewer are plain levels."""
 _AHEAD = 8
 _NOTE = 0.04
-"""Two notes are further apart than this: a semitone is 5.9 %."""
+"""Least relative difference of the periods of two notes; a semitone is 5.9 %."""
 _STEADY = 1.3
-"""Periods of a wave are within this factor of one another, nearly all of them."""
+"""Nearly all periods of a wave are within this factor of the usual one."""
 _PITCH = 0.015
 _RARE = 10
-"""Odd pulses within a wave are the wave's where those before and behind are so many times as many."""
+"""Odd pulses within a wave are counted to it if the regular pulses around them are more than this many times as many."""
 _FAST_US = 200.0
-"""Periods of a wave that interrupts stretch by a large part."""
+"""Waves with a period up to this are fast: a single interrupt stretches it by a large part."""
 _FAST_AHEAD = 20
 _STRETCHED = 2.2
 
@@ -39,7 +39,7 @@ class Pulse(NamedTuple):
 
 
 def pulses_of(trace: PinTrace, pin: str) -> list[Pulse]:
-    """The high times and waves of a pin, by time; a high time within a wave is the wave's."""
+    """The high times and timer waves of a pin in order of time; high times within a wave are not listed separately."""
     waves: list[Pulse] = []
     begun: tuple[float, float, float] | None = None
     for wave in trace.waves:
@@ -65,12 +65,12 @@ def pulses_of(trace: PinTrace, pin: str) -> list[Pulse]:
 
 
 def same_wave(one: Pulse, other: Pulse) -> bool:
-    """Whether two waves of a timer are one that goes on: within 1 % of the frequency and 0.02 of the share that is high."""
+    """Whether a timer's wave continues another: within 1 % of the frequency and 0.02 of the duty cycle."""
     return abs(one.hz - other.hz) <= 0.01 * other.hz and abs(one.duty - other.duty) <= 0.02
 
 
 def wave_parts(pulses: Sequence[Pulse]) -> list[tuple[bool, list[Pulse]]]:
-    """Pulses that follow each other closely, cut into those that make a wave (True) and those that do not, by time."""
+    """Divide pulses with short pauses into parts that are a wave (True) and parts that are not, in order of time."""
     periods = [after.begin - before.begin for before, after in pairwise(pulses)]
     parts: list[tuple[bool, list[Pulse]]] = []
     first = 0
@@ -87,10 +87,10 @@ def wave_parts(pulses: Sequence[Pulse]) -> list[tuple[bool, list[Pulse]]]:
 
 
 def _absorbed(parts: list[tuple[bool, list[Pulse]]]) -> list[tuple[bool, list[Pulse]]]:
-    """Parts in which a few odd pulses at the begin or the end of a wave, or within it, are the wave's.
+    """Join parts of a few odd pulses at either end of a wave, or within it, with the wave.
 
-    A few stretched ones may look steady by chance. Within a wave they are few beside all of its pulses around them: a carrier in
-    bursts is cut at several places, so that the piece next to them may be a burst only.
+    A few stretched pulses may look regular by chance. Within a wave they are compared with all of its pulses around them: a
+    carrier sent in bursts is divided at several places, so the part next to them may be one burst only.
     """
     kept: list[tuple[bool, list[Pulse]]] = []
     for number, (steady, part) in enumerate(parts):
@@ -110,7 +110,9 @@ def _absorbed(parts: list[tuple[bool, list[Pulse]]]) -> list[tuple[bool, list[Pu
 
 
 def _joined_end(parts: list[tuple[bool, list[Pulse]]]) -> list[tuple[bool, list[Pulse]]]:
-    """Parts of which the last ones are the wave's before them, where interrupts stretched it; the first ones, if turned round."""
+    """Join the parts after a wave with it if they are its own pulses, stretched by interrupts; for reversed parts, those before
+    it.
+    """
     wave = next((n for n in reversed(range(len(parts))) if _is_sure(*parts[n])), len(parts))
     rest = [pulse for _, pulses in parts[wave + 1 :] for pulse in pulses]
     if not rest or not _is_stretched(sorted(rest, key=lambda pulse: pulse.begin), parts[wave][1]):
@@ -119,17 +121,17 @@ def _joined_end(parts: list[tuple[bool, list[Pulse]]]) -> list[tuple[bool, list[
 
 
 def _is_sure(steady: bool, part: Sequence[Pulse]) -> bool:
-    """Whether a part is a wave by itself, and not by chance: of a fast one interrupts may stretch many pulses in a row."""
+    """Whether a part is long enough to be a wave and not regular by chance; interrupts may stretch many pulses of a fast one."""
     return steady and len(part) >= _AHEAD and (len(part) >= _FAST_AHEAD or _usual(part) > _FAST_US)
 
 
 def _are_rare(odd: int, before: Sequence[Pulse], rest: Sequence[tuple[bool, list[Pulse]]]) -> bool:
-    """Whether so many odd pulses are few beside those of the wave before them and those with which it goes on after them.
+    """Whether odd pulses are few compared with the wave before them and its continuation after them.
 
     Args:
-        odd: how many they are.
+        odd: the number of odd pulses.
         before: the wave's pulses before them.
-        rest: the parts after them, the first of which goes on with the wave.
+        rest: the parts after them, the first of which continues the wave.
     """
     regular = 0
     for steady, part in rest:
@@ -145,9 +147,9 @@ def _are_rare(odd: int, before: Sequence[Pulse], rest: Sequence[tuple[bool, list
 
 
 def _is_stretched(odd: Sequence[Pulse], wave: Sequence[Pulse]) -> bool:
-    """Whether pulses at the begin or the end of a fast wave are its own, though interrupts have stretched them.
+    """Whether pulses at either end of a fast wave belong to it, though interrupts have stretched them.
 
-    They are few, and but for pauses between bursts none of their periods is much more than twice as long as the wave's.
+    They must be few, and, except for pauses between bursts, their periods must not exceed 2.2 times the wave's.
     """
     periods = sorted(after.begin - before.begin for before, after in pairwise(odd))
     usual = _usual(wave)
@@ -156,7 +158,7 @@ def _is_stretched(odd: Sequence[Pulse], wave: Sequence[Pulse]) -> bool:
 
 
 def _usual(wave: Sequence[Pulse]) -> float:
-    """The usual period of a wave, in microseconds."""
+    """The median period of a wave, in microseconds."""
     return median(after.begin - before.begin for before, after in pairwise(wave))
 
 
@@ -167,9 +169,9 @@ def _same_pitch(one: Sequence[Pulse], other: Sequence[Pulse]) -> bool:
 
 
 def _steady_until(periods: list[float], first: int) -> int:
-    """The number of the last pulse of a wave that begins with a pulse: most of its periods are about the same.
+    """The index of the last pulse of a wave that begins at a pulse: most of its periods are about the same.
 
-    Single ones may be odd: an interrupt stretches one, a pause between two bursts of a carrier is one long one.
+    Single periods may be odd: an interrupt stretches one, and a pause between two bursts of a carrier is a long one.
     """
     if first >= len(periods):
         return first
@@ -189,7 +191,9 @@ def _steady_until(periods: list[float], first: int) -> int:
 
 
 def _one_pitch_until(periods: list[float], first: int, last: int) -> int:
-    """The number of the last pulse of the first note of a wave: where even periods become clearly other even ones at once."""
+    """The index of the last pulse of a wave's first note, which ends where uniform periods change to clearly different uniform
+    ones.
+    """
     for number in range(first + _AHEAD, last - _AHEAD):
         if abs(periods[number + 1] - periods[number - 1]) <= _NOTE * periods[number - 1]:
             continue

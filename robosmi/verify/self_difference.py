@@ -1,8 +1,8 @@
-"""Where a source differs from itself, and what can be said of a channel all the same.
+"""Where runs of the source differ from each other on a channel, and what can still be compared there.
 
-Before the first such place the source is as sure as on any other channel. After it, lines of text that all of its runs print
-alike are sure, too, as long as all runs print lines of the same shape in the same order: the text without its numbers. When they
-come is not compared, since they wobble as well. Comparing channels that are sure is `comparison`'s.
+Before the first such place the source is as reliable as on any other channel. After it, lines of text are that all of its runs
+print identically, as long as all runs print lines of the same shape (the text without its numbers) in the same order. Their
+times are not compared, since these vary, too. Reliable channels are compared by `comparison`.
 """
 
 from __future__ import annotations

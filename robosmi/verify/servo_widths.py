@@ -1,7 +1,7 @@
-"""What a servo is told, frame by frame: widths that it is held at, and marks of the way where a width changes slowly.
+"""The pulse widths sent to a servo: steady widths, and marks that a slowly changing width passes.
 
-A slow ramp has no widths of its own: where it is cut into pieces hangs on a microsecond, and so would a comparison of the
-pieces. It passes the same marks on every machine. What is seen at a pin beside frames of a servo is `activity`'s.
+A slow ramp has no steady widths: where it would be divided depends on microseconds, and so would a comparison of the parts. But
+it passes the same marks on every machine. Other events at a pin are found by `activity`.
 """
 
 from __future__ import annotations
@@ -14,27 +14,27 @@ from robosmi.typed import sum_of
 from robosmi.verify.pulses import Pulse
 
 EQUAL_US = 8.0
-"""Widths of two frames that differ by less are equal: interrupts delay edges by so much."""
+"""Two frames whose widths differ by less are equal, since interrupts delay edges by this much."""
 _SLOW_US = 2 * EQUAL_US
-"""A width that changes by no more from frame to frame changes slowly."""
+"""Greatest change of the width from frame to frame in a slow change."""
 _MARK_US = 20
 _MOVES_US = 3.0
 _STILL_US = 1.5
 _STILL, _LONG = 0.7, 12
-"""Beside a slow change a piece is held when so many of its frames are so near to its middle, and it has so many."""
+"""Next to a slow change a piece is a steady width if this share of its frames is near its median, and it has this many frames."""
 _TOLERATED_US = 3.0
 _NEUTRAL_US = 1500.0
 
 
 class ServoWidth(NamedTuple):
-    """The pulse width of a servo's signal from one moment on.
+    """The pulse width of a servo signal from one time on.
 
     Attributes:
         at_us: when it is reached.
-        width_us: how long the pulses are.
-        frames: how many have it.
-        vague_us: by how much it may be reached earlier or later where all widths are off by what cannot be told apart.
-        barely: whether another run of the same program may not show it.
+        width_us: the length of the pulses.
+        frames: the number of frames with this width.
+        vague_us: the uncertainty of `at_us` if all widths are off by their tolerance.
+        barely: whether another run of the same program may lack it.
     """
 
     at_us: float
@@ -45,14 +45,14 @@ class ServoWidth(NamedTuple):
 
 
 class _Piece(NamedTuple):
-    """Frames of about one width, by the numbers of the first and of the last."""
+    """Consecutive frames of about the same width, as the indices of the first and the last."""
 
     first: int
     last: int
 
 
 def tolerated_us(width_us: float) -> float:
-    """How far widths may be off: 3 us, and 1 % of what they are off from neutral."""
+    """The tolerance of a width: 3 us plus 1 % of its distance from neutral."""
     return _TOLERATED_US + 0.01 * abs(width_us - _NEUTRAL_US)
 
 
@@ -99,7 +99,7 @@ def _pieces(widths: Sequence[float]) -> list[_Piece]:
 
 
 def _step(widths: Sequence[float], pieces: Sequence[_Piece], number: int) -> float:
-    """How a piece goes on from the one before it: the sign is the direction; 0 where that is a jump, or nothing is before it."""
+    """The change of the width from the piece before; 0 if it is a jump or there is no piece before."""
     if not 0 < number < len(pieces):
         return 0.0
     first, last_before = pieces[number].first, pieces[number].first - 1
@@ -109,7 +109,7 @@ def _step(widths: Sequence[float], pieces: Sequence[_Piece], number: int) -> flo
 
 
 def _moves(widths: Sequence[float], piece: _Piece) -> bool:
-    """Whether the width changes within a piece, or it is a single frame."""
+    """Whether the width changes within a piece; a single frame counts as changing."""
     count = piece.last - piece.first + 1
     part = max(1, count // 4)
     begin, end = widths[piece.first : piece.first + part], widths[piece.last + 1 - part : piece.last + 1]
@@ -117,7 +117,7 @@ def _moves(widths: Sequence[float], piece: _Piece) -> bool:
 
 
 def _held(pulses: Sequence[Pulse], widths: Sequence[float], piece: _Piece, into: float, out: float) -> ServoWidth:
-    """A piece as a width; where it is part of a slow change, when it begins is vague, and it may be only a part of that."""
+    """A piece as a steady width. Next to a slow change its begin is uncertain, and it may be marginal."""
     own = widths[piece.first : piece.last + 1]
     middle = median(own)
     vague_us = 0.0
@@ -134,7 +134,7 @@ def _held(pulses: Sequence[Pulse], widths: Sequence[float], piece: _Piece, into:
 
 
 def _marks(pulses: Sequence[Pulse], widths: Sequence[float], way: Sequence[_Piece], fewest: int) -> list[ServoWidth]:
-    """The marks that a slow change passes, one every 20 us; those near its ends need not be passed by another run."""
+    """The marks, one every 20 us, that a slow change passes; those near its ends are marginal."""
     if not way:
         return []
     first, last = way[0].first, way[-1].last

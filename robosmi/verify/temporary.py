@@ -1,8 +1,9 @@
-"""Folders for passing files, of which none stays: those of a process that was killed are removed by the next one.
+"""Temporary folders that are always removed in the end: those of a killed process by the next process.
 
-A process that ends in order, or by a signal that it hears, removes its own. One that is killed outright cannot; so the name of a
-folder tells whose it is, and the first folder that a process makes sweeps out those of processes that are no more. A process
-holds a lock on each of its folders, which goes with it however it ends: that tells of one that runs where this one cannot see it.
+A process that ends normally, or by a signal that it handles, removes its own folders. One that is killed cannot; so a folder's
+name contains the process id, and the first folder that a process makes triggers the removal of those whose processes are gone.
+A process locks each of its folders, and the lock disappears with the process; it protects the folders of a process that is not
+visible here, such as one in another container.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""The machine's side of a toolchain: where its programs and its core are, their versions, running one.
+"""Finds a toolchain's programs and core on this machine and their versions, and runs the programs.
 
-Everything that starts a process is here. What to start is data (`toolchain_data`); what the output means is read by
-`messages` and `toolchain`.
+Processes for building are started here. What to start is data (`toolchain_data`); the output is interpreted by `messages` and
+`toolchain`.
 """
 
 from __future__ import annotations

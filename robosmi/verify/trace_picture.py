@@ -1,7 +1,7 @@
-"""A picture of what two programs do, as SVG: for each channel a lane of the source above one of the target, over one time axis.
+"""Draws two programs' events as SVG: for each channel a lane of the source above one of the target, with a common time axis.
 
-It shows the events that are compared (see `activity`), not single edges. A text stands only where there is room for it; an event
-has its text as a tooltip, too. The picture needs no other file, no script and no particular font.
+It shows the events that are compared (see `activity`), not single edges. A text is shown only where there is room for it; each
+event also has its text as a tooltip. The picture needs no other file, no script and no particular font.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ WIDTH = 1000
 _LEFT, _RIGHT, _TOP = 210, 16, 64
 _LANE, _GAP, _AXIS = 26, 14, 40
 _LETTER = 6.6
-"""Width of a letter in pixels, at most, in the sans-serif fonts of 11 pixels that programs take."""
+"""Upper bound of a letter's width in pixels in common sans-serif fonts of 11 pixels."""
 _COLOURS = ("#1b5e9b", "#a8500b")
 _LONGEST_LABEL = 30
 
