@@ -1,8 +1,8 @@
 """RoboSMi moves robot software between microcontroller boards with models, and is a model-driven engineering framework.
 
-It is no compiler and no emulator: it reads a program and a drawing as models, decides in a plan that can be read and
-edited, and writes a sketch with a truthful list of what is left. The functions below are what the command line does;
-they are imported when first used, so `import robosmi` stays light.
+It is neither a compiler nor an emulator: it reads a program and a drawing as models, makes its decisions in a plan that a
+person can read and edit, and writes a sketch with a truthful list of what is left to do. The functions below correspond to the
+commands of the command line; they are imported when first used, so `import robosmi` stays fast.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""`python -m robosmi`, and the command `robosmi`: the command line, also where it is interrupted before it has begun."""
+"""`python -m robosmi`, and the command `robosmi`: runs the command line, and handles interruptions even while it starts."""
 
 import atexit
 import gc
@@ -11,7 +11,7 @@ from typing import NoReturn
 
 
 def _current_folder_is_first() -> bool:
-    """Whether Python put the current folder first, where a stranger may offer plug-ins and modules, and it is not our own."""
+    """Whether Python searches the current folder first for modules, where a stranger could place some, unless it is our own."""
     try:
         here = os.getcwd()
         own = os.path.samefile(os.path.dirname(os.path.dirname(__file__)), here)
@@ -30,7 +30,7 @@ def _collect_less() -> None:
 
 
 def start() -> int:
-    """Run the command of this process; an interruption ends it with a word and exit code 130, whenever it comes."""
+    """Run the command of this process; an interruption at any time ends it with a short message and exit code 130."""
     _collect_less()  # before modules are imported
     try:
         from robosmi.cli.kept_patterns import keep_patterns
@@ -47,10 +47,10 @@ def start() -> int:
 
 
 def command() -> NoReturn:
-    """Run the command of this process and end it, without taking its models and modules apart one by one.
+    """Run the command of this process and end it without freeing its models and modules one by one.
 
-    The system takes all memory back at once. Where threads are at work, or what was printed cannot be written, Python ends the
-    process in its own way.
+    The system reclaims all memory at once. If threads are running, or output cannot be written, Python ends the process as
+    usual.
     """
     try:
         code = start()

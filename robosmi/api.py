@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class Analysed(Protocol):
-    """What was found in something that was read."""
+    """The result of reading an input."""
 
     @property
     def result(self) -> Mapping[str, Json]:
@@ -38,7 +38,7 @@ class Analysed(Protocol):
 
 
 class AnalysedCode(Analysed, Protocol):
-    """What was found in the source files of a program."""
+    """The result of reading the source files of a program."""
 
     @property
     def program(self) -> ccode.Program:
@@ -46,7 +46,7 @@ class AnalysedCode(Analysed, Protocol):
 
 
 class AnalysedDrawing(Analysed, Protocol):
-    """What was found in a drawing."""
+    """The result of reading a drawing."""
 
     @property
     def circuit(self) -> hardware.Circuit:
@@ -56,7 +56,7 @@ class AnalysedDrawing(Analysed, Protocol):
         """The circuit as SVG."""
 
     def pin_table(self, target: Path) -> str:
-        """The pins and what they drive, in the form that the ending of a file's name says."""
+        """The pins and what they drive, in the format that a file name's ending selects."""
 
 
 class RankedLibraries(Analysed, Protocol):
@@ -64,7 +64,7 @@ class RankedLibraries(Analysed, Protocol):
 
     @property
     def answers(self) -> Sequence[Recommendation]:
-        """One for each component, in their order."""
+        """The recommendations, one for each component, in their order."""
 
 
 class PlannedMigration(Protocol):
@@ -84,11 +84,11 @@ class PlannedMigration(Protocol):
 
 
 class MadeSketch(Protocol):
-    """What a migration made."""
+    """The result of a migration."""
 
     @property
     def models(self) -> PlannedMigration:
-        """Its models, the plan among them."""
+        """The models of the migration, including the plan."""
 
     @property
     def sketch(self) -> Path:
@@ -104,7 +104,7 @@ class MadeSketch(Protocol):
 
     @property
     def diff(self) -> str:
-        """What a dry run would change; else empty, unless it was asked for."""
+        """The changes that a dry run would make, as a diff; otherwise empty unless it was requested."""
 
     @property
     def written(self) -> bool:
@@ -112,7 +112,7 @@ class MadeSketch(Protocol):
 
     @property
     def verification(self) -> tuple[Mapping[str, Json], int] | None:
-        """The comparison with the original as the contract has it, and its exit code; None where nobody asked for it."""
+        """The comparison with the original in the contract's form, and its exit code; None if none was requested."""
 
     @property
     def findings(self) -> Sequence[Finding]:

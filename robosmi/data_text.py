@@ -1,7 +1,7 @@
-"""Texts in TOML and JSON as Python values; whatever is wrong with one is a `ValueError` whose text a person can read.
+"""Reads TOML and JSON texts into Python values; any fault is reported as a `ValueError` with a message for persons.
 
-Python's own readers also end in a `RecursionError` for a text that is nested deeply, and in advice to programmers for a number
-of thousands of digits. What the values mean is up to who asks for them, and so is the message with the file's name.
+Python's own readers also raise `RecursionError` for deeply nested texts, and give programmers' advice about numbers with
+thousands of digits. The caller interprets the values and adds the file's name to the message.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from typing import TypeAlias
 from robosmi.user_cache import KeptResults
 
 Json: TypeAlias = "bool | int | float | str | Sequence[Json] | Mapping[str, Json] | None"
-"""What a text in JSON can say; tuples are written as lists."""
+"""A value that JSON can represent; tuples are written as lists."""
 MOST_PARTS = 100
-"""Of a dotted key in TOML. Python's reader goes through all beginnings of a key, so that a long one takes minutes."""
+"""Limit on the parts of a dotted key in TOML, since the time of Python's reader grows quadratically with them."""
 _TOKEN = re.compile(
     r'''""".*?"""|\'{3}.*?\'{3}|#[^\n]*|(?P<part>"(?:\\.|[^"\\\n])*"|'[^'\n]*'|[A-Za-z0-9_-]+|[ \t]+)|(?P<dot>\.)|.''', re.DOTALL
 )
@@ -69,9 +69,7 @@ def toml_of(text: str | bytes) -> dict[str, Json]:
 
 
 def data_toml(text: str) -> dict[str, Json]:
-    """The value of a text in TOML that is read again and again, as that of a file of the platform repository, by every run.
-
-    Python's reader takes a millisecond for 5 KB, so values are kept from one run to the next.
+    """The value of a TOML text that every run reads, such as a file of the platform repository.
 
     Raises:
         ValueError: as for `toml_of`.
@@ -86,7 +84,7 @@ def data_toml(text: str) -> dict[str, Json]:
 
 
 _TABLES: KeptResults[str, bytes] = KeptResults("tables", "1", 500)
-"""Text -> its value, as bytes: each caller gets one of its own."""
+"""Text -> its value as bytes; each caller gets a copy of its own."""
 
 
 def _parts(text: str) -> int:

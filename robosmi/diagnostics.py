@@ -1,7 +1,7 @@
-"""What is said about an input: places, findings and tasks, as plain values with the JSON form of the contract.
+"""Places, findings and tasks as plain values with the JSON form of the contract.
 
-A finding is a fact about what was read or made; a task is work that is left for a person. Both have a stable `id`
-(same input, same id), so that scripts can follow them. Exceptions live in `errors`; texts for a terminal in `report`.
+A finding is a fact about what was read or made; a task is work left for a person. Both have a stable `id` (same input, same
+id), so that scripts can track them. Exceptions are in `errors`; texts for a terminal in `report`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Severity(IntEnum):
-    """How bad a finding is; comparable (`Severity.error > Severity.warning`)."""
+    """The severity of a finding; comparable (`Severity.error > Severity.warning`)."""
 
     info = 0
     warning = 1
@@ -55,7 +55,7 @@ class Location(Struct, frozen=True):
 
 
 class FlowStep(Struct, frozen=True):
-    """One step of how a program, or a tool, comes to what a finding says.
+    """One step of the path, through a program or a tool, that leads to a finding.
 
     Attributes:
         location: where it happens.
@@ -71,11 +71,11 @@ class FlowStep(Struct, frozen=True):
 
 
 class TextEdit(Struct, frozen=True):
-    """A change of a text that mends what a finding says, exactly as it would be typed.
+    """A text change that fixes a finding, exactly as it would be typed.
 
     Attributes:
-        location: the range that is replaced, with its end, which is behind the last character; an empty range for an insertion.
-        text: what comes there.
+        location: the range to replace, its end exclusive; an empty range for an insertion.
+        text: the replacement.
     """
 
     location: Location
@@ -87,18 +87,18 @@ class TextEdit(Struct, frozen=True):
 
 
 class Finding(Struct, frozen=True):
-    """One thing worth knowing about an input or a result.
+    """One fact worth knowing about an input or a result.
 
     Attributes:
         rule: stable id of the rule, e.g. `RS301` (docs/reference/rules.md lists them).
         severity: error, warning or info.
         message: one sentence with the cause.
-        location: where, or None.
+        location: the place, or None.
         element: URI of the model element, or None.
         fix: what to do, or None.
-        evidence: what the finding rests on, JSON values only.
-        steps: how it comes to it, from the first step to the last, where that is known.
-        edits: changes of text that together mend it, where there are such.
+        evidence: the facts that the finding is based on, JSON values only.
+        steps: the path that leads to it, from the first step to the last, if known.
+        edits: text changes that together fix it, if there are any.
     """
 
     rule: str

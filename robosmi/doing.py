@@ -1,6 +1,6 @@
-"""What a long command does now: said by whoever does it, heard by whoever listens, such as the command line's progress.
+"""What a long command is doing now: announced by the working code, and received by a listener such as the progress line.
 
-Nobody has to listen, and what is said changes nothing. A listener is heard in its own thread alone.
+Without a listener an announcement has no effect. A listener receives those of its own thread only.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ _listener: ContextVar[Listener | None] = ContextVar("robosmi_doing", default=Non
 
 
 def doing(what: str) -> None:
-    """Say what is being done from now on, in a few words without a full stop; an empty text for nothing worth saying."""
+    """Announce what is being done from now on, in a few words without a full stop; an empty text announces nothing."""
     listener = _listener.get()
     if listener is not None:
         listener(what)
@@ -22,7 +22,7 @@ def doing(what: str) -> None:
 
 @contextmanager
 def heard_by(listener: Listener) -> Iterator[None]:
-    """Within this, a listener hears what is said; one that listened before does not."""
+    """Context manager: the listener receives the announcements, instead of an earlier one."""
     before = _listener.set(listener)
     try:
         yield

@@ -1,7 +1,7 @@
-"""Which code that is not ours an exception came out of: a person's rule that raises, a function that calls itself without end.
+"""Which code outside of RoboSMi raised an exception: a person's rule that fails, or a function with endless recursion.
 
-What is ours, Python's own and an installed package's is told by module names and folders. What becomes of the exception is the
-caller's business; plug-ins, which are installed packages, are `plugins`' business.
+Our own code, Python's and that of installed packages are distinguished by module names and folders. The caller decides how to
+report the exception; plug-ins, which are installed packages, are handled by `plugins`.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from robosmi.diagnostics import Location
 from robosmi.typed import kept
 
 END = "let it come to an end for every element, for example by passing over those that it has seen"
-"""What to do about a function that calls itself without end."""
+"""The advice for a function with endless recursion."""
 _OFTEN = 50
-"""Calls of one function on the stack that make it one that calls itself without end, when the stack is full."""
+"""A function with this many calls on a full stack counts as one with endless recursion."""
 
 
 def innermost(error: BaseException) -> Location | None:
@@ -27,7 +27,7 @@ def innermost(error: BaseException) -> Location | None:
 
 
 def endless(error: RecursionError) -> tuple[str, Location] | None:
-    """The function of a person's that calls itself without end, by its name and place; None where it is not theirs."""
+    """A person's function that recurses without end, with its name and place; None if it is not a person's."""
     codes = Counter(frame.f_code for frame, _ in traceback.walk_tb(error.__traceback__) if _is_foreign(frame))
     if not codes:
         return None

@@ -1,6 +1,6 @@
-"""The type of functions that people give: rules, guards, blocks, operations, whatever their parameters are.
+"""The type of functions passed in by users: rules, guards, blocks, operations, with any parameters.
 
-For type checkers alone; import it under `TYPE_CHECKING`. What is done with such a function is its caller's business.
+For type checkers only; import it under `TYPE_CHECKING`.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""The one place that opens a file to read it: ordinary files only, and no more of them than their kind may have.
+"""The only module that opens files for reading: ordinary files only, up to a maximum size for their kind.
 
-A named pipe, a device or a socket can keep a reader waiting for ever, and a file without end takes all memory. So a path is
-looked at before it is opened, opened without waiting, and what was opened is looked at again, since the path may have come to
-mean another file in between. What the bytes mean is told elsewhere; files are written by `robosmi.model.files` and `commit`.
+A named pipe, a device or a socket can block a reader forever, and an endless file exhausts the memory. So a path is checked
+before it is opened, opened without blocking, and the opened file is checked again, since the path may lead to another file by
+then. Files are written by `robosmi.model.files` and `commit`.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _MB = 1024 * 1024
 
 
 def flags(*names: str) -> int:
-    """The flags of `os.open` with these names, as one number; not every system has all of them."""
+    """The combined flags of `os.open` with these names, without those that the system lacks."""
     number: int = 0
     for name in names:
         number |= vars(os).get(name, 0)
@@ -135,9 +135,9 @@ _READ: ContextVar[dict[str, bytes] | None] = ContextVar("read", default=None)
 
 @contextmanager
 def read_once() -> Iterator[None]:
-    """Within this, a source file, drawing, table or file of settings that is read again is what it was when it was read first.
+    """Context manager: a source file, drawing, table or settings file that is read again has the content of the first time.
 
-    So all steps of one run see the same bytes, and each file is opened once. What was read is forgotten at the end.
+    So all steps of one run see the same bytes, and each file is opened once. The contents are dropped at the end.
     """
     token = _READ.set({}) if _READ.get() is None else None
     try:
@@ -152,7 +152,7 @@ _CHECK: ContextVar[Callable[[str | os.PathLike[str], bytes], None] | None] = Con
 
 @contextmanager
 def checked(check: Callable[[str | os.PathLike[str], bytes], None]) -> Iterator[None]:
-    """Within this, `check` is given the path and the bytes of each file that is read, before they are used; it may raise."""
+    """Context manager: `check` is called with the path and bytes of each file read, before they are used; it may raise."""
     token = _CHECK.set(check)
     try:
         yield
@@ -200,7 +200,7 @@ def _read(path: str | os.PathLike[str], kind: Kind, follow: bool, dir_fd: int | 
 
 
 _OLD_END = re.compile(rb"\r(?!\n)")
-"""The end of a line on old systems, which compilers take for one."""
+"""The line end of old systems (a carriage return alone), which compilers accept."""
 
 
 def read_text(path: str | os.PathLike[str], kind: Kind, encoding: str = "utf-8", errors: str = "strict") -> str:

@@ -1,7 +1,7 @@
-"""What content offers under a name, and the form in which a plug-in has to offer it, so that a mistake there is told as one.
+"""What content registers under a name, and the form that this must have in a plug-in, so that mistakes are blamed on it.
 
-A plug-in's function that is called wrongly raises a `TypeError` in code of ours, and one that returns something else breaks code
-of ours later. Both are faults of the plug-in; here they become errors that name it and say what is expected.
+A plug-in's function called with wrong arguments would raise a `TypeError` in our code, and one that returns a wrong type would
+break our code later. Both are faults of the plug-in; here they become errors that name it and state what is expected.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ FORMS = {
     "program reader": "it is called as read(PATHS, platform=NAME, include_dirs=FOLDERS, defines=MACROS) "
     "and has to return (Program, list of Finding)",
 }
-"""Kind of content -> how what is offered is called, and what it has to return."""
+"""For each kind of content: what messages call it, and what it has to return."""
 
 
 def unasked(
     offered: Mapping[str, Mapping[str, str]], known: Mapping[str, Mapping[str, str]], metamodels: Iterable[str]
 ) -> Iterator[tuple[str, str]]:
-    """What a plug-in offers and nothing ever asks for, since its kind or its name is misspelt: what, and why.
+    """What a plug-in registers that nothing will ever look up, because its kind or name is misspelt, as (what, why).
 
     Args:
         offered: kind -> names, as the plug-in registers them.
@@ -52,10 +52,10 @@ def _one_of(known: Iterable[str]) -> str:
 
 
 class Offered(Protocol):
-    """A function that content offers under a name; what it takes and makes is agreed for its kind."""
+    """A function that content registers under a name; each kind defines its parameters and result."""
 
     def __call__(self, *arguments: object, **options: object) -> Any:
-        """What it makes."""
+        """The result of the function."""
 
 
 class PluginOffer(Struct, frozen=True):

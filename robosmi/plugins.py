@@ -31,11 +31,11 @@ BUILT_IN = "robosmi.transformations:registry"
 _INFO = (".dist-info", "egg-info")
 
 ADDING = ("constraints",)
-"""The kinds of which everything that is offered under one name counts, and not only what was offered last."""
+"""The kinds for which everything registered under one name counts, instead of only the latest."""
 
 
 class BrokenPlugin(Struct, frozen=True):
-    """A plug-in, or something that it offers, that cannot be loaded, so that it is not there.
+    """A plug-in, or something it registers, that cannot be loaded and so is missing.
 
     Attributes:
         distribution: the installed package, with its version.
@@ -54,7 +54,7 @@ class BrokenPlugin(Struct, frozen=True):
 
 
 class Replaced(Struct, frozen=True):
-    """Content in whose place a plug-in has put its own: the kind and the name, whose it was, and whose it is now.
+    """Content that a plug-in has replaced by its own.
 
     Attributes:
         kind: what it is.

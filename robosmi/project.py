@@ -1,7 +1,7 @@
-"""`robosmi.toml`, the project file beside the input, and the defaults of the platform repository.
+"""Reads `robosmi.toml`, the project file beside the input, and the defaults of the platform repository.
 
-Both are read here and nowhere else; a key that nobody knows is an error with the nearest that is meant, since a
-misspelt choice that is silently ignored is worse than none. What the values mean is up to the commands.
+Both are read only here. An unknown key is an error that suggests the nearest known one, since silently ignoring a misspelt
+choice would be worse. The commands interpret the values.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ LEVELS = ("off", "info", "warning", "error")
 
 
 class Accepted(Struct, frozen=True):
-    """A finding that the user has looked at and accepts: rule, element (its URI or name) and the reason."""
+    """A finding that the user accepts: its rule, its element (URI or name) and the reason."""
 
     rule: str
     element: str
@@ -33,12 +33,12 @@ class Accepted(Struct, frozen=True):
 
 
 class ServoTrim(Struct, frozen=True):
-    """What a person has measured of a servo that turns on.
+    """Measured values of a continuous rotation servo.
 
     Attributes:
-        neutral: the pulse in microseconds at which it stands still; 0 where it was not measured.
-        speeds: (speed, microseconds), by ascending speeds, in the units of the function that is given the speed.
-        place: where it says so.
+        neutral: the pulse width in microseconds at which it stands still; 0 if it was not measured.
+        speeds: (speed, pulse width in microseconds) by ascending speed, in the unit of the function that sets the speed.
+        place: where the file states this.
     """
 
     neutral: int
@@ -83,9 +83,9 @@ class Project(Struct, frozen=True):
 _TABLES = ("migrate", "libraries", "bind", "roles", "servos", "severity", "accept")
 _SERVO = ("neutral", "speeds")
 POINTS = 64
-"""So many points may be given of a servo; each takes four bytes of the program."""
+"""Limit on the measured points of a servo; each takes four bytes of the program."""
 PULSES = (500, 2500)
-"""The least and the most microseconds of a pulse that servos are given here."""
+"""The shortest and longest pulse width for servos, in microseconds."""
 _MIGRATE = ("hardware", "target", "source_platform")
 
 
@@ -263,10 +263,7 @@ def _wrong(path: Path, message: str, fix: str) -> SourceError:
 
 
 def defaults(project: Path | None = None) -> dict[str, dict[str, Json]]:
-    """What commands take when nothing else is said: all `defaults.toml` of the platform repository as one.
-
-    A file adds its tables to those of the files behind it in search order (project, ROBOSMI_PATH, user, plug-ins, built-in);
-    where two files have a key, the first one's value counts.
+    """The commands' default settings: all `defaults.toml` files of the platform repository, merged.
 
     Args:
         project: the project folder; the current folder if None.

@@ -1,8 +1,8 @@
-"""Which found folders may run something here: a person says so once, for exactly the files that are in them.
+"""Records which found folders may run code here: a person confirms this once for exactly the files in them.
 
-What is named on the command line or in Python is not asked about. Kept in the user's data, as the digest of each file that
-would run; a file is held against its digest when it is read, so that what runs is what was trusted. Which folders there are
-is `resources`'.
+Folders named on the command line or in Python need no confirmation. The confirmation is kept in the user's data as the digests
+of the files that would run; a file's digest is compared when it is read, so that only confirmed bytes run. `resources` finds
+the folders.
 """
 
 from __future__ import annotations

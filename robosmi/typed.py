@@ -1,6 +1,6 @@
-"""What the standard library does, under signatures that keep the types of what goes in.
+"""Wrappers of standard library functions whose signatures preserve the types of their arguments.
 
-Anything that is more than a name for one call of the standard library does not belong here.
+Only wrappers of a single standard library call belong here.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Files that a run keeps for the next in the user's cache folder: what can be made again, and only is quicker when it is there.
+"""Files that a run keeps for later runs in the user's cache folder: results that can be recomputed, only more slowly.
 
-A file that another user could have written, or that cannot be read, is passed over; where the folder cannot be written nothing
-is kept. Files are written in one step, so that runs beside each other see a whole one. What a file is made of is part of its name
-or its content, which is up to who keeps it.
+A file that another user could have written, or that cannot be read, is ignored; if the folder cannot be written, nothing is
+kept. Files are written atomically, so concurrent runs see complete ones. The caller makes a file's name or content depend on
+everything that the result depends on.
 """
 
 from __future__ import annotations
@@ -59,16 +59,16 @@ def keep(name: str, data: bytes) -> None:
 
 
 class KeptResults(Generic[K, V]):
-    """Results of a function of nothing but its argument, kept in one file from one run to the next.
+    """Results of a pure function, kept in one file from one run to the next.
 
-    Keys and results are plain values of Python (those that `marshal` takes). The file counts for one build of Python and is
-    checked by a sum; one that is not whole is as none. New results are written when the process ends, beside those that other
-    processes have written meanwhile.
+    Keys and results are plain Python values (those that `marshal` accepts). The file is valid for one build of Python and has a
+    checksum; a damaged one is ignored. New results are written when the process ends, merged with those that other processes
+    have written meanwhile.
 
     Args:
-        name: of the file, below the cache folder.
-        form: changes whenever the function makes something else of the same argument.
-        most: results that the file holds; one that would hold more is begun anew.
+        name: the file's path below the cache folder.
+        form: changes whenever the function gives other results for the same arguments.
+        most: limit on the results in the file; beyond it the file is started anew.
     """
 
     def __init__(self, name: str, form: str, most: int) -> None:
@@ -109,7 +109,7 @@ def _sum(data: bytes) -> bytes:
 
 
 def _is_ours(found: os.stat_result) -> bool:
-    """Whether a file is a plain one that nobody but this user (or root) can have written."""
+    """Whether a file is an ordinary one that only this user (or root) can have written."""
     if not stat.S_ISREG(found.st_mode):
         return False
     if not hasattr(os, "geteuid"):

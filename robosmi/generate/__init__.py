@@ -1,8 +1,8 @@
-"""Model to text: the mirror of EGL and EGX on Jinja2, with protected regions, three-way merge and files written all or none.
+"""Model to text: the counterpart of EGL and EGX on Jinja2, with protected regions, three-way merge and atomic writing.
 
-`Gen` holds rules and runs them; `region_id` derives ids of regions from the model; `formatters` indent. The application writes
-texts with its models in one commit, by `kept_texts` and `manifest`. Nothing here knows what is generated.
-docs/reference/egl.md sets EGL and EGX beside it, construct by construct.
+`Gen` holds rules and runs them; `region_id` derives the ids of regions from the model; `formatters` indent. The application
+writes texts together with its models in one commit, using `kept_texts` and `manifest`. Nothing here knows what is generated.
+docs/reference/egl.md compares it with EGL and EGX construct by construct.
 """
 
 from __future__ import annotations

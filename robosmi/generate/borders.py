@@ -1,8 +1,8 @@
-r"""What a template's own characters and a printed value could be together: the end of a comment, an escape, an address that runs.
+r"""Detects template text that could combine with a printed value into something else: the end of a comment, an escape, a URL.
 
-The functions of `robosmi.quoting` quote a value for the place where it stands, whatever is beside it. What they cannot see is
-told here: the template's text before and behind the value, which meet where the value is empty. Such a place is refused when the
-template is read. Texts are the template's own, with `VALUE` for each value in them.
+The functions of `robosmi.quoting` quote a value for its place, independently of the text beside it. This module checks the
+template's text directly before and after a value, which become adjacent if the value is empty. Dangerous places are refused
+when the template is read. Texts are the template's own, with `VALUE` for each value in them.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 
 VALUE = "\ue000"
-"""Stands for a printed value in the text of a template."""
+"""The placeholder for a printed value in the text of a template."""
 
 _ESCAPE = (re.compile(rf"(?<!\\)(?:\\\\)*\\(?:x[0-9A-Fa-f]*|[0-7]{{0,2}}|[uU][0-9A-Fa-f]*){VALUE}"), "would go on with an escape")
 _COMMENT = (
@@ -60,12 +60,12 @@ _REACH = 400  # characters before a value that can matter
 
 
 def fault(place: str, before: str, text: str) -> str:
-    """What could go wrong where a value is beside the template's own characters; empty if nothing.
+    """What could go wrong with a value between the template's texts; empty if nothing.
 
     Args:
-        place: where the value stands (`c_comment`).
-        before: the template up to a value, with it.
-        text: the template behind it, up to the next value and with that.
+        place: the kind of place of the value (`c_comment`).
+        before: the template's text up to and including the value.
+        text: the template's text after it, up to and including the next value.
     """
     whole = before[-_REACH:] + text
     end = min(len(before), _REACH)

@@ -1,8 +1,8 @@
-"""`{% quoting "c" %}`: a template that declares its language has every printed value quoted for the place where it stands.
+"""`{% quoting "c" %}`: quotes every value that a template prints according to the place where it is printed.
 
-The tree of the template is walked once, when it is read: its own text says where each expression stands (`languages`), and a
-filter that quotes is put around what comes from outside. Texts of the template itself are left, and so is what `| safe` or a
-function of `robosmi.quoting` marks. A template that declares nothing is untouched and prints as EGL does.
+The template's syntax tree is walked once, when it is read: the text between the expressions determines the place of each
+(`languages`), and a quoting filter is wrapped around values from outside. Literal texts of the template are not quoted, nor is
+what `| safe` or a function of `robosmi.quoting` marks. A template without the declaration is unchanged and prints as EGL does.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _OWN = ("stop_preserve", "stop_control", "set_content_type", "chop", "part", "st
 
 
 def parsed(environment: Environment, source: str, name: str | None, filename: str | None) -> nodes.Template:
-    """The tree of a template, with the quoting that it declares.
+    """Parse a template and add the quoting that it declares.
 
     Raises:
         TemplateSyntaxError: it does not parse, or prints where nothing can be quoted.
@@ -39,14 +39,14 @@ def parsed(environment: Environment, source: str, name: str | None, filename: st
 
 
 class _Walk:
-    """The way through one template."""
+    """The traversal of one template."""
 
     def __init__(self, language: Language, macros: set[str], name: str | None, filename: str | None) -> None:
         self.language, self.macros, self.name, self.filename = language, macros | {"caller", "super"}, name, filename
         self.last, self.before = "", ""  # place of the last value, and the template's text up to what comes next
 
     def through(self, body: Iterable[nodes.Node], state: Any) -> Any:
-        """Quote what these nodes print; the state behind them."""
+        """Add quoting to what these nodes print; returns the state after them."""
         for node in body:
             state = self._node(node, state)
         return state
@@ -83,12 +83,12 @@ class _Walk:
         return state
 
     def _border(self, node: nodes.Node, place: str, text: str) -> None:
-        """Refuse a value beside characters of the template that it could make something else of."""
+        """Refuse a value next to template text that could combine with it."""
         if problem := fault(place, self.before, text):
             raise self._error(node, problem)
 
     def _branch(self, node: nodes.Node, body: list[nodes.Node], state: Any) -> Any:
-        """The state behind a part that is printed or not, which must leave the place as it was."""
+        """Process a part that is printed conditionally; it must leave the state as it was."""
         behind = self.through(body, state)
         before, after = self._settled(state), self._settled(behind)
         if before != after:
@@ -96,12 +96,12 @@ class _Walk:
         return behind if self.language.place(behind) in (self.language.place(state), "yaml_key") else state
 
     def _settled(self, state: Any) -> str:
-        """The place, where the beginning of a line in Markdown or YAML counts as any other of its lines."""
+        """The state, with the beginning of a line in Markdown or YAML equated with the rest of the line."""
         place = self.language.place(state)
         return {"markdown_block": "markdown", "yaml_key": "yaml"}.get(place, place)
 
     def _expression(self, node: nodes.Expr, state: Any) -> nodes.Expr:
-        """The expression, wrapped in the call that quotes its value for the place where it is printed."""
+        """The expression wrapped in a call that quotes its value for its place."""
         if isinstance(node, nodes.Call) and self._is_own(node, state):
             return node
         if not self.language.whole:
@@ -122,7 +122,7 @@ class _Walk:
         return nodes.Filter(node, hidden(place), [], [], None, None, lineno=node.lineno)
 
     def _is_own(self, node: nodes.Call, state: Any) -> bool:
-        """Whether a call prints what is quoted already: a macro of the template, or a marker of a region."""
+        """Whether a call prints text that is quoted already: a macro of the template, or a region's marker."""
         called = node.node
         if isinstance(called, nodes.Name):
             return called.name in self.macros and self.language.place(state) == self.language.place(self.language.start)
@@ -135,7 +135,7 @@ class _Walk:
         return called.attr in (*_PRINTING, *_MARKING, *_OWN)
 
     def _region(self, call: nodes.Call) -> None:
-        """Quote the id of a block `protected` or `controlled`: its third argument, behind the context and the tag."""
+        """Quote the id of a block `protected` or `controlled`: the third argument, after the context and the tag."""
         if isinstance(call.node, nodes.ExtensionAttribute) and call.node.name == "_region":
             self._identity(call.args, 2)
 

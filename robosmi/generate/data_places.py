@@ -1,7 +1,7 @@
-"""Where a value of YAML, TOML or CSV may be printed: as a whole value, where the template's own text says that one stands.
+"""Where a value may be printed in YAML, TOML or CSV: only as a whole value at a place where one is expected.
 
-A value beside other characters of its line would be a part of something that its quotation marks are in the middle of, and one
-in a string of several lines could end it. Such places are refused; in a block of text of YAML (`|`, `>`) a value is a line.
+A value next to other characters of its line would become part of a longer value with quotation marks inside, and one in a
+multi-line string could end it. Such places are refused; in a YAML block scalar (`|`, `>`) a value is a line.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from msgspec import Struct
 from robosmi.typed import replaced
 
 NOWHERE = ""
-"""The place of a value that could not be quoted; `languages` has the same."""
+"""The place of a value that cannot be quoted; the same as in `languages`."""
 _DASHES = re.compile(r"[ \t]*(?:[-?][ \t]+)*")
 _BLOCK = re.compile(r"(?:^|(?:^|[\s:])[:?-][ \t]+|[\w\"')][ \t]*:[ \t]+)(?:[&!]\S+[ \t]+)*[|>](?P<more>[-+0-9]*)[ \t]*(?:#.*)?$")
 _KEY = r"(?:[^\s#\"'\[{\]},&*!|>%@`-][^#\"'\[\]{},\n]*?|\"(?:[^\"\\]|\\.)*\"|'(?:[^']|'')*')"
@@ -25,15 +25,15 @@ _COMMENT = re.compile(r"(?:^|\s)#")
 
 
 class Lines(Struct, frozen=True):
-    """How far a text of lines has come.
+    """The lexer's state after a piece of line-based text.
 
     Attributes:
-        line: the line so far; what was printed in it counts as one letter for each value.
-        depth: how many brackets are open.
-        quote: the quotation mark of a string that goes on over lines, "" for none.
-        block: the columns that the lines of a block of text of YAML begin with; -1 outside, None where its first line is to come.
-        parent: the column that the lines of a block lie behind.
-        asked: whether the last line that is not empty ends so that a value may stand in the next.
+        line: the current line so far, with one letter for each printed value.
+        depth: the number of open brackets.
+        quote: the quotation mark of an open multi-line string, "" for none.
+        block: the indentation of the lines of a YAML block scalar; -1 outside of one, None before its first line.
+        parent: the indentation that the lines of the block scalar must exceed.
+        asked: whether the last non-empty line ends so that the next may contain a value.
     """
 
     line: str = ""
@@ -45,7 +45,7 @@ class Lines(Struct, frozen=True):
 
 
 def yaml(state: Lines, text: str) -> Lines:
-    """The state behind a piece of a YAML text."""
+    """The state after a piece of YAML text."""
     *lines, last = (state.line + text).split("\n")
     for line in lines:
         state = _yaml_line(replaced(state, line=""), line)
@@ -67,14 +67,14 @@ def _yaml_line(state: Lines, line: str) -> Lines:
 
 
 def _in_block(state: Lines, line: str) -> int | None:
-    """The columns of the block that a line is in, None if it is in none."""
+    """The indentation of the block scalar that a line belongs to, None if it belongs to none."""
     columns = len(line) - len(line.lstrip(" "))
     wanted = state.block if state.block is not None else columns if columns > state.parent else columns + 1
     return wanted if columns >= wanted else None
 
 
 def yaml_place(state: Lines) -> str:
-    """Where a value stands in a YAML text."""
+    """The kind of place of a value in YAML text."""
     line = state.line
     if state.block != -1 and _in_block(state, f"{line}x") is not None:
         return "yaml_line"
@@ -91,7 +91,7 @@ def yaml_place(state: Lines) -> str:
 
 
 def toml(state: Lines, text: str) -> Lines:
-    """The state behind a piece of a TOML text."""
+    """The state after a piece of TOML text."""
     *lines, last = (state.line + text).split("\n")
     for line in lines:
         depth, quote = _brackets(line, state.depth, state.quote, (*_TOML_QUOTES, "'", '"'))
@@ -100,7 +100,7 @@ def toml(state: Lines, text: str) -> Lines:
 
 
 def toml_place(state: Lines) -> str:
-    """Where a value stands in a TOML text."""
+    """The kind of place of a value in TOML text."""
     line = state.line
     _, quote = _brackets(line, state.depth, state.quote, (*_TOML_QUOTES, "'", '"'))
     if quote:
@@ -111,12 +111,12 @@ def toml_place(state: Lines) -> str:
 
 
 def csv_place(line: str) -> str:
-    """Where a value stands in a line of a table."""
+    """The kind of place of a value in a CSV line."""
     return NOWHERE if line.count('"') % 2 or line[-1:] not in ("", ",", ";", "\t", "|") else "csv"
 
 
 def _brackets(line: str, depth: int, quote: str, quotes: tuple[str, ...]) -> tuple[int, str]:
-    """How many brackets are open behind a line, and which quotation mark, where these were before it."""
+    """The number of open brackets and the open quotation mark after a line, given those before it."""
     place = 0
     while place < len(line):
         if quote:

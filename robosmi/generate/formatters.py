@@ -1,7 +1,7 @@
-"""Formatters of generated text: indentation by the lines' own brackets, as EGL's language formatters do it.
+"""Formatters of generated text: indentation derived from the text's brackets, like EGL's language formatters.
 
-A formatter is a function from text to text, given to a rule; it holds for that rule alone. (In the engine it sticks to the
-template, so that later rules with the same template are formatted too.)
+A formatter is a function from text to text that is given to a rule and applies to that rule only. (In Epsilon it stays with the
+template, so that later rules with the same template are formatted, too.)
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from robosmi.typed import matches
 
 
 def by_brackets(increase: str, decrease: str) -> Callable[[str], str]:
-    """A formatter that throws indentation away and makes it anew with tabs.
+    """Make a formatter that replaces all indentation by tabs.
 
     Args:
-        increase: what makes the lines behind it deeper, a regular expression over the whole text (`^` and `$` are lines').
-        decrease: what makes its line and those behind it less deep.
+        increase: regular expression for text that indents the lines after it (`^` and `$` match at lines).
+        decrease: regular expression for text that unindents its own line and those after it.
     """
     deeper, back = re.compile(increase, re.MULTILINE), re.compile(decrease, re.MULTILINE)
 

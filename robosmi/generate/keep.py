@@ -1,8 +1,8 @@
-"""Keeping what a person wrote outside of regions too: the newly made text, the last one made, and the file, merged.
+"""Keeps a person's edits outside of regions, too: merges the new text, the previously generated one, and the file.
 
-`keep` decides for one file and touches no disk; `record` knows the last texts, `staging` the files. Beyond EGL's merge: an edit
-anywhere survives or becomes a marked conflict; a region whose element is gone stays at its place; what cannot be told apart
-(a foreign file, one id twice, conflicts that are still open) stops the run instead.
+`keep` decides for one file and does not access the disk; `record` knows the previous texts, `staging` the files. In addition to
+EGL's merge, an edit anywhere survives or becomes a marked conflict, and a region whose element is gone stays in its place. What
+cannot be resolved (a foreign file, a duplicate id, open conflicts) stops the run.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ YOURS, BASE, MIDDLE, GENERATED = "<<<<<<< yours\n", "||||||| last generated\n", 
 
 
 class Kept(Struct):
-    """How a newly made text and the file that is there are brought together.
+    """The result of merging a newly generated text with the existing file.
 
     Attributes:
         text: its new text.
@@ -74,7 +74,7 @@ def _ended(text: str) -> str:
 
 
 def _ends_with_a_break(base: str | None, existing: str, generated: str) -> bool:
-    """Whether a line break ends the merged text: as in the file where a person has changed that, else as in what is made."""
+    """Whether the merged text ends with a line break: as in the file if a person changed that, else as generated."""
     there = existing in ("", _ended(existing))
     changed = base is None or there != (base == _ended(base))
     return there if changed else generated == _ended(generated)
@@ -157,7 +157,7 @@ class _Merge:
         return Kept(text, self.findings, self.save_old)
 
     def _their(self, piece: str | Region, old: dict[str, Region], before: dict[str, Region]) -> str | Region:
-        """A newly made piece with the text that the file has for it."""
+        """A generated piece with the text that the file has in its place."""
         if isinstance(piece, str) or piece.identity not in old:
             return piece
         there, was = old[piece.identity], before.get(piece.identity)
@@ -175,7 +175,7 @@ class _Merge:
         return piece
 
     def _base(self, piece: str | Region, old: dict[str, Region]) -> str | Region:
-        """A piece of the last text, with what is the user's by right, so that it counts as no change."""
+        """A piece of the previous text with the contents of the user's regions, so that these do not count as changes."""
         if isinstance(piece, str) or piece.identity not in old:
             return piece
         there = old[piece.identity]
@@ -216,7 +216,7 @@ class _Merge:
         return lines
 
     def _with_orphans(self, lines: list[_Line], orphans: list[tuple[int, Region, str]]) -> str:
-        """The text, with the regions that nothing is made for any more behind the lines they stood behind."""
+        """The text with regions that are no longer generated, each after the lines it followed before."""
         for at, region, text in reversed(orphans):
             place = max((n for n, line in enumerate(lines, 1) if 0 < line.upto <= at), default=0)
             if place and not lines[place - 1].text.endswith("\n"):
@@ -234,7 +234,7 @@ class _Merge:
 
 
 class _Line(Struct):
-    """A line of the merged text (or several), how many lines of the person's end with it (0: not theirs), what is said of it."""
+    """One or more lines of the merged text, the number of the person's lines up to their end (0: none), and messages."""
 
     text: str
     upto: int = 0

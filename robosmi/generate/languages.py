@@ -1,7 +1,7 @@
-"""Where in a text an expression of a template stands: in a comment, a string, a table's cell, an attribute.
+"""Tracks the syntactic place of a template's expressions: in a comment, a string, a table cell, an attribute.
 
-A language reads the template's own text piece by piece; what is printed between the pieces is quoted and so changes no place.
-`contexts` puts the quoting into a template; `quoting_filters` says which function of `robosmi.quoting` quotes at a place.
+A language reads the template's own text piece by piece; the values printed between the pieces are quoted and so do not change
+the state. `contexts` adds the quoting to a template; `quoting_filters` maps a place to its function of `robosmi.quoting`.
 """
 
 from __future__ import annotations
@@ -15,18 +15,18 @@ from robosmi.typed import matches
 
 State = TypeVar("State")
 NOWHERE = ""
-"""The place of an expression that could not be quoted, such as the name of a tag."""
+"""The place of an expression that cannot be quoted, such as the name of a tag."""
 
 
 class Language:
-    """A language of templates.
+    """A language of templates, as a lexer over the template's own text.
 
     Attributes:
         start: the state at the beginning of a text.
-        advance: the state behind a piece of the template's own text, from the state before it.
-        place: the place of what is printed in a state, `NOWHERE` for nothing.
+        advance: a function from a state and a piece of text to the state after it.
+        place: a function from a state to the kind of place of a value printed there, `NOWHERE` if none can be.
         whole: whether an expression is one value, which is quoted as a whole and not part by part.
-        comment: the place of a region's id in its markers.
+        comment: the kind of place of a region's id in its markers.
     """
 
     def __init__(
@@ -57,7 +57,7 @@ _C_CLOSES = {
 }
 _C_PLACES = {"line": "c_comment", "block": "c_block_comment", "header": "c_header", "string": "c_string", "char": "c_char"}
 _C_RAW = "raw "
-"""Before what ends a raw string, in which nothing can be quoted."""
+"""The prefix of a raw string's end delimiter; nothing can be quoted in a raw string."""
 
 
 def _c(state: str, text: str) -> str:
@@ -129,7 +129,7 @@ _NAMED = "+"
 
 
 def _html(state: tuple[str, str], text: str) -> tuple[str, str]:
-    """Where in the text (`text`, `tag`, `comment`, `raw` or a quotation mark), and the name of the tag or attribute."""
+    """The state after a piece of HTML: `text`, `tag`, `comment`, `raw` or a quotation mark, and the current tag or attribute."""
     where, name = state
     position = 0
     while True:
@@ -171,7 +171,7 @@ def _html_place(state: tuple[str, str]) -> str:
 
 
 def _dot(state: tuple[str, int], text: str) -> tuple[str, int]:
-    """Where (`code`, `string`, `label` or `attribute`), and how deep in `<` `>` of a label."""
+    """The state after a piece of Graphviz: `code`, `string`, `label` or `attribute`, and the nesting of `<` `>` in a label."""
     where, depth = state
     for letter in matches(r"\\.|[<>\"]|--|->", text):
         if letter == '"':

@@ -1,8 +1,8 @@
-"""The text of a template in the making: how EGL prints values into it, and which elements each piece comes from.
+"""The text of a template while it is rendered: how EGL prints values, and which elements each piece comes from.
 
-`[%= %]` of EGL indents the further lines of a value to the column where its first line stands, and drops empty lines at its end;
-so does `{{ }}` here. Jinja yields a text piece by piece; `Dynamic` and `Chop` are pieces that mean more than their text. The
-elements that a template looks at between two pieces are those the second one comes from. No file and no region here.
+EGL's `[%= %]` indents the further lines of a value to the column of its first line and drops trailing empty lines; so does `{{
+}}` here. Jinja yields a text in pieces; `Dynamic` and `Chop` are pieces with additional meaning. The elements that a template
+accesses between two pieces are the sources of the second one.
 """
 
 from __future__ import annotations

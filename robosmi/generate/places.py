@@ -1,4 +1,4 @@
-"""Which paths a generated file may have, and which files of an output folder may be read: those inside, whatever links say."""
+"""Restricts the paths of generated files, and of files read from an output folder, to those inside it, whatever links exist."""
 
 from __future__ import annotations
 

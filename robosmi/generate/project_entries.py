@@ -1,8 +1,8 @@
-"""Entries of a `robosmi.toml` that a person keeps, added, changed or taken out with everything else as it stands.
+"""Adds, changes and removes entries of a person's `robosmi.toml`, leaving everything else as it is.
 
-tomlkit keeps comments, order and layout. What was made is read back before it is used; where that does not give what was meant,
-nothing is made. Nothing is written here: the change belongs to the commit of the run that chooses (`model.commit`). What a
-project file may say is `robosmi.project`'s business.
+tomlkit preserves comments, order and layout. The result is read back before it is used; if it does not have the intended
+meaning, it is discarded. Nothing is written here: the change is part of the commit of the run that makes the choice
+(`model.commit`). `robosmi.project` defines the content of a project file.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
-"""The files of a run before any is written: what is there, what was made, and what becomes of it.
+"""Collects the files of a run before any is written: their existing content, the new text, and the result.
 
-By default as EGL's engine does: protected regions that are on are kept, all else is made anew. With a record (`keep`) edits
-elsewhere are kept too. Everything is decided here and handed over to be written at once; a run that fails leaves no trace.
+By default it follows EGL's engine: enabled protected regions are preserved, everything else is regenerated. With a record
+(`keep`) edits elsewhere are preserved, too. All decisions are made before all files are written at once; a run that fails
+changes nothing.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""The form in which a file holds its text: byte order mark and line ends. Text is merged without it and written with it again.
+"""The encoding form of a text file: byte order mark and line ends. Texts are merged without it and written with it.
 
-What becomes of the text itself is decided elsewhere (`keep`, `regions`); the last line's end is part of the text.
+The last line's end is part of the text itself.
 """
 
 from __future__ import annotations

@@ -26,10 +26,10 @@ T = TypeVar("T")
 Span = tuple[int, int]
 Blocks = Callable[[Sequence[str], Sequence[str]], list[tuple[int, int, int]]]
 _WORDS = re.compile(r"\s*(?:\w+|[^\w\s])|\s+\Z")
-"""A word or sign with the blanks before it, so that two changes with nothing but blanks between them touch."""
+"""A word or sign with the blanks before it, so that two changes separated only by blanks are adjacent."""
 _MOST_WORDS = 2000
 _ALIKE = 0.5
-"""So much of the words both sides keep, or what matches does so by chance."""
+"""Least share of the words that both sides must keep; with fewer, the matches are coincidental."""
 
 
 class Chunk(Struct, frozen=True):
@@ -49,7 +49,7 @@ class Chunk(Struct, frozen=True):
 
 
 def stretch(lines: Sequence[T], span: Span) -> Sequence[T]:
-    """The lines from the first of a span to the last, which is exclusive."""
+    """The lines of a span, its end exclusive."""
     return lines[span[0] : span[1]]
 
 
@@ -111,7 +111,7 @@ def _line_by_words(base: str, ours: str, theirs: str) -> str | None:
 
 
 def _in_common(base: Sequence[str], other: Sequence[str]) -> list[tuple[int, int, int]]:
-    """Matching runs of words: place in the base, place in the other, length."""
+    """Matching runs of words, as (index in the base, index in the other, length)."""
     found = SequenceMatcher(None, base, other, autojunk=False).get_matching_blocks()
     return [(block.a, block.b, block.size) for block in found if block.size]
 
@@ -119,7 +119,7 @@ def _in_common(base: Sequence[str], other: Sequence[str]) -> list[tuple[int, int
 def _meeting(
     base: Sequence[str], ours: Sequence[str], theirs: Sequence[str], blocks: Blocks
 ) -> Iterator[tuple[int, int, int, int]]:
-    """Runs of lines that both sides kept: place in the base, length, place in ours, in theirs; an empty one at the end."""
+    """Runs of lines that neither side changed: (index in the base, length, index in ours, in theirs); last an empty one."""
     left = blocks(base, ours)
     right = blocks(base, theirs)
     i = j = 0
@@ -136,7 +136,7 @@ def _meeting(
 
 
 def _blocks(base: Sequence[str], other: Sequence[str]) -> list[tuple[int, int, int]]:
-    """Matching runs: place in the base, place in the other, length."""
+    """Matching runs of lines, as (index in the base, index in the other, length)."""
     unique = _unique(base, other)
     above, in_other = _heads(base, set(unique)), _heads(other, set(unique.values()))
     found: list[tuple[int, int, int]] = []
@@ -153,16 +153,16 @@ def _blocks(base: Sequence[str], other: Sequence[str]) -> list[tuple[int, int, i
 
 
 def _unique(base: Sequence[str], other: Sequence[str]) -> dict[int, int]:
-    """Lines that stand once in each of two texts: place in the base -> place in the other, in the base's order."""
+    """Lines that occur once in each of two texts: index in the base -> index in the other, in the base's order."""
     counts, others = Counter(base), Counter(other)
     places = {line: place for place, line in enumerate(other)}
     return {i: places[line] for i, line in enumerate(base) if counts[line] == 1 == others[line]}
 
 
 def _heads(lines: Sequence[str], unique: Set[int]) -> list[int | None]:
-    """For each line the last of some lines before it that is indented less, or begins at the margin as it does.
+    """For each line its head: the last of the unique lines before it with less indentation (at the left margin: without any).
 
-    A line such as `return;` stands in many functions; the head of its own says which one it is.
+    A line such as `return;` occurs in many functions; its head identifies the function.
     """
     found: list[int | None] = []
     indents: list[int] = []
@@ -205,13 +205,13 @@ def _runs(base: Sequence[str], other: Sequence[str]) -> Iterator[tuple[int, int,
 
 
 def _equal(base: Sequence[str], other: Sequence[str], places: range, in_other: range) -> int:
-    """How many lines are equal one after the other."""
+    """The number of consecutive equal lines."""
     most = min(len(places), len(in_other))
     return next((n for n in range(most) if base[places[n]] != other[in_other[n]]), most)
 
 
 def _rising(places: Mapping[int, int]) -> list[int]:
-    """The longest choice of keys whose values rise as they do (patience sorting)."""
+    """The longest increasing subsequence: the most keys whose values are in increasing order (patience sorting)."""
     tops: list[int] = []  # the smallest value that ends a choice of each length
     keys: list[int] = []
     before: dict[int, int | None] = {}

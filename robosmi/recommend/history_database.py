@@ -153,9 +153,7 @@ class SqliteFile:
         return found.st_mtime_ns, found.st_size
 
     def exists(self) -> bool:
-        """Whether the file exists; raises SourceError if it is no ordinary file, since SQLite would open a named pipe or
-        device, too.
-        """
+        """Whether the file exists; SourceError if it is not an ordinary one, since SQLite would open a pipe or device, too."""
         try:
             inputs.check_ordinary(self.path)
         except (FileNotFoundError, NotADirectoryError):

@@ -87,7 +87,7 @@ class Lexicon:
         return self._exact.get(key)
 
     def by_model(self, key: str) -> int | None:
-        """The entry of a model number in lower case: the one listed, or else the one with the longest matching beginning and a
+        """The entry of a model number in lower case: the one listed, or else the one with the longest matching beginning and
         `*`.
 
         If the beginning ends in a letter, a digit must follow, so that ordinary words do not match.

@@ -110,9 +110,7 @@ def _absorbed(parts: list[tuple[bool, list[Pulse]]]) -> list[tuple[bool, list[Pu
 
 
 def _joined_end(parts: list[tuple[bool, list[Pulse]]]) -> list[tuple[bool, list[Pulse]]]:
-    """Join the parts after a wave with it if they are its own pulses, stretched by interrupts; for reversed parts, those before
-    it.
-    """
+    """Join the parts after a wave with it if they are its own pulses, stretched by interrupts."""
     wave = next((n for n in reversed(range(len(parts))) if _is_sure(*parts[n])), len(parts))
     rest = [pulse for _, pulses in parts[wave + 1 :] for pulse in pulses]
     if not rest or not _is_stretched(sorted(rest, key=lambda pulse: pulse.begin), parts[wave][1]):
@@ -191,9 +189,7 @@ def _steady_until(periods: list[float], first: int) -> int:
 
 
 def _one_pitch_until(periods: list[float], first: int, last: int) -> int:
-    """The index of the last pulse of a wave's first note, which ends where uniform periods change to clearly different uniform
-    ones.
-    """
+    """The index of the last pulse of a wave's first note, which ends where uniform periods change clearly to other ones."""
     for number in range(first + _AHEAD, last - _AHEAD):
         if abs(periods[number + 1] - periods[number - 1]) <= _NOTE * periods[number - 1]:
             continue

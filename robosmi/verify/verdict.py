@@ -1,7 +1,7 @@
-"""What a verification says: the verdict, what it rests on, and where two programs differ first.
+"""The result of a verification: the verdict, its basis, and where two programs differ first.
 
-A verdict never says "equivalent": it says that no difference was found, in which scenarios, for how long and with how much of the
-source reached. A difference counts more than a doubt, a doubt more than finding none.
+A verdict never says "equivalent", only that no difference was found, in which scenarios, for how long, and with how much of the
+source covered. A difference outweighs an undecidable scenario, and this outweighs finding no difference.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ NO_DIFFERENCE, DIFFERENT_VERDICT, NOT_DECIDABLE, NOT_COMPILED = (
     "no-difference-found", "different", "not-decidable", "not-compiled",
 )  # fmt: skip
 EXIT_CODES = {NO_DIFFERENCE: 0, DIFFERENT_VERDICT: 6, NOT_COMPILED: 6, NOT_DECIDABLE: 1}
-"""Exit code of the command by verdict."""
+"""The command's exit code for each verdict."""
 PROGRAM = "program"
-"""Where a crash is: on no channel, in the program as a whole."""
+"""The channel of a crash, which concerns the program as a whole."""
 
 
 class ScenarioVerdict(Struct, frozen=True):
@@ -75,11 +75,11 @@ class ScenarioVerdict(Struct, frozen=True):
 
 
 class CallsAround(Struct, frozen=True):
-    """The calls of the source where a difference is.
+    """The source's calls near a difference.
 
     Attributes:
-        made: the last call of a function of that channel, which need not be the cause: a wait beside it may be.
-        around: other calls near it, by time.
+        made: the last call of a function of that channel; not necessarily the cause, which may be a wait beside it.
+        around: other calls near it, in order of time.
     """
 
     made: LibraryCall | None = None
@@ -148,7 +148,7 @@ class Verdict(Struct):
 
     @property
     def nothing_compared(self) -> bool:
-        """Whether nothing happens on any channel in any scenario, all of which could be decided: no difference says nothing."""
+        """Whether no scenario exercises any channel, though all could be decided: finding no difference then means nothing."""
         if not self.scenarios or any(s.verdict != NO_DIFFERENCE for s in self.scenarios):
             return False
         return all(c.status == NOT_EXERCISED for s in self.scenarios for c in s.channels)
@@ -160,12 +160,12 @@ class Verdict(Struct):
 
     @property
     def simulated_s(self) -> float:
-        """Seconds that were simulated and compared, of all scenarios."""
+        """The total simulated time, in seconds, that was compared in all scenarios."""
         return sum_of(s.simulated_ms for s in self.scenarios) / 1000
 
     @property
     def first_difference(self) -> tuple[ScenarioVerdict, FirstDifference] | None:
-        """The first scenario that differs, and where it does first."""
+        """The first scenario with a difference, and its first difference."""
         return next(((s, s.first) for s in self.scenarios if s.first is not None), None)
 
     def channels(self) -> list[dict[str, Any]]:
@@ -220,7 +220,7 @@ class Verdict(Struct):
         }
 
     def _likely_cause(self, difference: FirstDifference) -> str | None:
-        """What the compile report says that explains a crash, None if there is nothing of that kind."""
+        """The part of the compile report that may explain a crash; None if there is none."""
         return f"the stack may have run out: {self.little_room}" if self.little_room and difference.channel == PROGRAM else None
 
     def sentence(self) -> str:
@@ -240,12 +240,12 @@ class Verdict(Struct):
         return "; ".join([said, *self._stood_in(), *self.all_reasons()])
 
     def _stood_in(self) -> list[str]:
-        """Which libraries were not the real ones, in words."""
+        """The libraries that were replaced by stand-ins, in words."""
         names = ", ".join(f"'{name}'" for name in self.stand_ins)
         return [f"simulated with stand-ins for libraries that are not installed here: {names}"] if names else []
 
     def _reached(self) -> str:
-        """How much of the source was reached, in words."""
+        """The coverage of the source, in words."""
         if not self.counted:
             return "no source line counts as reached: no scenario could be decided"
         return f"source lines {self.lines_pct:.1f} %, branches {self.branches_pct:.1f} %"
@@ -256,11 +256,11 @@ class Verdict(Struct):
         return [f"{what}: {places_told(places, whole)}" for what, places in told.items() if places and self.counted]
 
     def all_reasons(self) -> list[str]:
-        """Why nothing can be decided, of all scenarios, each once."""
+        """The reasons, without duplicates, why scenarios could not be decided."""
         return distinct([*self.reasons, *(s.reason for s in self.scenarios if s.reason)])
 
     def lines(self, verbose: bool = False) -> list[str]:
-        """What a person reads.
+        """The lines of the report for a person.
 
         Args:
             verbose: whether to tell all places of the source that were not reached, however many there are.
@@ -323,7 +323,7 @@ def _worst(channels: Sequence[ChannelComparison]) -> str:
 
 
 def inputs_until(scenario: Scenario, at_ms: float) -> dict[str, str]:
-    """What the inputs have shown until an instant: input -> its points."""
+    """The values of the inputs up to a time: input -> its points."""
     told = {}
     for name, settings in scenario.signals.items():
         for setting, points in settings.items():

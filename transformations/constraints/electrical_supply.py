@@ -75,9 +75,7 @@ def SuppliesOfOneVoltage(n: hardware.Net) -> bool | Fail:
 
 
 def _source_volts(component: hardware.Component, connector: hardware.Connector) -> float | None:
-    """The voltage at a supply's connector: from a board's pin label, or from the property of a battery or symbol; None if
-    unknown.
-    """
+    """The voltage at a supply's connector: from a board's pin label, or a battery's or symbol's property; None if unknown."""
     if component.role is Role.Board:
         return stated_volts(connector.name)
     if sum_of(c.kind is Kind.supply for c in component.connectors) > 1:

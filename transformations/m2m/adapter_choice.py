@@ -157,9 +157,7 @@ class AdapterChoice:
         return self._element(key) if key is not None and not self.pieces.needed([key], self.mcu).unserved else None
 
     def _key(self, name: str, header: str, kinds: Sequence[str]) -> tuple[str, str] | None:
-        """The key of the adapter piece for a name, which a header related to the given one may hold (see `_places`); None if
-        none does.
-        """
+        """The key of the adapter piece for a name, which a related header may hold (see `_places`); None if there is none."""
         for place in self._places(name, header):
             key = self.pieces.key(f"{place}/{name}")
             variants = self.pieces.variants(key) if key is not None else []
@@ -183,9 +181,7 @@ class AdapterChoice:
         return distinct((header, *same, *below, *(other for other in above if other not in declared)))
 
     def _conflict(self, pieces: Iterable[AdapterPiece]) -> str:
-        """The message about an interrupt that one of the pieces needs and another function's adapter already has; empty if
-        there is none.
-        """
+        """The message about an interrupt that a piece needs and another function's adapter has; empty if there is none."""
         for piece in pieces:
             for vector in (*piece.vectors, *piece.taken):
                 holder, user = self._interrupts.get(vector, (piece, ""))

@@ -239,9 +239,7 @@ def _signature(
 
 
 def _handler(position: int, calls: Iterable[ccode.Call]) -> str:
-    """The type of a function-pointer parameter, if every call passes a function of the program there and all have one type;
-    else empty.
-    """
+    """The type of a function-pointer parameter if every call passes a function of the program of one type; else empty."""
     found: set[str] = set()
     for call in calls:
         value = call.arguments[position] if position < len(call.arguments) else None

@@ -33,8 +33,7 @@ def list_holders(view: CodeView) -> Iterator[ccode.Variable | ccode.Cast]:
 
 
 def positional(holder: ccode.Variable | ccode.Cast, data: bytes) -> list[tuple[int, int, str]] | None:
-    """The changes that make an initializer list positional, as (first byte, byte after the last, new text); None if that is
-    impossible.
+    """The changes, as (first byte, byte after the last, new text), that make a list positional; None if impossible.
 
     Args:
         holder: a variable with an initial value in braces, or a compound literal.

@@ -45,9 +45,7 @@ def _line(element: ccode.Located, choice: str, text: SourceText) -> list[Replace
 
 
 def _line_with_comment(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    """Delete the whole line of an include with its comment, which describes the header or moves with the include to the file's
-    head.
-    """
+    """Delete the whole line of an include with its comment, which describes the header or moves with it to the file's head."""
     end = text.line_end(element.endOffset)
     longer = [c for c in text.unit.comments if element.endOffset <= c.startOffset < end < c.endOffset]
     return [(text.line_start(element.startOffset), longer[0].startOffset if longer else end, "")]
@@ -212,9 +210,7 @@ def _static(words: str) -> Callable[[ccode.Located, str, SourceText], list[Repla
 
 
 def _share_one(variable: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
-    """Make one of several declared variables a weak symbol, so that several files can define it; the attribute follows the
-    array sizes.
-    """
+    """Make one of several declared variables a weak symbol, so that several files can define it."""
     place = variable.endOffset
     return [(place, place, " __attribute__((weak))")]
 

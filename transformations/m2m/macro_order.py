@@ -96,9 +96,7 @@ class MacroOrder(Struct, dict=True):
         return inside and (at < 2 or words[at - 2][3] not in self._by_name)
 
     def _one_operand(self, words: Sequence[Token], names: Collection[str]) -> bool:
-        """Whether an argument is a single operand regardless of its context; unknown, and so false, for a parameter of another
-        macro.
-        """
+        """Whether an argument is a single operand in any context; false for a parameter of another macro (unknown)."""
         whole, first = _operand(words)
         return whole and first not in names and not self._is_loose(first)
 

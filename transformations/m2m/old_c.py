@@ -138,9 +138,7 @@ def jumped_over(view: CodeView, data: bytes, functions: Mapping[str, FunctionTyp
 
 
 def jumped_over_for_good(view: CodeView) -> Iterator[ccode.Variable]:
-    """Locals whose skipped initialization cannot become an assignment: arrays, constants, variables declared together with
-    others.
-    """
+    """Locals whose skipped initialization cannot become an assignment: arrays, constants, and those declared with others."""
     return (variable for variable in _over(view) if not _assignable(variable) and variable.storage.name != "staticStorage")
 
 
@@ -189,9 +187,7 @@ class _Jumps:
         return any(at > start and self._first_jump.get((function, label or ""), start) < start for at, label in reversed(entries))
 
     def _entries_of(self, block: ccode.Block) -> Iterator[tuple[int, str | None]]:
-        """Where jumps may enter a block: the offset of a statement, and the label in it, or None for a case of the block's
-        switch.
-        """
+        """Where jumps may enter a block: the offset of a statement, and the label in it, or None for a case of its switch."""
         if isinstance(block.eContainer(), ccode.Switch):
             yield from ((s.startOffset, None) for s in block.statements if isinstance(s, (ccode.Case, ccode.Default)))
         elif self._first_jump:

@@ -40,8 +40,7 @@ def plan_tasks(plan: migration.MigrationPlan) -> list[migration.PlanTask]:
 
 
 def plan_findings(plan: migration.MigrationPlan, read: list[Finding], paths: Mapping[str, str]) -> list[migration.PlanFinding]:
-    """The findings of readers and checks as part of the plan, without those about other cores that adapters resolve on the
-    target.
+    """The findings of readers and checks as part of the plan, without those about other cores that adapters resolve.
 
     Args:
         plan: the plan, complete but for its findings and tasks.

@@ -171,9 +171,7 @@ def _seat(port: Port, binding: migration.PortBinding, found: ProgramPorts, api: 
 
 
 def _layer(layer: SaidPins, ports: list[Port], program: ProgramPorts, api: ApiIndex) -> dict[str, _Pin]:
-    """The pins that one source of choices gives, by port; a pin number that the program may compute at run time is added as a
-    port.
-    """
+    """The pins that one source of choices gives, by port; a pin that the program may compute at run time is added as a port."""
     found: dict[str, tuple[str, str]] = {}
     for name, pin in layer.pins.items():
         port = next((p for p in ports if name == p.name or name in p.names), None)

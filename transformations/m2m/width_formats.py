@@ -17,9 +17,7 @@ _PRINTED = re.compile(r"%[-+ #0']*(\*|\d+)?(?:\.(\*|-?\d+)?)?(hh|h|ll|l|j|z|t|L)
 _READ = re.compile(r"%(\*)?\d*(hh|h|ll|l|j|z|t|L)?([a-zA-Z%]|\[\^?\]?[^\]]*\])")
 _NUMBERS = frozenset("diuxXo")
 Conversion = tuple[str, str, int]
-"""A conversion specification: length as written, letter (`*` for a width passed as an argument), offset of the letter in the
-text.
-"""
+"""A conversion specification: length as written, letter (`*` for a width passed as an argument), offset of the letter."""
 
 
 def has_format(name: str) -> bool:
@@ -56,8 +54,7 @@ def conversions(text: str, reads: bool) -> Iterator[Conversion]:
 def wanted(
     there: Machine, conversion: Conversion, number: Number | None, wide: Number | None, sure: bool
 ) -> tuple[bool, Number | None]:
-    """Whether the length `l` has to be inserted into a conversion, and the type that its argument has to be cast to (None: no
-    cast).
+    """Whether a conversion needs the length `l` inserted, and the type that its argument has to be cast to (None: no cast).
 
     Args:
         there: the target's integer types.

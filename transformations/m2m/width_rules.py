@@ -161,9 +161,7 @@ class Walk(Struct):
             self.wants.append(Want(TEXT, text, offsets=tuple(offsets)))
 
     def _arguments_of_adapter(self, node: TypedExpression) -> None:
-        """Visit an adapter's arguments: adapters expect plain char as on the source and take the source's widths, so none is
-        cast.
-        """
+        """Visit an adapter's arguments, which need no casts: adapters expect the source's widths and its plain char."""
         for argument in node.children[1:]:
             if argument.kind.char:
                 argument.converted = argument.kind

@@ -131,9 +131,7 @@ class _Wiring:
             self.result.wires += [(ends[0], other, carried) for other in ends[1:]]
 
     def _tied(self, nets: list[hardware.Net]) -> str | None:
-        """The board's supply pin for a supply net that one of its pins is tied to; a supply symbol is not drawn, so the wire
-        would be lost.
-        """
+        """The board's supply pin for a supply net that one of its pins is tied to; the drawing's supply symbol is not drawn."""
         rail = next((net for net in nets if net.rail), None)
         if rail is None or not any(c.component is self.board and c.pin for net in nets for c in net.connectors):
             return None
