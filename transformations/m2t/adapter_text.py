@@ -12,7 +12,7 @@ from robosmi.typed import distinct, paired
 
 WIDTH = 125
 INTERRUPTS = "ADAPTERS_INTERRUPTS"
-"""The macro that the file of a program has whose adapters handle the interrupts, where there are several files."""
+"""The macro that is defined in the one file of several in which the adapters' interrupt handlers are compiled."""
 _STATE = re.compile(r"static (?!inline\b|const\b|constexpr\b)(?!(?:[\w*]+ )+\*?\w+\([^;]*\)(?: \{|;))")
 _VECTOR = re.compile(r"^ISR\((?:.*\}|.*\{(?:.*\n)*?\})$", re.MULTILINE)
 
@@ -23,13 +23,13 @@ def adapter_text(
     unbound: str,
     numbers: Mapping[int, str] = MappingProxyType({}),
 ) -> str:
-    """The pieces as text, in their order: includes, the pins that they use by convention, and each with what is known of it.
+    """The text of adapter pieces in their order: includes, constants of the pins used by convention, each piece with comments.
 
     Args:
-        pieces: in an order in which each stands behind what it needs.
+        pieces: sorted so that each piece comes after the pieces it depends on.
         pins: name of a conventional port -> the target's literal for its pin.
         unbound: the literal for no pin.
-        numbers: number of a port of the source -> the target's literal for its pin, for tables that ports are looked up in.
+        numbers: number of a port of the source -> the target's literal for its pin, for tables in which ports are looked up.
     """
     lines = [f"#include {header}" for header in includes(pieces)]
     lines += declarations(pieces, pins, unbound, numbers)
@@ -39,7 +39,7 @@ def adapter_text(
 
 
 def apart(piece: platform.Adapter, above: platform.Adapter | None) -> bool:
-    """Whether a blank line stands between a piece and the one above it: constants about which nothing is said stand together."""
+    """Whether a blank line separates a piece from the one above it; constants without comments stand together."""
     return above is None or not all(
         each.pieceKind is platform.PieceKind.constant and not comment(each) for each in (piece, above)
     )
@@ -53,9 +53,9 @@ def includes(pieces: Iterable[platform.Adapter]) -> list[str]:
 def declarations(
     pieces: Sequence[platform.Adapter], pins: Mapping[str, str], unbound: str, numbers: Mapping[int, str], storage: str = ""
 ) -> list[str]:
-    """What stands in front of pieces: the pins that they use by convention, and tables of ports; see `adapter_text`.
+    """The constants of the pins that pieces use by convention, and the tables of ports; see `adapter_text`.
 
-    `storage` is the word with a blank that C wants before a constant of which each file has its own.
+    `storage` is put before each constant: `static ` in C, where each file has its own.
     """
     ports = {str(port.constant): port for piece in pieces for port in piece.ports}
     lines = [""] * bool(ports)
@@ -73,13 +73,15 @@ def declarations(
 
 
 def shared(text: str) -> str:
-    """The text of a piece in a file that several units include: its state is there once, and one unit handles the interrupts."""
+    """The text of a piece for a file that several units include: its variables become weak, so that they exist once, and its
+    interrupt handlers are compiled only where `INTERRUPTS` is defined.
+    """
     lines = [f"__attribute__((weak)) {line[7:]}" if _STATE.match(line) else line for line in text.split("\n")]
     return _VECTOR.sub(rf"#ifdef {INTERRUPTS}\n\g<0>\n#endif", "\n".join(lines))
 
 
 def comment(piece: platform.Adapter) -> list[str]:
-    """What is known of a piece, line by line: for what it is, how faithful, what it does not do."""
+    """The comment on a piece, line by line: the functions that it implements, its fidelity and its limits."""
     lines = [str(signature) for signature in piece.signatures]
     silent = not lines and piece.fidelity == "exact"
     said = [f"{piece.fidelity[:1].upper()}{piece.fidelity[1:]}"] if piece.fidelity and not silent else []

@@ -1,7 +1,7 @@
-"""Adapters as templates show them: pieces with bodies, and one placeholder for each platform function without (paper 3.4).
+"""The values that templates show of adapters: pieces with bodies, and a placeholder for each platform function without one.
 
-An adapter keeps the function's signature, so that the calls of the retained code stay as they are (adapter pattern).
-A placeholder has a TODO; what is left is in the task list.
+An adapter keeps the function's signature, so that the calls of the retained code stay as they are (adapter pattern, paper 3.4).
+A placeholder contains a TODO; what is left to do is in the task list.
 """
 
 from __future__ import annotations
@@ -26,18 +26,18 @@ from robosmi.typed import distinct, paired, sum_of
 
 
 class Adapter(Struct, frozen=True):
-    """An adapter.
+    """A placeholder as templates show it.
 
     Attributes:
-        use: what of the plan it is.
+        use: the adapter's use in the plan.
         name: its name in the sketch.
-        signature: the function's as it was.
-        header: where that is declared, empty where nobody knows it.
-        notes: comments.
-        prefix: what stands before its signature.
-        target_signature: its signature.
+        signature: the function's signature on the source.
+        header: the header that declares the function, empty if unknown.
+        notes: its comments.
+        prefix: the specifiers before its signature.
+        target_signature: its signature in the sketch.
         parameters: the names of its parameters.
-        result: what its placeholder gives back, empty for void.
+        result: the expression that it returns, empty for void.
     """
 
     use: migration.AdapterUse
@@ -52,7 +52,7 @@ class Adapter(Struct, frozen=True):
 
 
 def adapters(plan: migration.MigrationPlan, uses: Iterable[migration.AdapterUse]) -> list[Adapter]:
-    """Adapters of a plan as templates show them."""
+    """The placeholders for some uses, as templates show them."""
     prefix = "static inline " if target_of(plan).language == "C" else "inline " if several_units(plan) else ""
     return [_adapter(plan, use, prefix) for use in uses]
 
@@ -66,13 +66,13 @@ def _adapter(plan: migration.MigrationPlan, use: migration.AdapterUse, prefix: s
 
 
 class PieceText(Struct, frozen=True):
-    """A piece of adapter text.
+    """A piece of adapter text as templates show it.
 
     Attributes:
         element: the piece.
-        uses: what of the plan it is for.
-        apart: whether a blank line stands above it.
-        comment: lines above it.
+        uses: the uses in the plan that it serves.
+        apart: whether a blank line separates it from the piece above.
+        comment: the lines of its comment.
         text: its text.
     """
 
@@ -84,7 +84,7 @@ class PieceText(Struct, frozen=True):
 
 
 def adapter_pieces(plan: migration.MigrationPlan) -> dict[str, Any]:
-    """What templates show of the adapters with bodies: `headers`, `declarations`, `pieces`."""
+    """The values that templates show of the adapters with bodies: `headers`, `declarations`, `pieces`."""
     pieces = emitted(plan)
     users: dict[platform.Adapter, list[migration.AdapterUse | migration.SymbolUse]] = {}
     named: list[migration.AdapterUse | migration.SymbolUse] = [*plan.symbolUses, *plan.adapterUses]
@@ -123,7 +123,7 @@ _COUNTING = frozenset(["++", "--"])
 
 
 def _text(piece: platform.Adapter, changed: Collection[str]) -> str:
-    """The text of a piece: a variable of the platform that only its programs change is none but where they do."""
+    """The text of a piece; a constant that stands for a variable of the platform becomes one if the program assigns to it."""
     text = str(piece.text)
     own = piece.name in changed and piece.pieceKind is platform.PieceKind.variable and piece.fidelity.startswith("exact")
     return f"static {text.removeprefix('const ')}" if own and text.startswith("const ") else text
@@ -135,7 +135,7 @@ def several_units(plan: migration.MigrationPlan) -> bool:
 
 
 def handles_interrupts(plan: migration.MigrationPlan, unit: ccode.SourceUnit) -> bool:
-    """Whether a file is the one of several in which the adapters handle their interrupts: the one with main, else the first."""
+    """Whether a file is the one of several that compiles the interrupt handlers: the one with main, else the first."""
     if plan.program is None or not several_units(plan) or not any(piece.vectors for piece in emitted(plan)):
         return False
     units = [each for each in plan.program.units if not is_header(each)]
@@ -143,7 +143,7 @@ def handles_interrupts(plan: migration.MigrationPlan, unit: ccode.SourceUnit) ->
 
 
 def _cores(plan: migration.MigrationPlan) -> list[str]:
-    """What the pieces for code on other cores are told: how many run at once, and how much stack each has."""
+    """Macros for the pieces that run code of other cores: how many coroutines at once, and the bytes of each stack."""
     said = plan.concurrency
     if said is None:
         return []
@@ -152,7 +152,7 @@ def _cores(plan: migration.MigrationPlan) -> list[str]:
 
 
 def _servos(plan: migration.MigrationPlan, pieces: Iterable[platform.Adapter]) -> list[str]:
-    """What the pieces for servos are told of pulses that a person has measured."""
+    """Tables for the servo pieces of the pulse widths (us) that the user has measured."""
     trimmed = {c.pin: c for c in plan.connections if c.pin is not None and (c.neutralMicroseconds or c.speeds)}
     if not trimmed or not any(piece.name == SERVO_TRIMS for piece in pieces):
         return []
@@ -169,11 +169,11 @@ def _servos(plan: migration.MigrationPlan, pieces: Iterable[platform.Adapter]) -
 
 
 SERVO_TRIMS = "servo_us"
-"""The piece that gives servos the pulses that were measured."""
+"""The piece that gives servos the measured pulse widths."""
 
 
 def _split_wires(plan: migration.MigrationPlan, pieces: Iterable[platform.Adapter]) -> list[str]:
-    """What the pieces for components with a wire for each direction are told of these."""
+    """A table for the pieces that serve components with one wire per direction: the writing and the reading pin of each."""
     pairs = [
         (asked, heard)
         for b in plan.portBindings
@@ -188,21 +188,21 @@ def _split_wires(plan: migration.MigrationPlan, pieces: Iterable[platform.Adapte
 
 
 SPLIT_WIRES = "asking"
-"""The piece that finds the pins of a component with a wire for each direction."""
+"""The piece that looks up the two pins of a component with one wire per direction."""
 
 
 def made_apart(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:
-    """The placeholders that are functions of their own; of others the body stands where the program declares them."""
+    """The placeholders that are emitted as functions of their own, not in place of the program's declaration."""
     return [use for use in plan.adapterUses if use.adapter is None and not beside_its_declaration(use)]
 
 
 def with_own_types(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:
-    """The adapters that can only stand behind the program's own types."""
+    """The placeholders whose signature needs types of the program, so that they must come after their declarations."""
     return [use for use in plan.adapterUses if needs_own_types(use)]
 
 
 def _pin_notes(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> list[str]:
-    """Which target pins the function's conventions mean, since no text of the program says so."""
+    """Notes on the target pins that a function uses by convention, which no argument shows."""
     conventions = list(adapter.function.conventions) if adapter.function is not None else []
     return [
         f"{binding.name} ({binding.what}) is {binding.choice or 'not bound'}"

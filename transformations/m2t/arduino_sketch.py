@@ -1,6 +1,6 @@
 """The sketch folder of a migration plan: the generator registered for Arduino targets (paper 3.4).
 
-It reads the plan, the models it refers to and the stored sources, and nothing else; it decides nothing.
+It reads the plan, the models it refers to and the stored sources, and takes no decisions.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A plain C program of a migration plan: the generator for targets that keep their main and need no core.
 
-It reads the plan, the models it refers to and the stored sources, and nothing else; it decides nothing. Units stay C files, main
-stays main, adapters are C, and a Makefile stands beside them.
+It reads the plan, the models it refers to and the stored sources, and takes no decisions. Units stay C files, main stays main,
+adapters are C, and a Makefile is added.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
-"""What the sketch for the bench shows: one component at a time, chosen over the serial line, moved or read within safe limits.
+"""The values for the sketch that tests the hardware on the bench, one component at a time.
 
-How a component is tried is data of its kind (`bench` in parts/electrical.toml), else its role says it. The sketch needs no
-library beyond the core; pins of the serial line that it talks over are left alone. All is in the models, nothing is decided.
+The user chooses a component over the serial line, and it is moved or read within safe limits. How a component is tested is data
+of its kind (`bench` in parts/electrical.toml), else follows from its role. The sketch needs no library beyond the core, and
+leaves the pins of its own serial line alone. Everything is read from the models.
 """
 
 from __future__ import annotations
@@ -20,21 +21,21 @@ _BY_ROLE = {hardware.Role.Output: "switch", hardware.Role.Input: "level"}
 
 
 class BenchCall(Struct, frozen=True):
-    """A call of the sketch that tries something: the function's name, and its arguments as texts of the target's language."""
+    """A call of a test function in the sketch: the function's name and its arguments as text."""
 
     name: str
     arguments: tuple[str, ...]
 
 
 class BenchCheck(Struct, frozen=True):
-    """How one component is tried.
+    """The test of one component.
 
     Attributes:
-        title: the component as the drawing calls it, told apart from others of the same title.
+        title: the component's title in the drawing, made unique.
         wires: its connectors with their pins, for people.
-        calls: what is called, one after the other.
-        note: why a part of it is not tried; empty where all is.
-        elements: what it comes from.
+        calls: the calls that test it, in order.
+        note: why a part of it is not tested; empty if all is.
+        elements: the model elements that it comes from.
     """
 
     title: str
@@ -45,7 +46,7 @@ class BenchCheck(Struct, frozen=True):
 
 
 def bench(plan: migration.MigrationPlan) -> dict[str, Any]:
-    """What the template of the sketch shows: `checks`, the names of the functions that they `use`, pins with a `rest` level."""
+    """The values of the sketch's template: `checks`, the test functions that they `use`, and pins with a `rest` level."""
     checks = list(_checks(plan))
     rest = [c for c in plan.connections if c.restLevel and c.pin is not None and not _console(c)]
     return {
@@ -73,7 +74,7 @@ def _checks(plan: migration.MigrationPlan) -> Iterator[BenchCheck]:
 
 
 def _calls(component: hardware.Component, connections: list[migration.Connection]) -> Iterator[BenchCall]:
-    """How a component is tried at its connections."""
+    """The calls that test a component at its connections."""
     device = component.device
     kind = device.bench if device is not None else ""
     writes = [c for c in connections if c.signal is not migration.Signal.read]
@@ -102,7 +103,7 @@ def _calls(component: hardware.Component, connections: list[migration.Connection
 
 
 def _stepped(connections: list[migration.Connection]) -> Iterator[BenchCall]:
-    """How a stepper motor is tried: by a driver's step and direction, else coil after coil, in the order of their names."""
+    """The calls that test a stepper motor: by step and direction of a driver, else coil by coil in the order of their names."""
     named = {str(c.name).strip().lower(): connection for connection in connections for c in connection.connectors}
     step = next((named[name] for name in named if name.startswith(("step", "stp", "clk", "pul"))), None)
     turns = next((named[name] for name in named if name.startswith(("dir", "cw"))), None)
@@ -114,7 +115,7 @@ def _stepped(connections: list[migration.Connection]) -> Iterator[BenchCall]:
 
 
 def _coil(name: str) -> tuple[str, str]:
-    """Where a coil's wire comes in turn: IN1 to IN4, and A+, B+, A-, B- of a motor with two coils."""
+    """A sort key for the wires of coils: IN1 to IN4; of a motor with two coils A+, B+, A-, B-."""
     return (name[-1], name) if name[-1:] in ("+", "-") else ("", name)
 
 
@@ -141,7 +142,7 @@ def _by_role(component: hardware.Component, connection: migration.Connection) ->
 
 
 def _ranger(connections: list[migration.Connection]) -> tuple[str, str] | None:
-    """The pins that a ranger is asked and answers at, which may be one."""
+    """The trigger and the echo pin of a distance sensor, the same for a sensor with one wire; None if it has neither."""
     named = {str(c.name).strip().lower(): connection for connection in connections for c in connection.connectors}
     asks = next((named[name] for name in named if name.startswith("trig")), None)
     tells = next((named[name] for name in named if name.startswith("echo")), None)
@@ -156,7 +157,7 @@ def _on_bus(connections: list[migration.Connection]) -> bool:
 
 
 def _console(connection: migration.Connection) -> bool:
-    """Whether a pin is one of the serial line that boards talk to a computer over."""
+    """Whether a connection is on a pin of the serial line to the computer."""
     pin = connection.pin
     return pin is not None and bool(pin.reserved) and "uart" in pin.abilities
 

@@ -1,6 +1,6 @@
-"""Names and colours of a circuit's nets in a picture: no two nets have the same, so that what looks the same is the same.
+"""Names and colours of a circuit's nets in a picture; no two nets have the same.
 
-A rail has the name that the drawing gives to its net, else that of its supply; a further net of that name has a number behind it.
+A rail has the name that the drawing gives to its net, else that of its supply; further nets of that name get a number.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ _TURN = 137.508  # degrees; colours that follow one another are far apart
 
 
 def rail_names(rails: Iterable[hardware.Net]) -> dict[int, str]:
-    """The name of each rail, by the net's identity: that of a board goes without a number.
+    """`id` of each rail -> its unique name; rails of a board are named first, and so without a number.
 
     Args:
-        rails: in the circuit's order.
+        rails: the rails in the circuit's order.
     """
     names: dict[int, str] = {}
     taken: set[str] = set()
@@ -35,11 +35,11 @@ def rail_names(rails: Iterable[hardware.Net]) -> dict[int, str]:
 
 
 def net_colours(nets: Iterable[hardware.Net], names: dict[int, str]) -> dict[int, str]:
-    """The colour of each net, by its identity; all are different.
+    """`id` of each net -> its unique colour.
 
     Args:
-        nets: those that are drawn.
-        names: of those that are rails.
+        nets: the nets that are drawn.
+        names: the names of those that are rails.
     """
     colours = _colours()
     found: dict[int, str] = {}
@@ -58,7 +58,7 @@ def _of_a_board(net: hardware.Net) -> bool:
 
 
 def _colours() -> Iterator[str]:
-    """Colours that can be read on white, and white on them, without end; after some thousands they come again lighter."""
+    """An endless sequence of colours with contrast to white; after some thousands they repeat in a lighter shade."""
     number = 0
     while True:
         level = 0.30 + 0.04 * (number // 40 % 4) + 0.001 * (number // 160 % 50)

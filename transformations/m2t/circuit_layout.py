@@ -1,7 +1,9 @@
-"""Places for the boxes and lines of a circuit's picture. The boxes of a group stand in columns by their distance from its first,
-so that no line has to pass a column, each sorted by what its boxes are connected to; a column that is too long is folded, and its
-lines go over what stands between. No line leads from one group to another, and groups are stacked side by side so that it all
-is about as high as wide. Lengths in pixels of the SVG. What boxes mean is not known here.
+"""Layout of a circuit's picture: positions of its boxes and lines.
+
+The boxes of a group are arranged in columns by their distance from its first box, so that no line has to cross a column; each
+column is sorted by what its boxes are connected to. A column that is too long is folded into strips, and lines that skip strips
+run above them. No line leads from one group to another, and groups are packed so that the whole is about as high as wide.
+Lengths are pixels of the SVG. What boxes mean is not known here.
 """
 
 from __future__ import annotations
@@ -23,18 +25,18 @@ _IDEOGRAPHS = 0x2E80
 
 
 HEAD = -1
-"""The row of a place that is no row."""
+"""Stands for the head of a box instead of the number of a row."""
 
 
 class Place(Struct, frozen=True):
-    """A row of a box, by their numbers; `HEAD` in place of a row is the head of the box."""
+    """A row of a box, given by both numbers; the row `HEAD` is the head of the box."""
 
     box: int
     row: int
 
 
 class PartRow(Struct):
-    """A connector in a box: its name, a tag with what it is on, the mark of what is wrong there. `placed` fills the places."""
+    """A connector in a box: its name, a tag with the net it is on, and a mark for a finding. `placed` sets the positions."""
 
     number: int
     text: str
@@ -50,7 +52,7 @@ class PartRow(Struct):
 
 
 class DrawnMark(Struct):
-    """A line below the rows of a box: what is wrong, as it is drawn; the whole sentence; its colour. `placed` fills the place."""
+    """A line below the rows of a box about a finding: the text drawn, the full message, the colour. `placed` sets `y`."""
 
     text: str
     message: str
@@ -59,9 +61,9 @@ class DrawnMark(Struct):
 
 
 class Box(Struct):
-    """A component: title, subtitle, fill, column (the least is left), group, marks and the colour of its edge.
+    """A component: title, subtitle, fill, column (the least is leftmost), group, marks, and the colour of its edge.
 
-    `placed` fills the places, the strip (a column that is too long is folded into several) and the top of its group's strips.
+    `placed` sets the positions, the strip (a column that is too long is folded into several) and the top of its group's strips.
     """
 
     number: int
@@ -82,7 +84,7 @@ class Box(Struct):
 
 
 class DrawnLink(Struct):
-    """A line between two rows, or the heads of two boxes; `wires` are how many it stands for. `placed` fills path and ends."""
+    """A line between two rows or the heads of two boxes, which stands for `wires` wires. `placed` sets path and ends."""
 
     one: Place
     other: Place
@@ -94,15 +96,15 @@ class DrawnLink(Struct):
 
 
 def placed(boxes: Sequence[Box], links: Sequence[DrawnLink], below: Sequence[str]) -> tuple[int, int]:
-    """Give all boxes, rows and links their places.
+    """Set the positions of all boxes, rows and links.
 
     Args:
-        boxes: by number.
+        boxes: the boxes, each at the index of its number.
         links: lines between their rows, each within one group.
-        below: lines of text that come below.
+        below: lines of text below the picture.
 
     Returns:
-        Width and height of the whole.
+        Width and height of the picture.
     """
     groups: dict[int, list[Box]] = {}
     for box in boxes:
@@ -129,7 +131,7 @@ def placed(boxes: Sequence[Box], links: Sequence[DrawnLink], below: Sequence[str
 
 
 def _columns(boxes: Sequence[Box], mine: Sequence[Box], links: Sequence[DrawnLink]) -> tuple[float, float]:
-    """Give the boxes of a group their places from 0, 0 on; its width and height."""
+    """Arrange the boxes of a group, with its left upper corner at (0, 0); returns its width and height."""
     near: dict[int, list[float]] = {}
     columns: dict[int, list[Box]] = {}
     for box in mine:
@@ -174,7 +176,7 @@ def _columns(boxes: Sequence[Box], mine: Sequence[Box], links: Sequence[DrawnLin
 
 
 def _end_strip(stood: Sequence[Box], left: float) -> float:
-    """Give the boxes of a strip, one below the other, their width; where the next strip begins."""
+    """Make the boxes of a finished strip equally wide; returns the left edge of the next strip."""
     width = max(_width(box) for box in stood)
     for box in stood:
         box.width = width
@@ -196,11 +198,11 @@ def _move(box: Box, right: float, down: float) -> None:
 
 
 def text_width(text: str, size: float = _FONT, bold: bool = False) -> float:
-    """How wide a text is at most in the picture's font (DejaVu Sans, or one that is narrower).
+    """Upper bound of a text's width in pixels, in the picture's font (DejaVu Sans, or a narrower one).
 
     Args:
-        text: on one line.
-        size: of the font, in pixels.
+        text: a single line.
+        size: font size in pixels.
         bold: whether it is bold.
     """
     units = sum_of(
@@ -220,7 +222,7 @@ def _level(box: Box, place: Place) -> float:
 
 
 def _draw(boxes: Sequence[Box], link: DrawnLink) -> None:
-    """The path of a link and the two points where it ends, at the edges of its boxes."""
+    """Set the path of a link and its two end points, at the edges of its boxes."""
     one, other = (boxes[place.box] for place in (link.one, link.other))
     start, end = _level(one, link.one), _level(other, link.other)
     if one.strip > other.strip:

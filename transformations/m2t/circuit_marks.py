@@ -1,7 +1,7 @@
 """Where findings about a circuit belong in its picture: to a component, to pins of a board, to a net.
 
-A finding tells it by its element, by `model_index`, `pins` and `net` in its evidence, or by its message: titles between quotation
-marks, and labels of pins. One that tells none of these is about the drawing as a whole. Nothing is drawn here.
+A finding is located by its element, by `model_index`, `pins` and `net` in its evidence, or by its message: quoted titles and
+labels of pins. One without any of these is about the drawing as a whole. Nothing is drawn here.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _COLOURS = {Severity.error: "#c00000", Severity.warning: "#b45f06", Severity.inf
 
 
 class Mark(Struct, frozen=True):
-    """What is wrong: the rule, the sentence, the colour of its severity."""
+    """A finding in the picture: its rule, its message, the colour of its severity."""
 
     rule: str
     message: str
@@ -93,7 +93,7 @@ def _net(finding: Finding, circuit: hardware.Circuit) -> hardware.Net | None:
 
 
 def _pins(finding: Finding, components: Iterable[hardware.Component]) -> list[hardware.Connector]:
-    """The connectors of pins that a finding names; with its component, those of that which are on a pin's net."""
+    """The connectors on the pins that a finding names, limited to some components."""
     told = finding.evidence.get("pins")
     named = told.split(",") if told and isinstance(told, str) else [str(each) for each in finding.listed("pins")]
     labels = {label.strip() for label in named or (match[0] for match in _LABEL.finditer(finding.message))}

@@ -1,10 +1,11 @@
-"""A circuit as a picture (SVG) that a person can hold beside the robot: boards left, then what is wired to them, then what is
-behind that, and apart from them what no signal joins to a board; a line for each connection of a signal net, a coloured tag with
-the net's name for each connector on a rail. Symbols of supplies are no boxes: one table has the rails that they stand for.
+"""A circuit as a picture (SVG) that a person can hold beside the robot.
 
-Beyond `MOST_LINES` lines the picture is by component: one line between two boxes stands for all their wires, and each row names
-what it is wired to. What is wrong is marked where it is, ports of the source stand at the pins that they became. What is drawn is
-computed here, `circuit_layout` places it, the template writes it.
+Boards are at the left, then what is wired to them, then what is behind that; apart from them is what no signal connects to a
+board. Each connection of a signal net is a line, each connector on a rail has a coloured tag with the net's name. Power symbols
+are no boxes: one table lists the rails that they stand for. Beyond `MOST_LINES` lines the picture is by component: one line
+between two boxes stands for all their wires, and each row names what it is wired to. Findings are marked where they belong,
+ports of the source are shown at the pins that they became. This module decides what is drawn, `circuit_layout` arranges it, the
+template writes it.
 """
 
 from __future__ import annotations
@@ -34,11 +35,11 @@ _MARK_LETTERS, _MARK_LINES = 52, 3
 _FOOT_LETTERS = 110
 _MARKS = 6
 MOST_LINES = 20
-"""Lines that a picture has at most before those between two boxes become one."""
+"""Number of lines above which the lines between two boxes are merged into one."""
 
 
 class Picture:
-    """What is to be drawn: boxes with rows, links between rows or boxes, and lines of text below."""
+    """The contents of a picture: boxes with rows, links between rows or boxes, and lines of text below."""
 
     def __init__(self, title: str) -> None:
         self.title = title
@@ -50,7 +51,7 @@ class Picture:
 def circuit_picture(
     circuit: hardware.Circuit, findings: Iterable[Finding] = (), ports: Mapping[str, Sequence[str]] | None = None
 ) -> Picture:
-    """The picture of a circuit, without places.
+    """The contents of a circuit's picture, not arranged yet.
 
     Args:
         circuit: what to draw.
@@ -74,7 +75,7 @@ def svg(circuit: hardware.Circuit, findings: Iterable[Finding] = (), ports: Mapp
 
 
 class _Drawing:
-    """The drawing of one picture."""
+    """Builds the contents of one picture."""
 
     def __init__(self, circuit: hardware.Circuit, found: Marks, ports: Mapping[str, Sequence[str]]) -> None:
         self.circuit, self.marks, self.ports = circuit, found, ports
@@ -111,14 +112,14 @@ class _Drawing:
     # ---- boxes
 
     def _only_names_a_rail(self, component: hardware.Component) -> bool:
-        """Whether it is a symbol of a supply about which there is nothing to say but at its pin."""
+        """Whether a component is a power symbol without findings of its own, so that the table of rails is enough."""
         if component.role is not hardware.Role.Power or len(component.connectors) != 1 or component in self.marks.components:
             return False
         net = component.connectors[0].net
         return net is not None and bool(net.rail)
 
     def _table_of_rails(self, symbols: Sequence[hardware.Component]) -> None:
-        """A box with the rails that have symbols, and how many connectors of components are on each."""
+        """Add a box that lists the rails with power symbols, and how many other connectors are on each."""
         named = Counter(id(component.connectors[0].net) for component in symbols)
         wrong = {id(c.net): self.marks.connectors[c] for s in symbols for c in s.connectors if c in self.marks.connectors}
         group = max((box.group for box in self.result.boxes), default=0) + 1
@@ -183,7 +184,7 @@ class _Drawing:
                 self.result.links.append(DrawnLink(ends[0], other, self.colours[id(net)], names))
 
     def _bundle(self) -> None:
-        """One line for all links of two boxes, none for those within one; each row gets a tag that says what it is wired to."""
+        """Merge all links between two boxes into one line, and tag each row with what it is wired to."""
         boxes = self.result.boxes
         pairs: dict[tuple[int, int], list[DrawnLink]] = {}
         partners: dict[tuple[int, int], list[str]] = {}
@@ -206,8 +207,11 @@ class _Drawing:
 
 
 def _distances(components: Sequence[hardware.Component]) -> dict[hardware.Component, tuple[int, int]]:
-    """How many signal nets lie between a board and each component, and 0; of what no net leads to, the way from the one in its
-    midst that has most connectors on signals, beginning at 1, and a number for those that are joined."""
+    """(column, group) of each component.
+
+    Components with a signal path to a board are in group 0; their column is the number of signal nets on that path. The others
+    form one group for each connected set, with columns counted from 1 at the component with most signal connectors.
+    """
     known = set(components)
     found: dict[hardware.Component, tuple[int, int]] = {}
     seen: set[int] = set()
@@ -240,7 +244,7 @@ def _signals(component: hardware.Component) -> list[hardware.Net]:
 
 
 def _groups(component: hardware.Component) -> Iterable[tuple[str, Sequence[hardware.Connector]]]:
-    """The connected connectors, those of one name in one net together; a board's pins first, in their order."""
+    """The connected connectors of a component, grouped by name and net; a board's pins first, in their order."""
     found: dict[tuple[str, int], list[hardware.Connector]] = {}
     pins = [c for connectors in pins_of(component).values() for c in connectors]
     same = {id(c.net): c.pin for c in reversed(pins)}  # ICSP MOSI of a board is its D11
@@ -253,7 +257,7 @@ def _groups(component: hardware.Component) -> Iterable[tuple[str, Sequence[hardw
 
 
 def _only_joins(component: hardware.Component) -> bool:
-    """Whether it is a breadboard or its like: its nets are drawn, not itself."""
+    """Whether a component only joins connectors, as a breadboard does; then its nets are drawn, not the component."""
     return component.role is hardware.Role.Passive and len(component.connectors) > 4
 
 
@@ -266,6 +270,6 @@ def _mark_lines(mark: Mark) -> list[str]:
 
 
 def _short(text: str, letters: int = _LETTERS) -> str:
-    """A text on one line, without what no XML may hold, cut where it is too long."""
+    """A text on one line, without characters that XML forbids, truncated to a number of characters."""
     line = " ".join("".join(c if c.isprintable() else " " for c in text).split())
     return line if len(line) <= letters else line[: letters - 1] + "…"

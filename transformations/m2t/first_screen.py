@@ -1,7 +1,7 @@
 """The first screen of a report: what works, what to decide, to write and to check on the bench, each with its total.
 
-The report (`task_list`) and the terminal show the same lines. What they count is in `queries.work`. A task stands in one list
-only: what the first screen has no room for follows behind it.
+The report (`task_list`) and the terminal show the same lines; the numbers come from `queries.work`. A task is in one list only,
+and lines that do not fit on the first screen follow after it.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from robosmi.transformations.queries.work import Work
 from robosmi.typed import paired, replaced, sum_of
 
 LINES = 40
-"""How many lines the first screen of a report has at most."""
+"""Greatest number of lines of the first screen."""
 _SHARES = (9, 6, 5)
-"""How many lines each of the three lists may have when all are long."""
+"""Number of lines for each of the three lists if all are long."""
 _OPTIONS = 4
 _SNIPPET = 44
 
@@ -32,13 +32,13 @@ class Item(Struct, frozen=True):
     """A line of a list.
 
     Attributes:
-        text: what it says; empty parts are left out by who shows it.
-        source: how the line of the source reads that it is about.
-        typed: what to type.
-        more: what else is worth saying.
-        rule: of the task; empty for a line that says why those below it are there.
-        effort: of the task.
-        done: whether a person has ticked it.
+        text: its text.
+        source: the line of the source that it is about.
+        typed: what the user can type to settle it.
+        more: further information, such as the candidates.
+        rule: the task's rule; empty for a line that gives the common reason of those below it.
+        effort: the task's effort.
+        done: whether the user has ticked it.
     """
 
     text: str
@@ -51,19 +51,19 @@ class Item(Struct, frozen=True):
 
     @property
     def tick(self) -> str:
-        """The mark between the brackets of a list of tasks."""
+        """The character between the brackets of a Markdown task: `x` or a blank."""
         return "x" if self.done else " "
 
 
 class Listed(Struct, frozen=True):
-    """One of the lists.
+    """One of the three lists.
 
     Attributes:
-        title: what it is called.
+        title: its heading.
         total: its sum in words.
         first: its lines on the first screen.
-        hint: how they are done.
-        rest: the lines behind the first screen.
+        hint: how its tasks are done.
+        rest: the lines that follow after the first screen.
     """
 
     title: str
@@ -74,13 +74,13 @@ class Listed(Struct, frozen=True):
 
 
 class FirstScreen(Struct, frozen=True):
-    """What a person sees first.
+    """The contents of the first screen.
 
     Attributes:
         works: how many calls work, in words.
         needs: what the program needs of its board, in words; empty where it needs nothing that is counted.
         shortages: what the board cannot give.
-        decide, write, check: the lists.
+        decide, write, check: the three lists.
     """
 
     works: str
@@ -92,7 +92,7 @@ class FirstScreen(Struct, frozen=True):
 
 
 class Counted(Struct, frozen=True):
-    """What takes long to find out about a plan and is shown in several places.
+    """Results about a plan that take long to compute and are shown in several places.
 
     Attributes:
         needs: what the program needs of its board.
@@ -106,7 +106,7 @@ class Counted(Struct, frozen=True):
 
 
 def counted(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Counted:
-    """Find it out; it holds until the plan is changed."""
+    """Compute the results; they are valid until the plan is changed."""
     return Counted(board_needs(plan), constructs(plan, sources), Work(plan).calls)
 
 
@@ -118,8 +118,8 @@ def first_screen(
     Args:
         plan: the plan, complete.
         sources: path of a unit -> its bytes.
-        taken: lines that something else of the first screen needs.
-        known: what was counted of the plan as it is.
+        taken: number of lines of the first screen that are used otherwise.
+        known: the results for the plan, if they are known already.
     """
     work = Work(plan, known.calls if known is not None else None)
     lists = (
@@ -136,7 +136,7 @@ def first_screen(
 
 
 def _shared(wanted: Sequence[int], lines: int) -> list[int]:
-    """How many lines each list gets: its share, and what others leave."""
+    """The number of lines for each list: its share, and what the others leave."""
     given = [min(want, share) for want, share in paired(wanted, _SHARES)]
     while sum_of(given) < min(lines, sum_of(wanted)):
         hungry = [n for n, want in enumerate(wanted) if given[n] < want]
@@ -159,7 +159,7 @@ def _cut(whole: Listed, lines: int) -> Listed:
 
 
 def works(plan: migration.MigrationPlan, work: Work) -> str:
-    """How many calls work, and what becomes of the others."""
+    """A sentence on how many calls work, and what the others lack."""
     calls = work.calls
     several = work.unread != 1
     lost = f"{work.unread} call{'s' * several} in text that could not be read {'are' if several else 'is'} not counted"
@@ -177,7 +177,7 @@ def works(plan: migration.MigrationPlan, work: Work) -> str:
 
 
 def decided(work: Work) -> str:
-    """How many choices are open."""
+    """A phrase on how many choices are open."""
     choices, left = work.choices()
     total = len(choices)
     if not total:
@@ -188,7 +188,7 @@ def decided(work: Work) -> str:
 
 
 def written(work: Work) -> str:
-    """How much is to be written, by effort."""
+    """A phrase on how much is to be written, by effort."""
     if not work.write:
         return "nothing"
     left = [task for task in work.write if not task.done]
@@ -205,7 +205,7 @@ def written(work: Work) -> str:
 
 
 def checked(work: Work) -> str:
-    """How much is to be checked."""
+    """A phrase on how much is to be checked."""
     done = sum_of(task.done for task in work.check)
     return f"{done} of {len(work.check)} done" if work.check else "no pin is bound yet" if work.decide else "nothing"
 
@@ -214,7 +214,7 @@ def checked(work: Work) -> str:
 
 
 def _decide_hint(plan: migration.MigrationPlan, work: Work) -> str:
-    """Where an answer is typed, for the kinds of choices that are open."""
+    """A hint on where to type answers, for the kinds of choices that are open."""
     ports = any(task.rule == "RS330" for task in work.decide)
     libraries = any(task.rule == "RS401" for task in work.decide)
     said = ["ports under [bind] (or --bind NAME=PIN)"] * ports
@@ -227,7 +227,7 @@ def _decide_hint(plan: migration.MigrationPlan, work: Work) -> str:
 
 
 def _write_hint(plan: migration.MigrationPlan, work: Work) -> str:
-    """Where bodies are written."""
+    """A hint on where to write bodies; empty if there are none."""
     bodies = any(task.rule == "RS501" or (task.rule == "RS502" and "in adapters.h" in task.fix) for task in work.write)
     beside = any("in adapters.h" not in task.fix for task in work.write if task.rule == "RS501")
     own = f" (in the {called(plan)} for what it declares itself)" * beside
@@ -253,7 +253,7 @@ def _choice(plan: migration.MigrationPlan, task: migration.PlanTask, sources: Ma
 
 
 def _line(element: ccode.Located | None, sources: Mapping[str, bytes]) -> str:
-    """How the line of an element reads in the source."""
+    """The line of the source with an element, without comment, shortened."""
     unit = ancestor_of_kind(element, ccode.SourceUnit) if element is not None else None
     if element is None or unit is None or unit.path not in sources:
         return ""
@@ -263,7 +263,7 @@ def _line(element: ccode.Located | None, sources: Mapping[str, bytes]) -> str:
 
 
 def _bodies(work: Work) -> Iterable[Item]:
-    """The lines of what is to be written: what has one cause stands under it."""
+    """The lines of what is to be written; tasks of one cause follow a line that gives it."""
     for group in work.groups():
         if group.title:
             yield Item(f"{group.title} cannot be served: {group.reason}")
@@ -276,7 +276,7 @@ def _checks(work: Work) -> Iterable[Item]:
 
 
 def _task(plan: migration.MigrationPlan, task: migration.PlanTask, *, short: bool = False) -> Item:
-    """The line of a task; a short one leaves out the reason, which stands above it."""
+    """The line of a task; a short one omits the reason, which the line above the group gives."""
     place = f" ({where})" if (where := task_place(plan, task)) else ""
     message = str(task.message).partition(";")[0] if short else str(task.message)
     more = str(task.fix) if task.rule in _SAYS_HOW else ""
@@ -284,11 +284,11 @@ def _task(plan: migration.MigrationPlan, task: migration.PlanTask, *, short: boo
 
 
 _SAYS_HOW = frozenset({"RS503", "RS504", "RS511"})
-"""Rules of tasks that are done each in a way of its own, which its line says."""
+"""Rules of tasks that are each done differently, so that their lines say how."""
 
 
 def task_place(plan: migration.MigrationPlan, task: migration.PlanTask) -> str:
-    """Where a task or finding is: the line, with the file's name where there is more than one file; empty for no place."""
+    """The place of a task or finding: its line, with the file's name if there are several files; empty if it has none."""
     path, line = str(task.path), task.line
     if not path or not line:
         return path.rpartition("/")[2]

@@ -1,8 +1,8 @@
-"""`main` as the target's `setup` and `loop` (paper 4, RQ1: what stands outside the endless loop runs once, its body is repeated).
+"""`main` as the target's `setup` and `loop` (paper 4, RQ1: what is outside the endless loop runs once, its body is repeated).
 
-How main is divided is in the plan's dispositions: a loop with rule `main-loop` is the one that becomes `loop`; the texts of
-hoisted locals stand above. Without such a loop the whole body stays in `setup`. Comments that stand between
-the parts stay with the part that follows, those behind the loop come last.
+The plan's dispositions say how main is divided: the loop with the rule `main-loop` becomes `loop`, and hoisted locals are put
+above. Without such a loop the whole body stays in `setup`. Comments between the parts stay with the part that follows, those
+after the loop come last.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class MainPart(Struct, frozen=True):
 
 
 def hoisted_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Function) -> Iterator[MainPart]:
-    """The locals that move out of main, at file scope."""
+    """The locals that move out of main to file scope."""
     hoisted = _hoists(plan, main)
     parameters = _parameters(main) if _loop(plan, main) is not None else []
     for line in parameters:
@@ -58,7 +58,7 @@ def hoisted_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode
 
 
 def _loop(plan: migration.MigrationPlan, main: ccode.Function) -> ccode.Loop | None:
-    """The loop of main that becomes `loop`, if one does."""
+    """The loop of main that becomes `loop`, None if there is none."""
     found = next((d.element for d in plan.dispositions if "main-loop" in d.rules and _is_inside(d, main)), None)
     return found if isinstance(found, ccode.Loop) else None
 
@@ -78,7 +78,7 @@ def _hoists(plan: migration.MigrationPlan, main: ccode.Function) -> list[migrati
 
 
 def heading(source: SourceText, main: ccode.Function) -> int:
-    """Where the comments begin that stand directly above main and so belong to it."""
+    """Offset of the first of the comments directly above main, which belong to it; main's own offset if there are none."""
     position = int(main.startOffset)
     for comment in reversed(source.comments_in(0, position)):
         gap = source.data[comment.endOffset : position]
@@ -89,7 +89,7 @@ def heading(source: SourceText, main: ccode.Function) -> int:
 
 
 def main_parts(plan: migration.MigrationPlan, source: SourceText, main: ccode.Function) -> Iterator[MainPart]:
-    """The parts that take main's place: `setup`, `loop`."""
+    """The functions that replace main: `setup`, `loop`, and those for what follows the loop."""
     assert main.body is not None
     hoisted = _hoists(plan, main)
     loop = _loop(plan, main)
@@ -150,21 +150,21 @@ _STAYS = "  for (;;) yield();\n"
 
 
 def _ends(plan: migration.MigrationPlan, main: ccode.Function) -> tuple[str, list[str]]:
-    """Names of the functions for what follows the loop and for the end of main: the first empty and the second none without."""
+    """The name of the function for the code after the loop (empty if there is none), and those for the end of main."""
     inside = _inside(plan, main)
     after = next((str(d.runsIn) for d in inside if d.runsIn), "")
     return after, sorted({str(d.goesOnIn) for d in inside if d.goesOnIn} - {after})
 
 
 def _comments(source: SourceText, start: int, end: int, owner: ccode.Located) -> Iterator[MainPart]:
-    """The comments of a range that is not carried over otherwise, each on a line of its own."""
+    """The comments of a range that is otherwise dropped, each on a line of its own."""
     for comment in source.comments_in(start, end):
         text = source.slice(comment.startOffset, comment.endOffset)[0].strip()
         yield MainPart(text + "\n", "code", "retained comment", [comment, owner])
 
 
 def _setup(plan: migration.MigrationPlan) -> list[str]:
-    """The statements at the start: pins get their level and then drive, so that nothing moves; then what adapters need."""
+    """The first statements of `setup`: rest levels of pins (level before direction: nothing moves), then adapters'."""
     levels = []
     for connection in rest_levels(plan):
         levels.append(f"digitalWrite({connection.name}, {connection.restLevel.upper()});  // {_idle(connection)}\n")
@@ -173,7 +173,7 @@ def _setup(plan: migration.MigrationPlan) -> list[str]:
 
 
 def _early_calls(plan: migration.MigrationPlan) -> list[str]:
-    """Calls of the functions that run before main, in the order of the text."""
+    """Calls of the functions that run before main on the source, in text order."""
     early = (d.element for d in plan.dispositions if RUN_IN_SETUP in d.rules)
     found = sorted((f for f in early if isinstance(f, ccode.Function)), key=lambda f: int(f.startOffset))
     return [f"{name}();  // it runs before main\n" for name in distinct(str(f.name) for f in found)]
@@ -185,7 +185,7 @@ def _idle(connection: migration.Connection) -> str:
 
 
 def _parameters(main: ccode.Function) -> list[str]:
-    """Declarations for main's parameters, which nobody gives a value on the target."""
+    """Declarations of main's parameters as variables with the value 0, since the target passes none."""
     kinds = [(p.name, of_use(p.valueType)) for p in main.parameters if p.references]
     return [
         f"{kind.spelling}{'' if kind.spelling.endswith('*') else ' '}{name} = 0;\n" for name, kind in kinds if kind is not None
@@ -193,7 +193,7 @@ def _parameters(main: ccode.Function) -> list[str]:
 
 
 def _whole(change: migration.TextChange, copy: migration.TextCopy) -> bool:
-    """Whether all that a change takes out of main stands in its copy, so that nothing of it is left between the statements."""
+    """Whether a change removes all of a copied text from main, so that nothing of it remains there."""
     return change.startOffset <= copy.startOffset and copy.endOffset <= change.endOffset
 
 
@@ -211,14 +211,14 @@ def _function(
     """`void name() { ... }` around copied text, one part for each run of lines.
 
     Args:
-        name: of the function.
+        name: name of the function.
         source: where the text is copied from.
         start, end: the range that is copied.
         statements: the statements in it.
         owner: the element that the function comes from.
         cuts: ranges that are left out.
-        first: lines that come first.
-        tail: lines that come last.
+        first: lines at the beginning of the body.
+        tail: lines at the end of the body.
     """
     yield MainPart(f"void {name}() {{\n", "generation", name, [owner])
     for line in first:
@@ -242,7 +242,7 @@ def _function(
 
 
 def _indented(pieces: Sequence[Piece], source: SourceText) -> list[str]:
-    """The texts of pieces, indented alike; a first line that begins in the middle of one has no indentation of its own."""
+    """The texts of pieces with equal indentation; a first line that begins within a source line has none of its own."""
     texts = [p.text if p.text.endswith("\n") else p.text + "\n" for p in pieces]
     if not pieces or source.line_start(pieces[0].start) == pieces[0].start:
         return reindent(texts)
@@ -256,12 +256,12 @@ def _elements(piece: Piece) -> list[Item]:
 
 
 def _first_line(source: SourceText, offset: int) -> int:
-    """Behind the rest of the line if that is blank."""
+    """The offset after the rest of the line if that is blank, else the offset itself."""
     end = source.line_end(offset)
     return end if source.blank(offset, end) else offset
 
 
 def _last_line(source: SourceText, offset: int) -> int:
-    """The start of the line if all before the offset on it is blank."""
+    """The start of the line if it is blank up to the offset, else the offset itself."""
     start = source.line_start(offset)
     return start if source.blank(start, offset) else offset

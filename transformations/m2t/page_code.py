@@ -1,6 +1,6 @@
-"""The program beside what is made of it, line by line: each line of the one knows those of the other that it came from or became.
+"""The source program and the generated program side by side: each line refers to the lines that it came from or became.
 
-The links are the plan's: texts that were generated from elements, and what was decided about an element with its rule.
+The links are those of the plan: texts generated from elements, and decisions about elements with their rules.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.page_sections import chunked
 
 _MOST = 40
-"""Lines that one line is linked to; more, as of a whole file's heading, tell nothing."""
+"""Number of lines above which only the first line is linked: links of a whole file's heading tell nothing."""
 
 
 class _Line(Struct):
@@ -61,7 +61,7 @@ def _lines(prefix: str, text: str) -> list[_Line]:
 
 
 def _of(element: Any, old: Mapping[str, list[_Line]]) -> list[_Line]:
-    """The lines of an element of the program; none of a whole file."""
+    """The lines of a program element; empty for a whole file."""
     unit = ancestor_of_kind(element, ccode.SourceUnit) if isinstance(element, ccode.Located) else None
     lines = old.get(unit.path) if unit is not None else None
     if lines is None:
@@ -71,7 +71,7 @@ def _of(element: Any, old: Mapping[str, list[_Line]]) -> list[_Line]:
 
 
 def _origins(link: trace.TextTrace) -> Iterable[Any]:
-    """The elements of the program that a generated text comes from, directly or by a decision about them."""
+    """The program elements that a generated text comes from, directly or through a decision about them."""
     for element in link.elements:
         if isinstance(element, migration.AdapterUse):
             yield from element.calls

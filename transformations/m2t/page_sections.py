@@ -1,7 +1,7 @@
-"""What the page of a plan shows, section by section: what works, what to decide, to write and to check, the wiring, the history.
+"""The contents of a plan's web page, section by section: what works, decide, write, check, wiring, history.
 
-Values for templates, made of the same queries as the report and the terminal. The program beside its sketch is
-`page_code`'s; the page is put together, and asked for, in `chains.page`.
+These are values for templates, from the same queries as the report and the terminal. `page_code` makes the program beside its
+sketch; `chains.page` composes the page and answers its requests.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ from robosmi.transformations.queries.work import Work
 from robosmi.transformations.queries.written_bodies import task_key
 
 CHUNK = 25
-"""Rows that a browser lays out together; those that are not in sight wait."""
+"""Rows that a browser lays out together; chunks out of sight are laid out later."""
 SEVERITIES = {"error": "Errors", "warning": "Warnings", "info": "Worth knowing"}
 
 
 def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Counted | None = None) -> dict[str, Json]:
-    """How much works, and how many constructs have each verdict; `known` is what was counted of the plan as it is."""
+    """How much works, and how many constructs have each verdict; `known` are results for the plan that are known already."""
     known = known if known is not None else counted(plan, sources)
     screen = first_screen(plan, sources, known=known)
     counts = verdict_counts(known.judged)
@@ -44,7 +44,7 @@ def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Co
 
 
 def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: str) -> dict[str, Any]:
-    """Each choice with its answers: the open ones first."""
+    """Each choice with its possible answers, the open ones first."""
     told = {each.id: each for each in offered_choices(plan)}
     shown = [_choice(plan, one, told[one.id], sources, output) for one in choices(plan)]
     shown += [_role(told[identity], output) for identity in told if identity.startswith("role:")]
@@ -54,7 +54,7 @@ def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: 
 
 
 def _role(told: OfferedChoice, output: str) -> dict[str, Any]:
-    """The choice of what a component is for; it is never open, since a component of which nothing is known is taken as read."""
+    """The choice of a component's role; it is never open, since an unknown component counts as an input."""
     return {
         "id": told.id, "kind": "role", "subject": told.subject, "open": False, "chosen": told.chosen,
         "by": WHO[told.by], "at": "", "why": told.why, "title": f"What is '{told.subject}' for?", "line": "",
@@ -100,7 +100,7 @@ def _choice(
 
 
 def _on(connection: migration.Connection) -> str:
-    """Where a connection sits in the drawing: the pin, and what is on it."""
+    """A connection in full: the pin, the connectors, the component and its part."""
     pin = connection.pin.label if connection.pin is not None else "no pin"
     component = connection.component
     if component is None:
@@ -110,7 +110,7 @@ def _on(connection: migration.Connection) -> str:
 
 
 def _short(connection: migration.Connection) -> str:
-    """A connection in few words: the pin, and what is on it."""
+    """A connection in short: the pin, the connectors, the component."""
     pin = str(connection.pin.label) if connection.pin is not None else str(connection.name)
     component = connection.component
     wires = ", ".join(told_names(connection.connectors))
@@ -118,7 +118,7 @@ def _short(connection: migration.Connection) -> str:
 
 
 def _facts(library: platform.Library) -> str:
-    """What the dialog of the paper says of a library (figure 5): version, header, where it runs, what it needs and takes."""
+    """The facts about a library as in the paper's figure 5: version, header, architectures, dependencies, resources."""
     facts = [
         f"version {library.version}" if library.version else "",
         f"<{next(iter(library.headers), '')}>" if library.headers else "",
@@ -131,7 +131,7 @@ def _facts(library: platform.Library) -> str:
 
 
 def write(plan: migration.MigrationPlan, texts: Mapping[str, str]) -> dict[str, Any]:
-    """What is to be written, the smallest first, each with what is known of the source's function and the stub that waits."""
+    """The tasks of writing, smallest first, each with what is known about the source's function and its placeholder."""
     return {"tasks": [_body(plan, task, texts) for task in Work(plan).write]}
 
 
@@ -153,7 +153,7 @@ def _body(plan: migration.MigrationPlan, task: migration.PlanTask, texts: Mappin
 
 
 def _stub(text: str, name: str) -> list[str]:
-    """The lines of the placeholder of a function in a generated text, with the comments above it; none where there is none."""
+    """The lines of a function's placeholder in a generated text with the comments above it; empty if there is none."""
     lines = text.split("\n")
     at = next((n for n, line in enumerate(lines) if f"{name}(" in line and line.rstrip().endswith("{")), None)
     if at is None:
@@ -165,7 +165,7 @@ def _stub(text: str, name: str) -> list[str]:
 
 
 def check(plan: migration.MigrationPlan, notes: Sequence[Finding], places: dict[str, str]) -> dict[str, Any]:
-    """The findings by severity, the worst first, and what is to be seen on the bench, component by component."""
+    """The findings by severity, the worst first, and what is to be checked on the bench, component by component."""
     rows: dict[str, list[tuple[str, str, str, str]]] = {level: [] for level in SEVERITIES}
     for note in notes:
         rows[note.severity.name].append(finding_row(note))
@@ -191,19 +191,19 @@ def check(plan: migration.MigrationPlan, notes: Sequence[Finding], places: dict[
 
 
 def tick_of(task: migration.PlanTask) -> str:
-    """By what the page calls a line of the bench's list, which is what the report's ticks are told by."""
+    """The identifier of a task to check on the bench in the page, the same as for the ticks of the report."""
     return " ".join(task_key(str(task.rule), str(task.message)))
 
 
 def finding_row(finding: Finding) -> tuple[str, str, str, str]:
-    """A finding as it is shown: rule, message, place, what to do."""
+    """A finding as a row: rule, message, place, what to do."""
     place = finding.location
     where = f"{place.path.rpartition('/')[2]}{f':{place.line}' if place.line else ''}" if place is not None else ""
     return finding.rule, finding.message, where, finding.fix or ""
 
 
 def _row(finding: migration.PlanFinding, places: Mapping[str, str]) -> tuple[str, str, str, str]:
-    """A finding of a plan as it is shown; of thousands, what else it says is not looked up."""
+    """A finding of a plan as a row, without looking up its elements: there may be thousands."""
     path, where = str(finding.path), ""
     if path:
         line = finding.line
@@ -212,12 +212,12 @@ def _row(finding: migration.PlanFinding, places: Mapping[str, str]) -> tuple[str
 
 
 def chunked(rows: Sequence[Any]) -> list[Sequence[Any]]:
-    """Rows in runs that are laid out together."""
+    """The rows in chunks of `CHUNK`."""
     return [rows[at : at + CHUNK] for at in range(0, len(rows), CHUNK)]
 
 
 def wiring(plan: migration.MigrationPlan, places: dict[str, str]) -> dict[str, Any]:
-    """The wiring as a picture with what is wrong marked, and as a table."""
+    """The wiring as a picture with its findings marked, and as a table."""
     ports: dict[str, list[str]] = {}
     for binding in plan.portBindings:
         if binding.pin is not None:
@@ -242,7 +242,7 @@ def _image(picture: str) -> str:
 
 
 def verdict(plan: migration.MigrationPlan, picture: str, places: dict[str, str]) -> dict[str, Json]:
-    """What comparing the sketch with the original has shown, if that was done."""
+    """The result of comparing the sketch with the original, empty if that was not done."""
     told = [finding_row(f) for f in said(Q(f for f in plan.findings if f.rule in VERDICT_RULES), places)]
     return {"told": told, "picture": _image(picture) if picture and told else ""}
 

@@ -14,9 +14,9 @@ class PortPins(Struct, frozen=True):
     """The table as templates show it.
 
     Attributes:
-        unbound: the text for no pin.
-        pins: the text for the pin of each port, from 0 on.
-        names: of each its number, and what it is called in the program where it is on a pin.
+        unbound: the literal for no pin.
+        pins: the literal for the pin of each port, from 0 on.
+        names: the number of each port, with its name in the program if it has a pin.
     """
 
     unbound: str
@@ -25,7 +25,7 @@ class PortPins(Struct, frozen=True):
 
 
 def port_table(plan: migration.MigrationPlan) -> PortPins | None:
-    """The table, None where the program looks up nothing, or an adapter has it."""
+    """The table; None if the program looks up no ports, or if an adapter declares the table."""
     if not looks_up_ports(plan) or table_is_declared(plan):
         return None
     texts = port_literals(plan)[1]

@@ -1,8 +1,8 @@
-"""The files that the programs of all targets have, as rules of EGX: the program's units, its adapters, the report.
+"""The files of a program for any target, as rules of EGX: the program's units, its adapters, the report.
 
-A generator names its templates and says what its project file shows. Each rule makes a file by a template; what a template shows
-beyond the plan is prepared by the module of that file. Templates name their parts, so that every generated line is traced to its
-elements and to the step of the method that made it.
+A generator names its templates and gives the values for its project file. Each rule makes a file from a template; values that a
+template needs beyond the plan are prepared by the module of that file. Templates name their parts, so that every generated line
+is traced to its elements and to the step of the method that made it.
 """
 
 from __future__ import annotations
@@ -28,20 +28,20 @@ from robosmi.transformations.queries.source_text import ADAPTERS_FILE, SourceTex
 from robosmi.transformations.queries.text_changes import all_changes
 
 BENCH = "bench"
-"""The folder, beside that of the program, of the sketch that tries one component at a time."""
+"""The folder beside the program that contains the sketch for testing components on the bench."""
 
 
 class ProgramTemplates(Struct, frozen=True):
     """The templates of a target's files.
 
     Attributes:
-        unit: of a unit that is compiled.
-        header: of a header of the program's own.
-        adapters: of the adapters.
-        project: of the project file.
+        unit: template of a unit that is compiled.
+        header: template of an own header.
+        adapters: template of the adapters.
+        project: template of the project file.
         project_file: name of the project file.
-        more: files beside the project file that say the same to other tools: name -> template.
-        bench: of the sketch that tries one component at a time; empty for a target that has none.
+        more: further project files for other tools: name -> template.
+        bench: template of the sketch that tests components on the bench; empty for a target without one.
     """
 
     unit: str
@@ -54,10 +54,10 @@ class ProgramTemplates(Struct, frozen=True):
 
 
 class ProgramGeneration(Generation):
-    """The files of a program, and what was counted of its plan for them.
+    """The files of a program, with the results about its plan that were computed for them.
 
     Attributes:
-        counted: what was counted.
+        counted: these results.
     """
 
     counted: Counted | None = None

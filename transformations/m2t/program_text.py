@@ -26,7 +26,7 @@ from robosmi.typed import replaced
 
 
 def file_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
-    """What a unit's file is called in the sketch."""
+    """The file name of a unit in the sketch."""
     own = str(unit.path.rpartition("/")[2])
     if is_header(unit):
         return header_file(own)
@@ -37,9 +37,10 @@ def file_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
 
 
 def own_header(plan: migration.MigrationPlan, source: SourceText) -> dict[str, Any]:
-    """What the file of a header of the program's own shows: its text, with prototypes of what it uses before it is defined.
+    """The values for an own header's file: its text, with prototypes of functions that it uses before their definition.
 
-    One without a guard that gets bodies is read once by each file; what it only declared could be read again and again.
+    A header that gets bodies of functions it only declared also gets a guard if it has none: declarations may be repeated,
+    definitions not.
     """
     unit = source.unit
     functions = [d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition]
@@ -61,13 +62,13 @@ def _declared_names(plan: migration.MigrationPlan) -> set[str]:
 
 
 def _gets_bodies(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> bool:
-    """Whether a header gets bodies of functions that it only declared."""
+    """Whether a header gets bodies of functions that it only declares."""
     bodies = (d.element for d in plan.dispositions if IN_PLACE in d.rules and d.element is not None)
     return any(ancestor_of_kind(element, ccode.SourceUnit) is unit for element in bodies)
 
 
 def _place_of_prototypes(source: SourceText, functions: Sequence[ccode.Function], ahead: Sequence[ccode.Function]) -> int:
-    """Where prototypes stand: before the first function, or before what uses them first where their types stand behind that."""
+    """Where to put prototypes: before the first function, or before their first use if their types are declared after that."""
     unit = source.unit
     first = min((int(f.startOffset) for f in functions), default=len(source.data))
     uses = [use for f in ahead for use in (f.returnType, *(p.valueType for p in f.parameters)) if use is not None]
@@ -96,12 +97,12 @@ def program_text(
     with_own_types: Sequence[migration.AdapterUse],
     texts: Mapping[ccode.SourceUnit, SourceText],
 ) -> dict[str, Any]:
-    """What the file of any other unit shows.
+    """The values for the file of a unit that is no header.
 
     Args:
         plan: the plan.
         source: the unit's text.
-        with_own_types: the adapters that can only stand behind the program's own types.
+        with_own_types: the placeholders that must come after the program's own types.
         texts: the text of each unit.
 
     Returns:
@@ -145,7 +146,7 @@ def _elements(unit: ccode.SourceUnit) -> list[ccode.Located]:
 
 
 def _includes(plan: migration.MigrationPlan, source: SourceText) -> list[dict[str, Any]]:
-    """The standard headers that go to the head, with the comments beside them."""
+    """The standard headers to include at the head of the file, with the comments beside them."""
     return [
         {"decision": decision, "comment": _comment_beside(decision.element, source)}
         for decision in plan.dispositions
@@ -156,7 +157,7 @@ def _includes(plan: migration.MigrationPlan, source: SourceText) -> list[dict[st
 
 
 def _libraries(plan: migration.MigrationPlan) -> list[tuple[str, list[migration.LibraryChoice]]]:
-    """The headers of the chosen libraries that something uses, each once, with the choices of its library."""
+    """The headers of the chosen libraries that are used, each once, with the choices that selected it."""
     found: dict[str, list[migration.LibraryChoice]] = {}
     for choice in plan.libraryChoices:
         for header in list(choice.chosen.headers)[:1] if choice.chosen and choice.included else []:
@@ -165,7 +166,7 @@ def _libraries(plan: migration.MigrationPlan) -> list[tuple[str, list[migration.
 
 
 def _code(plan: migration.MigrationPlan, source: SourceText, start: int, main: ccode.Function | None) -> list[MainPart]:
-    """The code from an offset on, with main as setup and loop and what moves out of it above."""
+    """The code from an offset on, with main as setup and loop, and what moves out of it above."""
     unit, elements = source.unit, _elements(source.unit)
     parts: list[MainPart] = []
     if main is None:
@@ -183,7 +184,7 @@ def _code(plan: migration.MigrationPlan, source: SourceText, start: int, main: c
 
 
 def _retained(parts: list[MainPart], unit: ccode.SourceUnit, pieces: Iterator[Piece]) -> list[MainPart]:
-    """The parts and pieces behind them, without blank lines that a removed include leaves; what comes before ends in one."""
+    """Append pieces to the parts, without blank lines that removed includes leave behind."""
     for piece in pieces:
         before = parts[-1].text if parts else "\n\n"
         text = piece.text.lstrip("\n") if before.endswith("\n\n") or before == "\n" else piece.text
@@ -197,12 +198,12 @@ def _retained(parts: list[MainPart], unit: ccode.SourceUnit, pieces: Iterator[Pi
 
 
 def _lines(text: str) -> str:
-    """The text as whole lines."""
+    """The text with a line feed at its end."""
     return text if text.endswith("\n") else text + "\n"
 
 
 def _stem(own: str, plan: migration.MigrationPlan) -> str:
-    """Name of a unit's .cpp file: its own, or its whole name where another unit has that one too."""
+    """The stem of a unit's .cpp file: its own, or its whole name with underscores if another unit has the same stem."""
     stem = own.rpartition(".")[0]
     names = [u.path.rpartition("/")[2] for u in plan.program.units] if plan.program is not None else []
     same = [n for n in names if n.rpartition(".")[0] == stem and not n.lower().endswith(HEADERS)]
@@ -221,13 +222,13 @@ def _called_in(adapter: migration.AdapterUse, unit: ccode.SourceUnit) -> bool:
 
 
 def _stripped(pieces: Iterator[Piece]) -> Iterator[Piece]:
-    """The pieces without the blanks with which the first one begins."""
+    """The pieces, the first one without leading blanks."""
     for number, piece in enumerate(pieces):
         yield piece if number else replaced(piece, text=piece.text.lstrip(" \t"))
 
 
 def _used_before(function: ccode.Function, unit: ccode.SourceUnit, prototypes: Sequence[ccode.Function]) -> bool:
-    """Whether the function is used before its definition and none of its prototypes stands before that."""
+    """Whether a function is used before its definition and before all its prototypes."""
     uses = [use.startOffset for use in (*function.calls, *function.references) if ancestor_of_kind(use, ccode.SourceUnit) is unit]
     uses += [use.startOffset for p in prototypes for use in (*p.calls, *p.references)]
     first = min(uses, default=function.startOffset)
@@ -243,7 +244,7 @@ def _declared(variable: ccode.Variable, plan: migration.MigrationPlan) -> str:
 
 
 def _prototype(function: ccode.Function, source: SourceText, plan: migration.MigrationPlan) -> str:
-    """A prototype of a function; where a C target keeps a definition in the manner of old C, one without parameters."""
+    """The prototype of a function; of an old-style (K&R) definition that a C target keeps, one without parameters."""
     head = _head_of(function, source)
     if target_of(plan).language != "C" or ";" not in head:
         return head
@@ -252,7 +253,7 @@ def _prototype(function: ccode.Function, source: SourceText, plan: migration.Mig
 
 
 def _head_of(function: ccode.Function, source: SourceText) -> str:
-    """A function's declaration as the sketch has it, without its body and comments."""
+    """A function's head as it is in the sketch, without body and comments."""
     assert function.body is not None
     parts, position = [], function.startOffset
     for comment in source.comments_in(function.startOffset, function.body.startOffset):

@@ -38,6 +38,6 @@ def project(plan: migration.MigrationPlan) -> dict[str, Any]:
 
 
 def _dependency(name: str, version: str) -> str:
-    """A library as PlatformIO's `lib_deps` names it: one line, on which a blank and a semicolon would begin a comment."""
+    """A library as an entry of PlatformIO's `lib_deps`: one line, in which ` ;` would begin a comment."""
     plain = " ".join(name.replace(" ;", ";").split())
     return f"{plain} @ {version}" if version else plain

@@ -1,7 +1,7 @@
-"""What `MIGRATION.md` says: what is left to do, what became of each construct, how the new hardware is wired.
+"""The values for `MIGRATION.md`: what is left to do, what became of each construct, how the new hardware is wired.
 
-The report says what the plan says, all of it; the counts per file add up to the number of its constructs. The first screen is
-made in `first_screen`, the verdicts in `queries.verdicts`.
+The report covers all of the plan; the counts per file add up to the number of its constructs. `first_screen` makes the first
+screen, `queries.verdicts` the verdicts.
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ from robosmi.transformations.queries.verdicts import CARE, Construct, verdict_co
 from robosmi.typed import distinct, sum_of
 
 RELATIONS = {"oneToOne": "1:1", "oneToMany": "1:n", "manyToOne": "n:1", "semantic": "semantic"}
-"""How calls correspond -> how the paper writes it (3.4)."""
+"""Kind of an adapter -> its notation in the paper (3.4)."""
 WHO = {"nobody": "open", "rule": "rule", "history": "history", "person": "you", "defaultValue": "default"}
 
 
 def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Counted) -> dict[str, Any]:
-    """The report of a plan.
+    """The values of the report's template.
 
     Args:
         plan: a complete plan.
         sources: path of a unit -> its bytes.
-        known: what was counted of the plan as it is.
+        known: the results computed for the plan.
     """
     judged = known.judged
     verdicts = [f for f in plan.findings if f.rule in VERDICT_RULES]
@@ -66,14 +66,14 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
 
 
 def _kept_numbers(plan: migration.MigrationPlan) -> list[dict[str, str]]:
-    """The flows whose numbers stay those of the source, each said once."""
+    """The flows of port numbers that stay unchanged in the text, each once."""
     flows = [flow for flow in plan.portFlows if flow.choice == "source"]
     rows = [(str(f.name), ", ".join(b.name for b in f.bindings) or "any", "; ".join(f.evidence)) for f in flows]
     return [{"name": name, "ports": ports, "why": why} for name, ports, why in distinct(rows)]
 
 
 def _sections(screen: FirstScreen) -> list[dict[str, Any]]:
-    """The lists of the first screen, then what it had no room for."""
+    """The lists of the first screen, followed by their lines that did not fit."""
     lists = [each for each in (screen.decide, screen.write, screen.check) if each.first or each.rest]
     begun = [
         {"title": each.title, "hint": each.hint, "lines": each.first, "more": sum_of(bool(item.rule) for item in each.rest)}
@@ -84,15 +84,15 @@ def _sections(screen: FirstScreen) -> list[dict[str, Any]]:
 
 
 VERDICT_RULES = frozenset({"RS850", "RS851", "RS852", "RS853"})
-"""Findings that are the verdict of comparing what was made with the original."""
+"""Rules of findings that are the verdict of comparing the generated program with the original."""
 DRAWN_RULES = frozenset({"RS850", "RS851"})
-"""Those of them with a picture of what both programs do."""
+"""Those rules whose finding comes with a picture of what both programs do."""
 PICTURE = "verification.svg"
-"""Its name, beside the models."""
+"""Name of that picture's file, in the folder of the models."""
 
 
 def by_severity(findings: Iterable[migration.PlanFinding]) -> list[migration.PlanFinding]:
-    """Findings, the worst first, those of one severity in their order."""
+    """Findings by severity, the worst first; those of one severity keep their order."""
     level = migration.SeverityLevel
     order = {each: -int(each.value) for each in (level.info, level.warning, level.error)}
     return sorted(findings, key=lambda f: order[f.severity])
@@ -101,11 +101,11 @@ def by_severity(findings: Iterable[migration.PlanFinding]) -> list[migration.Pla
 _TASKS = {
     "RS101": "RS504", "RS312": "RS504", "RS337": "RS504", "RS342": "RS504", "RS103": "RS503", "RS107": "RS503", "RS109": "RS501",
 }  # fmt: skip
-"""A rule of findings -> that of the tasks that say the same with what to do."""
+"""Rule of a finding -> rule of the task that says the same and what to do about it."""
 
 
 def _is_task(finding: migration.PlanFinding, plan: migration.MigrationPlan) -> bool:
-    """Whether a task says what a finding says, so that the report has it once."""
+    """Whether a task says the same as a finding, so that the report omits the finding."""
     rule = _TASKS.get(str(finding.rule))
     if rule is None:
         return False
@@ -125,7 +125,7 @@ def _said(task: migration.PlanTask, plan: migration.MigrationPlan) -> dict[str, 
 
 
 def _conflict(task: migration.PlanTask) -> dict[str, Json]:
-    """Where a conflict is, and its two sides in lines."""
+    """The place of a merge conflict, and its two sides as lines."""
     yours, _, made = ([*text.split("\n")] for text in task.texts)
     return {"path": task.path, "line": task.line, "yours": [*yours], "made": [*made]}
 
@@ -179,7 +179,7 @@ def _group(unit: ccode.SourceUnit, judged: Sequence[Construct]) -> dict[str, Jso
 
 
 def _outside(judged: Sequence[Construct]) -> list[dict[str, Json]]:
-    """What the program uses and does not declare, at the line of its first use."""
+    """What the program uses and does not declare, with the line of its first use."""
     mine = [c for c in judged if c.unit is None]
     return [_table("used and declared elsewhere (line of the first use)", mine)] if mine else []
 
@@ -198,11 +198,11 @@ VERDICT_WORDS = {
     "retained": "retained", "adapted": "adapted", "adapted_with_care": "adapted with care", "needs_you": "needs you",
     "not_supported": "not supported",
 }  # fmt: skip
-"""A verdict -> how a person reads it."""
+"""Verdict -> its words in the report."""
 
 
 def _counts(judged: Sequence[Construct]) -> str:
-    """How many constructs have each verdict, in words; the parts add up to the first number."""
+    """How many constructs have each verdict, in words; the first number is their sum."""
     counts = verdict_counts(judged)
     summed = ", ".join(f"{counts[verdict]} {word}" for verdict, word in VERDICT_WORDS.items() if counts[verdict])
     return f"{counts['total']} construct{'s' * (counts['total'] != 1)}: {summed or 'none'}."
@@ -220,7 +220,7 @@ def _adapter(adapter: migration.AdapterUse, of_macros: MacroCalls) -> dict[str, 
 
 
 def _limits(plan: migration.MigrationPlan) -> list[dict[str, str]]:
-    """What adapters do not do, each limit once with the functions that it holds for."""
+    """The limits of adapters, each once with the functions that have it."""
     found: dict[str, list[str]] = {}
     for use in plan.adapterUses:
         for limit in limits(use):

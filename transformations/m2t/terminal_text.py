@@ -1,4 +1,4 @@
-"""What a terminal says of a migration: the first screen of the report, the pins, the libraries, and where the rest stands."""
+"""The terminal output of a migration: the first screen of the report, the pins, the libraries, and where the rest is."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ _INDENT = "  "
 def terminal_lines(
     plan: migration.MigrationPlan, sources: Mapping[str, bytes], sketch: Path, *, made: bool, known: Counted | None = None
 ) -> list[str]:
-    """The lines about a plan.
+    """The lines of the output.
 
     Args:
         plan: the plan, complete.
         sources: path of a unit -> its bytes.
-        sketch: the folder of the program that is made of it.
-        made: False where nothing was written.
+        sketch: the folder of the generated program.
+        made: whether files were written.
         known: what was counted of the plan as it is; None where nothing was.
     """
     board = plan.board.title if plan.board else "the target"
@@ -52,7 +52,7 @@ def _sum(word: str, total: str) -> str:
 
 
 def _list(word: str, listed: Listed) -> list[str]:
-    """A list with its sum; what is to be checked on the bench is for the bench, where the report is."""
+    """A list with its total; of what is to be checked on the bench only the total, since the report lists it."""
     lines = [_sum(word, listed.total)]
     if word == "check":
         return lines

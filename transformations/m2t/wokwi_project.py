@@ -1,7 +1,7 @@
-"""A project for the Wokwi simulator as files: `diagram.json`, the sketch under the name that Wokwi expects, `libraries.txt`.
+"""The files of a Wokwi simulator project: `diagram.json`, the sketch under the name that Wokwi expects, `libraries.txt`.
 
-What is drawn and wired is decided before (`m2m/wokwi_wiring`). The formats are those of https://docs.wokwi.com: diagram-format,
-guides/libraries. Places are pixels: parts stand in columns at the right of the board, wires find their own way.
+`m2m/wokwi_wiring` decides what is drawn and wired. The formats are those of https://docs.wokwi.com: diagram-format,
+guides/libraries. Positions are in pixels: parts are in columns at the right of the board, and Wokwi routes the wires.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ _CARRIED = {"GND": "black", "": ""}
 
 
 def diagram_text(wiring: WokwiWiring, author: str) -> str:
-    """The text of `diagram.json`, a part or a connection to a line.
+    """The text of `diagram.json`, with one part or connection per line.
 
     Args:
         wiring: what is drawn.
-        author: who the file says has made it.
+        author: the author that the file names.
     """
     parts = [json_written(_part(part, number), ensure_ascii=False) for number, part in enumerate(wiring.parts)]
     wires = [
@@ -77,6 +77,6 @@ def _lines(entries: Sequence[str]) -> str:
 
 
 def _library(text: str) -> str:
-    """`Servo (1.2.2)` as `Servo@1.2.2`."""
+    """`Servo (1.2.2)` converted to `Servo@1.2.2`."""
     name, _, version = text.removesuffix(")").partition(" (")
     return f"{name}@{version}" if version else name

@@ -242,7 +242,7 @@ class _Reading:
 def _text(value: object) -> str:
     """A text or number as text; empty for all else.
 
-    An unpaired surrogate, which JSON can express (`\ud800`) and no file can contain, becomes the replacement character.
+    An unpaired surrogate, which JSON can express (`\\ud800`) and no file can contain, becomes the replacement character.
     """
     if isinstance(value, bool):
         return str(value).lower()
