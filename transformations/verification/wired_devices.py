@@ -23,11 +23,11 @@ class WiredDevice(Struct, frozen=True):
     """A device as a program says that it is connected.
 
     Attributes:
-        kind: of the device.
-        pins: what the device calls a pin -> number of the port on the source board; empty for a device on a bus.
-        settings: its settings that the call says.
-        closed_by: functions that control the device by what it tells, so that what the program does at its pins hangs on the last
-            microsecond; what the device does is compared instead.
+        kind: kind of the device.
+        pins: the device's name of a pin -> number of the port on the source board; empty for a device on a bus.
+        settings: its settings, taken from the call.
+        closed_by: functions that control the device in a closed loop on its own signals, so that every microsecond changes
+            what the program does at its pins; what the device does is compared instead.
         loop_ms: by how much such a function may end earlier or later, in milliseconds.
     """
 

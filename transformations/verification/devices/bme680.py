@@ -1,4 +1,4 @@
-"""A BME680 sensor of air on a synchronous serial bus (its data sheet): two pages of registers, and coefficients of one sensor."""
+"""A BME680 air sensor on a synchronous serial bus (its data sheet): two pages of registers, one sensor's coefficients."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _COEFFICIENTS = {
     0xE1: bytes.fromhex("3f af 2c 00 2d 14 78 9c 7665 51d4 e3 12 00 00"),
     0x00: bytes.fromhex("2b 00 16 00 33"),
 }
-"""Bytes from a register on: those that differ from sensor to sensor, of one that is like many."""
+"""Address of a register -> the calibration bytes from there on, which differ between sensors; these are typical ones."""
 
 
 class Bme680(SerialRegisters):
@@ -27,7 +27,7 @@ class Bme680(SerialRegisters):
     setting_names: ClassVar[Mapping[str, Any]] = {**SerialRegisters.setting_names, "page": _PAGE, "step": True, "points": ...}
 
     def start(self) -> None:
-        """Wait to be selected, and begin to measure."""
+        """Wait for the chip select, and begin to measure."""
         super().start()
         for register, cells in _COEFFICIENTS.items():
             self.memory[register : register + len(cells)] = cells

@@ -1,4 +1,4 @@
-"""A capacitor at a pin, as in a QTI line sensor: a high output charges it, and it decays when the pin is let go."""
+"""A capacitor at a pin, as in a QTI line sensor: a high output charges it, and it discharges once the pin is an input."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from robosmi.verify.bench import Device, Level
 
 
 class Capacitor(Device):
-    """A capacitor that the program charges through its pin, and that reads high for a while once the pin is an input.
+    """A capacitor that the program charges through its pin; as an input, the pin then reads high for the decay time.
 
-    A pull-up that stays on keeps it charged for ever. Setting `points`: [milliseconds, decay time in microseconds], what the
-    sensor sees over time.
+    A pull-up that stays on keeps it charged. Setting `points`: [milliseconds, decay time in microseconds], what the sensor sees
+    over time.
     """
 
     pin_names = ("pin",)
@@ -21,12 +21,12 @@ class Capacitor(Device):
     setting_names: ClassVar[Mapping[str, Any]] = {"points": ...}
 
     def start(self) -> None:
-        """Be empty."""
+        """Start without charge."""
         self._charged, self._turn = False, 0
         self.bench.set_level(self.pins["pin"], 0)
 
     def pin_changed(self, pin: str, level: Level) -> None:
-        """Charge, empty, or begin to decay."""
+        """Charge at a high output, discharge at a low one, and begin to decay when the pin becomes an input."""
         self._turn += 1
         if level in (0, 1):
             self._charged = level == 1

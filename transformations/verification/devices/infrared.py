@@ -13,13 +13,16 @@ _START_US, _ONE_US, _ZERO_US, _GAP_US = 2400.0, 1200.0, 600.0, 600.0
 
 
 class SonyRemote(Device):
-    """The receiver's output. Setting `points`: [milliseconds, [command, device]]; each key press is three frames, 45 ms apart."""
+    """The receiver of a remote control; its output is low while it sees the carrier.
+
+    Setting `points`: [milliseconds, [command, device]]; each key press is three frames, 45 ms apart.
+    """
 
     pin_names = ("signal",)
     setting_names: ClassVar[Mapping[str, Any]] = {"points": ..., "frames": 3}
 
     def start(self) -> None:
-        """Idle high, and send at each point."""
+        """Hold the output high, and send the frames of each point at its time."""
         self.bench.set_level(self.pins["signal"], 1)
         for at_ms, (command, device) in self.settings["points"]:
             for frame in range(self.settings["frames"]):

@@ -35,7 +35,7 @@ class Keypad(Device):
         self._join()
 
     def pin_changed(self, pin: str, level: Level) -> None:
-        """Pass on what the program drives."""
+        """Pass a level that the program drives on to the line that a held key joins with the pin."""
         self._join()
 
     def _join(self) -> None:

@@ -21,12 +21,12 @@ def value_at(points: Sequence[Sequence[Any]], now_us: float) -> Any:
 
 
 class _Scripted(Device):
-    """A signal of points over time: `points` is a list of [milliseconds, value], not going back in time."""
+    """A signal over time: `points` is a list of [milliseconds, value] in ascending order of time."""
 
     setting_names: ClassVar[Mapping[str, Any]] = {"points": ...}
 
     def _play(self, act: Callable[..., None]) -> None:
-        """Do `act(value)` at each point.
+        """Call `act(value)` at the time of each point.
 
         Raises:
             UsageError: the points go back in time.

@@ -1,4 +1,4 @@
-"""A chain of coloured lights with a controller each (WS2812 and alike): bits by the width of pulses on one line."""
+"""A chain of RGB lights with a controller each (WS2812 and similar): bits by the width of pulses on one line."""
 
 from __future__ import annotations
 
@@ -8,16 +8,22 @@ from robosmi.verify.bench import Bench, Device, Level
 from robosmi.verify.simulation import DeviceEvent
 
 _ONE_US = 0.5
-"""A pulse that is longer is a 1: between the longest 0 (0.38 us and its tolerance) and the shortest 1 (0.6 us) of data sheets."""
+"""Pulse width in us above which a bit is 1, between the longest 0 (0.38 and tolerance) and the shortest 1 (0.6) of data
+sheets.
+"""
 _SHORTEST_US, _LONGEST_US = 0.15, 5.0
 _LATCH_US = 50.0
-"""What was sent is shown when the line was low for so long. Newer chips want 280 us, but no program pauses within a picture for
-as long as the older ones need."""
+"""Microseconds of low level after which the bits sent are latched and shown.
+
+Newer chips need 280 us, but no program pauses within a picture for as long as the older ones need.
+"""
 
 
 class LightChain(Device):
-    """The lights. Pin: `data`. Each picture that differs from the one before is noted as `colours`: 6 hexadecimal digits for each
-    light, in the order in which its bytes are sent; bits that make no light, or pulses that are none, stand at its end as such.
+    """The lights. Pin: `data`.
+
+    Each picture that differs from the previous one is noted as `colours`: 6 hexadecimal digits for each light, in the order in
+    which its bytes are sent. Bits that make no whole light, and pulses that are too long or short, are appended as they are.
     """
 
     pin_names = ("data",)
@@ -31,7 +37,7 @@ class LightChain(Device):
         self._shown = ""
 
     def pin_changed(self, pin: str, level: Level) -> None:
-        """Take a bit at the end of its pulse, and what was sent before a long rest."""
+        """Read a bit at the end of its pulse, and show what was sent before a long pause."""
         now = self.bench.now
         if level == 1:
             self._latch(now)
@@ -41,7 +47,7 @@ class LightChain(Device):
             self._bits.append("?" if not _SHORTEST_US <= width <= _LONGEST_US else "1" if width > _ONE_US else "0")
 
     def ended(self) -> None:
-        """Take what was sent last, if it is shown by now."""
+        """Show what was sent last, if it is latched by now."""
         self._latch(self.bench.now)
 
     def _latch(self, now: float) -> None:

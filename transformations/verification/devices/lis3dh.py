@@ -1,4 +1,4 @@
-"""An LIS3DH accelerometer on a synchronous serial bus (its data sheet): registers that show what it feels."""
+"""An LIS3DH accelerometer on a synchronous serial bus (its data sheet), with registers that show the acceleration."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ _RANGE_REGISTER = 0x23
 
 
 class Lis3dh(SerialRegisters):
-    """The sensor. Setting `points`: [milliseconds, [x, y, z]] in thousandths of the earth's gravity."""
+    """The sensor. Setting `points`: [milliseconds, [x, y, z]] in thousandths of g, the earth's gravity."""
 
     setting_names: ClassVar[Mapping[str, Any]] = {**SerialRegisters.setting_names, "points": ...}
 
     def start(self) -> None:
-        """Wait to be selected."""
+        """Wait for the chip select."""
         super().start()
         self.memory[_WHO_AM_I], self.memory[_STATUS] = _IDENTITY, _NEW_DATA
 
     def pin_changed(self, pin: str, level: Level) -> None:
-        """Show what is felt when a transfer begins; the range that the program has chosen says what a step is."""
+        """Set the result registers when a transfer begins, scaled by the range that the program has chosen."""
         if pin == self.pins["select"] and level == 0:
             self._feel(value_at(self.settings["points"], self.bench.now))
         super().pin_changed(pin, level)

@@ -1,4 +1,4 @@
-"""Ultrasonic rangers: a short high pulse asks, the width of the echo answers.
+"""Ultrasonic distance sensors: a short high pulse triggers them, the width of the echo is the answer.
 
 Times are those of the data sheets of Parallax #28015 (PING)))) and of the HC-SR04.
 """
@@ -12,14 +12,14 @@ from robosmi.transformations.verification.devices.levels import value_at
 from robosmi.verify.bench import Device, Level
 
 _ROUND_TRIP_US = 58.0
-"""Microseconds of echo a centimetre, for the way there and back at 20 degrees Celsius."""
+"""Microseconds of echo per centimetre of distance, for the way there and back at 20 degrees Celsius."""
 
 
 class _Ranger(Device):
-    """What rangers have in common.
+    """The common part of distance sensors.
 
-    Settings: `points`, [milliseconds, centimetres] or null where there is no echo; `asks`, in microseconds, the
-    shortest pulse that asks.
+    Settings: `points`, [milliseconds, centimetres], null where there is no echo; `asks`, the shortest trigger pulse in
+    microseconds.
     """
 
     setting_names: ClassVar[Mapping[str, Any]] = {"points": ..., "asks": 2.0}
@@ -28,12 +28,12 @@ class _Ranger(Device):
     echo: str
 
     def start(self) -> None:
-        """Be quiet."""
+        """Start without an echo."""
         self._begun: float | None = None
         self.bench.set_level(self.pins[self.echo], 0)
 
     def pin_changed(self, pin: str, level: Level) -> None:
-        """Answer when a pulse that asks has ended."""
+        """Answer at the end of a trigger pulse."""
         if pin != self.pins[self.trigger]:
             return
         if level == 1:
@@ -53,7 +53,10 @@ class _Ranger(Device):
 
 
 class Ranger(_Ranger):
-    """A ranger with one pin for both, such as Parallax's PING))): the program asks, lets go of the pin, and measures there."""
+    """A sensor with one pin for trigger and echo, such as Parallax's PING))).
+
+    The program sends the trigger pulse, releases the pin, and measures the echo there.
+    """
 
     pin_names = ("signal",)
     hold_off_us = 750.0
@@ -61,7 +64,7 @@ class Ranger(_Ranger):
 
 
 class TwoPinRanger(_Ranger):
-    """A ranger with a pin each for trigger and echo, such as the HC-SR04, which asks for 10 us."""
+    """A sensor with separate pins for trigger and echo, such as the HC-SR04, whose trigger pulse lasts 10 us."""
 
     pin_names = ("trigger", "echo")
     setting_names: ClassVar[Mapping[str, Any]] = {"points": ..., "asks": 9.0}

@@ -22,7 +22,7 @@ class SerialLine(Device):
     setting_names: ClassVar[Mapping[str, Json]] = {"baud": 9600, "mode": 0, "points": ()}
 
     def start(self) -> None:
-        """Idle high, and send at each point."""
+        """Hold the line at its idle level (high unless inverted), and send each point at its time."""
         self._bit_us = 1e6 / self.settings["baud"]
         self._reading = False
         self._one_sent, self._one_read = (0 if self.settings["mode"] & bit else 1 for bit in (1, 2))
@@ -38,7 +38,7 @@ class SerialLine(Device):
             self.bench.at(at_us + number * self._bit_us, partial(self.bench.set_level, self.pins["receive"], shown))
 
     def pin_changed(self, pin: str, level: Level) -> None:
-        """Begin to read at a start bit."""
+        """Begin to read a byte at its start bit."""
         if pin == self.pins.get("transmit") and level == 1 - self._one_read and not self._reading:
             self._reading, self._byte = True, 0
             for number in range(9):
@@ -56,7 +56,7 @@ class SerialLine(Device):
 class AnsweringLine(Device):
     """A device that takes commands and answers them on one line, such as a motor controller of the DHB-10's kind.
 
-    Settings: `baud`; `answers`: command -> the answers to it, one after the other, the last one from then on; `delay_ms`: from
+    Settings: `baud`; `answers`: command -> the answers to it, one after the other, the last one repeated; `delay_ms`: from
     the end of a command to its answer. A command and an answer end with a carriage return, which is not written in either; a
     command that is not known gets no answer. Pin: `line`. Each command is noted as `command`, a byte whose stop bit is low as
     `framing`.
@@ -66,14 +66,14 @@ class AnsweringLine(Device):
     setting_names: ClassVar[Mapping[str, Json]] = {"baud": 19200, "answers": {}, "delay_ms": 2.0}
 
     def start(self) -> None:
-        """Hold the line high, as its pull-up does: a program may let go of it without one of its own."""
+        """Hold the line high, as the device's pull-up does: a program without a pull-up of its own may release it."""
         self._bit_us = 1e6 / self.settings["baud"]
         self.bench.set_level(self.pins["line"], 1)
         self._reading, self._command = False, bytearray()
         self._asked: dict[str, int] = {}
 
     def pin_changed(self, pin: str, level: Level) -> None:
-        """Begin to read at a start bit."""
+        """Begin to read a byte at its start bit."""
         if level == 0 and not self._reading:
             self._reading, self._byte = True, 0
             for number in range(9):

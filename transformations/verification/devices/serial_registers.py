@@ -23,13 +23,13 @@ class SerialRegisters(Device):
     setting_names: ClassVar[Mapping[str, Json]] = {"content": (), "step": None, "page": None}
 
     def start(self) -> None:
-        """Wait to be selected."""
+        """Wait for the chip select."""
         content = bytes(self.settings["content"])
         self.memory = bytearray(content + bytes(256 - len(content)))
         self._selected, self._bits, self._byte, self._address = False, 0, 0, 0
 
     def pin_changed(self, pin: str, level: Level) -> None:
-        """Take or give a bit."""
+        """Read a bit at a rising edge of the clock, output one at a falling edge."""
         if pin == self.pins["select"]:
             self._selected, self._bits, self._byte = level == 0, 0, 0
             self.bench.set_level(self.pins["data_out"], None)

@@ -1,4 +1,4 @@
-"""What is at the other end of a clock and a line of data (`shift_out`, `shift_in`): it takes bits, and gives some."""
+"""The other end of a clock line and a data line (`shift_out`, `shift_in`): it reads bits, and outputs some."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from robosmi.verify.bench import Device, Level
 from robosmi.verify.simulation import DeviceEvent
 
 _PAUSE_US = 5_000.0
-"""After so long without a clock a transfer is over."""
+"""Microseconds without a clock edge after which a transfer is over."""
 
 
 class ShiftedBits(Device):
-    """A device that does not know what the bits mean.
+    """A device that exchanges bits without knowing what they mean.
 
-    Pins: `clock`; `data_out`, which the program drives; `data_in`, which it reads; the two may be one pin. A bit is taken at each
-    rising edge of the clock. The first bit that is given stands before the first edge, and each further one after a falling edge:
-    bits of the value of `points`, [milliseconds, number of 8 bits], highest first, again and again. Each transfer that differs
-    from the one before is noted as `bits`: hexadecimal bytes where there are whole ones, else bits; `.` is one that the program
-    did not drive.
+    Pins: `clock`; `data_out`, which the program drives; `data_in`, which it reads; the two may be one pin. A bit is read at
+    each rising edge of the clock. The first bit is output before the first edge, and each further one after a falling edge: the
+    bits of the value of `points`, [milliseconds, number of 8 bits], highest first, repeated endlessly. Each transfer that
+    differs from the previous one is noted as `bits`: in hexadecimal if they are whole bytes, else bit by bit, where `.` is a
+    bit that the program did not drive.
     """
 
     pin_names = ("clock",)
@@ -30,14 +30,14 @@ class ShiftedBits(Device):
     reacts_to = (0,)
 
     def start(self) -> None:
-        """Give the first bit."""
+        """Output the first bit."""
         self._bits: list[str] = []
         self._last = self._begun = 0.0
         self._shown, self._given = "", 0
         self._give(0)
 
     def pin_changed(self, pin: str, level: Level) -> None:
-        """Take a bit at a rising edge, give one at a falling edge."""
+        """Read a bit at a rising edge, output one at a falling edge."""
         if pin != self.pins["clock"] or level not in (0, 1):
             return
         now = self.bench.now
@@ -54,7 +54,7 @@ class ShiftedBits(Device):
         self._last = now
 
     def ended(self) -> None:
-        """Take what was sent last, if it is over by now."""
+        """Note the last transfer, if it is over by now."""
         self._end(self.bench.now)
 
     def _give(self, number: int) -> None:

@@ -1,4 +1,4 @@
-"""Devices on the two-wire bus (I2C): an EEPROM, and a sensor that is nothing but registers."""
+"""Devices on the two-wire bus (I2C): an EEPROM, and a sensor that consists of registers."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from robosmi.verify.bench import Bench, Device
 
 
 class _Memory(Device):
-    """Cells behind a pointer: the first bytes written set it, the others are stored; reading goes on from it.
+    """Memory cells with an address pointer: the first bytes written set it, the others are stored; reading advances it.
 
     Settings: `address` (7 bits); `content`: the bytes from cell 0 on.
     """
@@ -27,13 +27,13 @@ class _Memory(Device):
         self.pointer = self._taken = self._written = 0
 
     def bus_start(self, read: bool) -> bool:
-        """Be there."""
+        """Acknowledge the address."""
         self._taken = 0 if not read else self.pointer_bytes
         self._written = 0
         return True
 
     def bus_write(self, byte: int) -> bool:
-        """Take the pointer, highest byte first, then what is to be stored."""
+        """Receive the bytes of the pointer, highest first, then bytes to store."""
         if self._taken < self.pointer_bytes:
             self.pointer = ((self.pointer << 8 if self._taken else 0) | byte) % self.cells
             self._taken += 1
@@ -48,16 +48,16 @@ class _Memory(Device):
         return (self.pointer + 1) % self.cells
 
     def bus_read(self) -> int:
-        """The cell at the pointer."""
+        """The cell at the pointer, which then advances."""
         byte = self.memory[self.pointer]
         self.pointer = (self.pointer + 1) % self.cells
         return byte
 
 
 class Eeprom(_Memory):
-    """A serial EEPROM of 64 KB such as the 24LC512: two bytes of address, pages of 128 bytes, busy while it writes.
+    """A serial EEPROM of 64 KB such as the 24LC512: two address bytes, pages of 128 bytes, busy while it writes.
 
-    Further setting `busy_ms`: how long it does not answer after a write.
+    Further setting: `busy_ms`, for how long after a write it does not acknowledge.
     """
 
     pointer_bytes = 2
@@ -66,18 +66,18 @@ class Eeprom(_Memory):
     setting_names: ClassVar[Mapping[str, Json]] = {"address": 0x50, "content": (), "busy_ms": 5.0}
 
     def start(self) -> None:
-        """Be ready."""
+        """Start without a write in progress."""
         self._ready_us = 0.0
 
     def bus_start(self, read: bool) -> bool:
-        """Be there, unless it still writes."""
+        """Acknowledge the address, unless a write is in progress."""
         return self.bench.now >= self._ready_us and super().bus_start(read)
 
     def _next(self) -> int:
         return self.pointer - self.page + 1 if self.pointer % self.page == self.page - 1 else self.pointer + 1
 
     def bus_stop(self) -> None:
-        """Begin to write what came."""
+        """Start the write cycle for the bytes received."""
         if self._written:
             self._ready_us = self.bench.now + self.settings["busy_ms"] * 1000
             self._written = 0

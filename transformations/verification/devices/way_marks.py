@@ -1,7 +1,7 @@
-"""Marks along the way of what turns: which ones it passes, and which it only just comes to.
+"""Marks along the way of a turning device: which ones it passes, and which ones it only just reaches.
 
-Two runs of the same program never go exactly as far before they turn round or stand, so that one may come to a mark and the
-other stay short of it. Which marks that can be is told here; that they need no counterpart is `robosmi.verify.alignment`'s.
+Two runs of the same program never go exactly as far before they turn back or stop, so that one may reach a mark and the other
+may not. This module finds the marks for which that can happen; `robosmi.verify.alignment` lets them be without a counterpart.
 """
 
 from __future__ import annotations
@@ -10,20 +10,20 @@ from collections.abc import Callable
 from math import floor
 
 _FIRST = 0.72
-"""Where the first mark is, as a part of the distance of two: programs seldom head for a place that is so near to one."""
+"""Place of the first mark, in distances between marks: programs seldom stop so near to such a place."""
 _BARELY = 0.25
-"""What turns round or stands nearer to a mark than this, as a part of the distance of two, only just comes to it, or not."""
+"""Distance from a mark, in distances between marks, within which a device that turns back or stops only just reaches it."""
 _STANDS_US, _STANDS = 100_000.0, 1 / 32
-"""What moves by less than this part of the distance of two marks in this time stands."""
+"""A device that moves less than this part of the distance between marks in this many microseconds stands still."""
 
 
 class WayMarks:
     """The marks on the way of one device.
 
     Args:
-        distance: of two marks, in the unit of the device's positions.
-        note: takes what happens: `at` with a mark that is passed, `barely` with the last such one, once it is known that the
-            device only just came to it.
+        distance: distance between two marks, in the unit of the device's positions.
+        note: receives the events: `at` with a mark that is passed, and `barely` with the last such mark once it is known that
+            the device has only just reached it.
     """
 
     def __init__(self, distance: float, note: Callable[[str, int], None]) -> None:
@@ -37,11 +37,11 @@ class WayMarks:
         self._stood: float | None = None
 
     def moved(self, position: float, now_us: float) -> None:
-        """Note each mark that is passed, so far on both ways.
+        """Note each mark between the previous position and this one, in either direction.
 
         Args:
             position: where the device is now.
-            now_us: when, in microseconds.
+            now_us: the time in microseconds.
         """
         place = position / self._distance - _FIRST
         if self._below is None:
@@ -55,7 +55,7 @@ class WayMarks:
         self._look_back(place, now_us)
 
     def _pass(self, number: int, way: int) -> None:
-        """Note a mark, but for one that was noted last: what comes back over it has made no way."""
+        """Note a mark, unless it was the last one noted: a device that comes back over it has made no way."""
         if number == self._passed:
             return
         self._before, self._passed, self._near = self._passed, number, (number, way)
@@ -64,7 +64,7 @@ class WayMarks:
             self._only_just(number)
 
     def _look_back(self, place: float, now_us: float) -> None:
-        """Tell of the last mark whether the device only just came to it, as soon as that is known."""
+        """Decide, as soon as possible, whether the device has only just reached the last mark."""
         if abs(place - self._since[1]) > _STANDS:
             self._since = (now_us, place)
         stands = now_us - self._since[0] >= _STANDS_US

@@ -1,8 +1,8 @@
-"""The waves that the timers of an AVR make at its pins, worked out from what a program writes into their registers.
+"""The waveforms that an AVR's timers make at its pins, computed from the bytes that a program writes into their registers.
 
-Simulators show such waves differently or not at all; their registers they all show. What is known of a microcontroller's timers
-comes with the job (`platform_repo/simulation/avr.toml`). The modes are those of the data sheet of the ATmega328P, tables 15-8
-and 16-4.
+Simulators report such waveforms differently or not at all, but all report register writes. The facts about a microcontroller's
+timers come with the job (`platform_repo/simulation/avr.toml`). The modes are those of the data sheet of the ATmega328P, tables
+15-8 and 16-4.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ _MODES_16: Mapping[int, tuple[str, int | str]] = {
     6: (FAST, 0x1FF), 7: (FAST, 0x3FF), 8: (PHASE, "top"), 9: (PHASE, "compare"), 10: (PHASE, "top"), 11: (PHASE, "compare"),
     12: (CLEAR, "top"), 14: (FAST, "top"), 15: (FAST, "compare"),
 }  # fmt: skip
-"""Mode of the wave generator -> kind, and the value at which the counter turns:
+"""Waveform generation mode -> its kind, and the value at which the counter turns:
 
-a number, the first compare register or the top one.
+a number, the first compare register (OCRnA), or the top register (ICRn).
 """
 
 _ONE_CHANGE_US = 5.0
-"""Writes of registers that are no further apart than this are one change of a wave:
+"""Microseconds between register writes that count as one change of a waveform:
 
 `analogWrite` needs less than 1 us at 16 MHz.
 """
@@ -39,13 +39,13 @@ class Timers:
     """Follows the registers of all timers.
 
     Args:
-        facts: timer -> its registers, channels and prescalers, as `platform_repo/simulation/avr.toml` has them.
+        facts: timer -> its registers, channels and prescalers, as in `platform_repo/simulation/avr.toml`.
         pins: label of each pin -> port letter and bit.
-        clock_hz: the clock of the microcontroller.
+        clock_hz: clock of the microcontroller in hertz.
 
     Attributes:
-        waves: what was found, by time.
-        registers: the addresses whose writes have to be told.
+        waves: the waveforms found, by time.
+        registers: the addresses whose writes have to be reported.
     """
 
     def __init__(self, facts: Mapping[str, Mapping[str, Json]], pins: Mapping[str, str], clock_hz: int) -> None:
@@ -58,11 +58,11 @@ class Timers:
 
     @property
     def registers(self) -> Sequence[int]:
-        """The addresses whose writes have to be told, sorted."""
+        """The addresses whose writes have to be reported, sorted."""
         return sorted({address for _, addresses in self._timers for address in addresses})
 
     def written(self, at_us: float, address: int, value: int) -> None:
-        """Note that the program wrote a byte into a register of a timer."""
+        """Record that the program wrote a byte into a register, and add the waveforms that follow from it."""
         self._values[address] = value
         for timer, addresses in self._timers:
             if address in addresses:
@@ -81,7 +81,7 @@ class Timers:
                 self.waves.append(Wave(at_us, label, *wave))
 
     def _wave(self, timer: Mapping[str, Any], channel: Mapping[str, Any]) -> tuple[float, float]:
-        """Frequency and duty of a channel; zeros when it makes no wave."""
+        """Frequency (Hz) and duty cycle (0 to 1) of a channel; zeros when it makes no waveform."""
         control_a, control_b = self._values.get(timer["control_a"], 0), self._values.get(timer["control_b"], 0)
         output = control_a >> channel["com"] & 3
         divisor = timer["prescalers"][control_b & 7]
