@@ -10,13 +10,16 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Sequence
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.generate.regions import CONTROLLED, PROTECTED, CommentStyle, Parts, Region, partition, styles_in
-from robosmi.generate.three_way import Chunk, by_words, chunks, stretch
 from robosmi.typed import distinct, matches, sum_of
+
+if TYPE_CHECKING:
+    from robosmi.generate.three_way import Chunk
 
 YOURS, BASE, MIDDLE, GENERATED = "<<<<<<< yours\n", "||||||| last generated\n", "=======\n", ">>>>>>> generated\n"
 
@@ -149,7 +152,7 @@ class _Merge:
         if base_lines == ours_lines and not orphans:
             lines = [_Line(line) for line in theirs_lines]  # most files have no edit, and comparing takes long
         else:
-            lines = self._assembled(chunks(base_lines, ours_lines, theirs_lines), base_lines, ours_lines, theirs_lines)
+            lines = self._assembled(base_lines, ours_lines, theirs_lines)
         text = self._with_orphans(lines, [orphan for orphan in orphans if orphan[1].identity in gone])
         if twice := partition(text, self.styles).twice():
             message = f"the file cannot be merged: the region '{twice[0].identity}' would stand in it twice"
@@ -181,9 +184,12 @@ class _Merge:
         there = old[piece.identity]
         return piece.as_in(there) if there.enabled or piece.enabled else piece
 
-    def _assembled(self, found: list[Chunk], base: list[str], ours: list[str], theirs: list[str]) -> list[_Line]:
+    def _assembled(self, base: list[str], ours: list[str], theirs: list[str]) -> list[_Line]:
         """The merged lines."""
+        from robosmi.generate.three_way import by_words, chunks, stretch  # most files have no edit
+
         lines: list[_Line] = []
+        found = chunks(base, ours, theirs)
         edits = [chunk for chunk in found if chunk.kind == "ours"]
         told = f"{len(edits)} edits outside of regions are kept" if len(edits) > 1 else "an edit outside of regions is kept"
         for chunk in found:
@@ -251,6 +257,8 @@ def _whole(lines: Sequence[str]) -> list[str]:
 
 
 def _common(ours: list[str], theirs: list[str]) -> list[Chunk]:
+    from robosmi.generate.three_way import chunks
+
     return [chunk for chunk in chunks(ours, ours, theirs) if chunk.kind == "same"]
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 from collections.abc import Iterator, Sequence
 from functools import cached_property
@@ -14,7 +13,6 @@ from msgspec import Struct
 from robosmi.diagnostics import Finding
 from robosmi.generate.output import Text
 from robosmi.generate.regions import CommentStyle, partition
-from robosmi.generate.three_way import line_map
 from robosmi.typed import paired
 
 if TYPE_CHECKING:
@@ -101,7 +99,9 @@ class FileChange(Struct):
         """The change as a unified diff; empty if there is none."""
         if not self.changed:
             return ""
-        lines = difflib.unified_diff(
+        from difflib import unified_diff  # only some runs show changes
+
+        lines = unified_diff(
             (self.before or "").splitlines(keepends=True),
             (self.after or "").splitlines(keepends=True),
             f"a/{self.name}" if self.before is not None else "/dev/null",
@@ -119,7 +119,11 @@ class FileChange(Struct):
     def _links(self, origin: Write, there: list[str], stop: int) -> Iterator[TextLink]:
         """The links of one text, which stands in these lines of the file up to a line (exclusive), perhaps with changes."""
         made, own = _lines(origin.text), there[origin.line : stop]
-        places = None if made == own else line_map(made, own)
+        places = None
+        if made != own:
+            from robosmi.generate.three_way import line_map  # few texts stand in their file with changes
+
+            places = line_map(made, own)
         if origin.elements:
             yield TextLink(self.name, origin.line + 1, stop, origin.rule, origin.elements)
         runs = list(_by_parts(origin.text) if origin.text.named else _by_lines(origin.text))

@@ -11,7 +11,6 @@ from collections import Counter
 
 from msgspec import Struct
 
-from robosmi.generate.three_way import line_map
 from robosmi.model.files import digest
 from robosmi.typed import matches, paired
 
@@ -47,6 +46,8 @@ class FileText(Struct, frozen=True):
         ((usual, count),) = Counter(self.ends).most_common(1)
         if count == len(self.ends):
             return text if usual == "\n" else text.replace("\n", usual)
+        from robosmi.generate.three_way import line_map  # few files have several endings
+
         *lines, last = text.split("\n")
         there = self.text.split("\n")[: len(self.ends)]
         own = {new: self.ends[old] for old, new in line_map(there, lines).items()}

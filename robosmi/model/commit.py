@@ -10,7 +10,7 @@ This holds when a process is killed; nothing is promised for a machine that lose
 from __future__ import annotations
 
 import functools
-import secrets
+import os
 import stat
 from collections.abc import Callable, Collection, Mapping
 from contextlib import ExitStack, suppress
@@ -197,7 +197,7 @@ def _untouched_elsewhere(files: Elsewhere) -> None:
 
 def _journal(moved: Mapping[str, str], removed: Collection[str]) -> tuple[str, bytes]:
     """A name for the run, and its journal."""
-    run = secrets.token_hex(16)
+    run = os.urandom(16).hex()
     return run, json_written({"run": run, "move": moved, "remove": sorted(removed)}).encode()
 
 

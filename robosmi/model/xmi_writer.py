@@ -15,7 +15,6 @@ from robosmi.errors import ModelError
 from robosmi.model import ecore
 from robosmi.model.datatypes import real
 from robosmi.model.ecore import EClass, EObject, EOrderedSet
-from robosmi.model.ecore_writer import EcoreText
 from robosmi.model.features import as_package
 from robosmi.model.lean import BARE, collector_at_rest
 from robosmi.model.pyecore_internals import container_of, set_features_of, target_in, value_in, xmi_id_of
@@ -75,6 +74,8 @@ class _Writer:
     def write(self) -> bytes:
         """The bytes of the file."""
         if self.roots and all(isinstance(root, ecore.EPackage) for root in self.roots):
+            from robosmi.model.ecore_writer import EcoreText  # few files are metamodels
+
             return EcoreText(self.metamodel_link, self.metamodel_text).write(self.roots)
         if len(self.roots) == 1:
             tag = self.name_of(self.roots[0].eClass)
@@ -268,8 +269,7 @@ class _Writer:
                 append(f'{column.start}"')
                 return later
             if value is not None:
-                text = in_attribute(self.value_text(element, column, value))
-                append(f'{column.start}{text}"')
+                append(f'{column.start}{in_attribute(self.value_text(element, column, value))}"')
                 return later
         elif column.default is None or column.is_primitive:
             return later

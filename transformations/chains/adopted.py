@@ -19,7 +19,6 @@ from robosmi.model.files import digest
 from robosmi.model.runs import alone
 from robosmi.transformations.chains.edited_plan import STORED, only_choices_differ
 from robosmi.transformations.chains.models import stored_models
-from robosmi.transformations.constraints.plan_edits import refuse_nonsense
 from robosmi.transformations.m2m.plan_tasks import settle
 from robosmi.transformations.m2m.stored_choices import GONE, NOTHING, StoredChoices, choices_of_persons
 
@@ -56,6 +55,8 @@ def adopt(output: Path) -> Adopted:
         read: Mapping[str, bytes | None] = {STORED: data}
         if manifest.files.get(STORED) == digest(data) and b'chosenBy="person"' not in data:
             return Adopted(inputs=read)
+        from robosmi.transformations.constraints.plan_edits import refuse_nonsense  # wanted only where there is an edited plan
+
         try:
             models = stored_models(output)
             refuse_nonsense(models.plan)

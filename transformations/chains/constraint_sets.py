@@ -13,7 +13,6 @@ from robosmi.metamodels import hardware, migration
 from robosmi.model import EmfModel
 from robosmi.plugins import registry
 from robosmi.query.erl import place_of
-from robosmi.report.rules import built_in_rules
 from robosmi.typed import class_name
 from robosmi.validate import EVL
 
@@ -88,6 +87,8 @@ def _refuse_faults(offered: Sequence[tuple[EVL, str]]) -> None:
     """Refuse what is no EVL, and an id that a built-in rule or another constraint has, whatever its metamodel is."""
     if not any(owner for _, owner in offered):
         return
+    from robosmi.report.rules import built_in_rules  # few have plug-ins
+
     every: list[tuple[EVL, str]] = [each for name in registry().names(KIND) for each in registry().all(KIND, name)]
     taken = dict.fromkeys(built_in_rules(), "robosmi")
     known: set[int] = set()

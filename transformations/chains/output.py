@@ -9,7 +9,6 @@ import os
 from collections.abc import Iterable, Mapping
 from contextlib import nullcontext
 from datetime import date
-from difflib import unified_diff
 from pathlib import Path
 from typing import Any
 
@@ -32,8 +31,6 @@ from robosmi.model.commit import update
 from robosmi.model.elsewhere import Elsewhere
 from robosmi.model.recovery import at_work, look_only
 from robosmi.model.strict import Element
-from robosmi.model.xml_comments import comments_lost
-from robosmi.model.xml_comments import told as told_of_comments
 from robosmi.offers import wrong_result
 from robosmi.plugins import content
 from robosmi.query import Q
@@ -241,6 +238,8 @@ def produce(
 
 def _diff(places: Places, contents: Mapping[str, bytes], going: Iterable[str], word: str) -> str:
     """What changes in the files that a person reads, as a unified diff; of models only which, with that word."""
+    from difflib import unified_diff  # few runs show changes
+
     lines: list[str] = []
     after: dict[str, bytes | None] = {**contents, **dict.fromkeys(going)}
     for name in sorted(after):
@@ -293,13 +292,17 @@ def _with_comments(
     """The models that are written anew and had comments of a person, under the names that they are kept by."""
     old: dict[str, bytes] = {}
     for name, data in inputs.items():
-        lost = comments_lost(data or b"", contents.get(name, b""))
-        if data is None or not lost or name not in contents:
+        if data is None or name not in contents:
+            continue
+        from robosmi.model.xml_comments import comments_lost, told  # a first run has no models to write anew
+
+        lost = comments_lost(data, contents[name])
+        if not lost:
             continue
         beside = free_name(output, f"{name}.orig")
         old[beside] = data
         place = Location(str(output / name), lost[0])
-        message = told_of_comments(lost, Path(beside).name)
+        message = told(lost, Path(beside).name)
         findings.append(Finding("RS524", Severity.warning, message, place, fix="keep such notes outside of the models"))
     return old
 

@@ -29,7 +29,6 @@ from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.numbers import Machine, Numbers
 from robosmi.transformations.queries.plan import keeps_main
 from robosmi.transformations.queries.port_masks import PortMasks
-from robosmi.transformations.queries.ranges import Ranges
 from robosmi.transformations.queries.signature_text import function_type
 from robosmi.transformations.queries.values import Values
 from robosmi.typed import distinct
@@ -37,6 +36,7 @@ from robosmi.validate import EVL, Fail, Unsatisfied
 
 if TYPE_CHECKING:
     from robosmi.model.driver import Held
+    from robosmi.transformations.queries.ranges import Ranges
 
 moved = EVL()
 """The constraints on a program that is moved; evaluate them on its plan and its model."""
@@ -93,6 +93,8 @@ class Move:
     @cached_property
     def ranges(self) -> Ranges:
         """The value ranges of the program's expressions on the source."""
+        from robosmi.transformations.queries.ranges import Ranges  # few rules ask, and few programs give them cause
+
         functions = _functions(self.views)
         functions.update({a.name: function_type(a.signature) for a in self.plan.adapterUses})
         return Ranges(Numbers(self.here, functions, {}, self._macros), Values(self.program, self.views[0].unit), self.program)

@@ -8,7 +8,7 @@ truncated on purpose, are not mentioned.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TypeGuard
+from typing import TYPE_CHECKING, TypeGuard
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
@@ -17,8 +17,10 @@ from robosmi.transformations.constraints.code_move import Move, is_narrower, mov
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.names import named_type
 from robosmi.transformations.queries.numbers import COMPARISONS, Number
-from robosmi.transformations.queries.ranges import Range
 from robosmi.validate import Fail
+
+if TYPE_CHECKING:
+    from robosmi.transformations.queries.ranges import Range
 
 ARITHMETIC = frozenset(["+", "-", "*", "<<"])
 _CUT = ARITHMETIC | {"&", "|", "^"}

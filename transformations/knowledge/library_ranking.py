@@ -20,9 +20,7 @@ from robosmi.project import default_text
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.device_ranker import DeviceRanker, Knowledge
 from robosmi.recommend.index import Library, LibraryIndex
-from robosmi.recommend.layered_index import LayeredIndex
 from robosmi.recommend.ranking import Choices, Ranker, Recommendation
-from robosmi.recommend.tfidf_ranker import TfidfRanker
 from robosmi.transformations.knowledge.device_knowledge import device_knowledge
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.typed import distinct
@@ -112,7 +110,11 @@ def installed_index(platform: str) -> Path:
 
 @lru_cache(maxsize=4)
 def _opened(paths: tuple[Path, ...], times: tuple[int, ...]) -> LibraryIndex:  # by time: a rebuilt index is opened anew
-    return LibraryIndex(paths[0]) if len(paths) == 1 else LayeredIndex(paths)
+    if len(paths) == 1:
+        return LibraryIndex(paths[0])
+    from robosmi.recommend.layered_index import LayeredIndex  # few have libraries of their own
+
+    return LayeredIndex(paths)
 
 
 def tfidf_ranker(platform: str | None = None, *, architecture: str | None = None, project: Path | None = None) -> Ranker:
@@ -126,6 +128,8 @@ def tfidf_ranker(platform: str | None = None, *, architecture: str | None = None
     Raises:
         PlatformDataError: there is no index, or it is damaged.
     """
+    from robosmi.recommend.tfidf_ranker import TfidfRanker  # the other ranker is the usual one
+
     return TfidfRanker(library_index(platform, project), architecture)
 
 
