@@ -7,25 +7,26 @@ languages beside it.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from robosmi.transform.etl import ETL
 from robosmi.transform.rule import Rule
 from robosmi.transform.trace import Link, Trace
-from robosmi.typed import dynamic_attribute
 
 if TYPE_CHECKING:
     from robosmi.transform.flock import Flock
     from robosmi.transform.migration import ModelMigration
 
-_PLACES = {"Flock": "flock", "ModelMigration": "migration"}
-
 __all__ = ["ETL", "Flock", "Link", "ModelMigration", "Rule", "Trace"]
 
 
-def __getattr__(name: str) -> Any:
-    if name in _PLACES:
-        from importlib import import_module
+def __getattr__(name: str) -> type[Flock | ModelMigration]:
+    if name == "Flock":
+        from robosmi.transform.flock import Flock  # few chains migrate models
 
-        return dynamic_attribute(import_module(f"robosmi.transform.{_PLACES[name]}"), name)
+        return Flock
+    if name == "ModelMigration":
+        from robosmi.transform.migration import ModelMigration
+
+        return ModelMigration
     raise AttributeError(f"module 'robosmi.transform' has no attribute '{name}'")
