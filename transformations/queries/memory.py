@@ -153,10 +153,11 @@ def _always_there(pieces: Sequence[platform.Adapter]) -> list[platform.Adapter]:
     """The pieces that are linked in any case: interrupt handlers with what they call, and global objects of libraries."""
     found = {id(piece): piece for piece in pieces if piece.vectors or (piece.libraries and piece.ramBytes)}
     waiting = list(found.values())
+    defined = [(piece, frozenset(matches(_DEFINED, str(piece.text)))) for piece in pieces] if waiting else []
     while waiting:
         words = set(_words(str(waiting.pop().text)))
-        for piece in pieces:
-            if id(piece) not in found and words & set(matches(_DEFINED, str(piece.text))):
+        for piece, names in defined:
+            if id(piece) not in found and words & names:
                 found[id(piece)] = piece
                 waiting.append(piece)
     return list(found.values())

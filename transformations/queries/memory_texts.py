@@ -68,7 +68,7 @@ def _constant(initializer: ccode.Expression) -> bool:
 @remembered(512)  # each report asks it of the same pieces
 def kept_texts(text: str) -> tuple[str, ...]:
     """The string literals of a piece that occupy data memory: not those placed in flash or read only by the compiler."""
-    return tuple(_kept_texts(text))
+    return tuple(_kept_texts(text)) if '"' in text else ()
 
 
 def _kept_texts(text: str) -> Iterator[str]:

@@ -8,11 +8,12 @@ headers cannot cause, and of undeclared names only functions that the program it
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from typing import NamedTuple
 
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE
 from robosmi.transformations.t2m.c_source import clang
+from robosmi.typed import matches
 
 _TYPES = b"""
 typedef __INT8_TYPE__ int8_t; typedef __INT16_TYPE__ int16_t; typedef __INT32_TYPE__ int32_t; typedef __INT64_TYPE__ int64_t;
@@ -53,6 +54,8 @@ _SURE = re.compile(
 )
 """Matches errors that are about the program itself, not about a missing header."""
 _UNKNOWN = re.compile(r"use of undeclared identifier '(\w+)'")
+_DEFINED = re.compile(rb"\b(\w+)[ \t]*\([^;{}()]*\)\s*\{")
+"""Functions that a text defines, and statements with a condition, whose names no identifier has."""
 
 
 class Refused(NamedTuple):
@@ -87,16 +90,17 @@ def refused_texts(files: Mapping[str, bytes], main_header: str, adapters: str = 
                 texts[f"{_STUB}/{name}"] = b""
     texts[f"{_STUB}/{main_header}"] = _TYPES
     virtual = clang.unsaved(texts)
+    own = {name.decode() for path, text in texts.items() if path.startswith(_SKETCH) for name in matches(_DEFINED, text)}
     told: dict[tuple[str, int], Refused] = {}
     for name in files:
         if not name.endswith(".h"):
-            for each in _complaints(f"{_SKETCH}/{name}", virtual, texts):
+            for each in _complaints(f"{_SKETCH}/{name}", virtual, texts, own):
                 if each.file != adapters:
                     told.setdefault((each.file, each.line), each)
     return list(told.values())
 
 
-def _complaints(path: str, virtual: list[clang.UnsavedFile], texts: Mapping[str, bytes]) -> Iterator[Refused]:
+def _complaints(path: str, virtual: list[clang.UnsavedFile], texts: Mapping[str, bytes], own: Set[str]) -> Iterator[Refused]:
     unit = clang.parse(path, _FLAGS, virtual, _ON_AFTER_MISSING)
     if unit is None:
         return
@@ -107,7 +111,7 @@ def _complaints(path: str, virtual: list[clang.UnsavedFile], texts: Mapping[str,
             if library.getDiagnosticSeverity(handle) >= clang.ERROR:
                 message = library.text(library.getDiagnosticSpelling(handle))
                 unknown = _UNKNOWN.match(message)
-                if _SURE.match(message) or (unknown is not None and _defines(texts, unknown[1])):
+                if _SURE.match(message) or (unknown is not None and unknown[1] in own):
                     file, offset = clang.file_offset(library.getDiagnosticLocation(handle))
                     name = clang.file_name(file)
                     if name.startswith(_SKETCH):
@@ -115,10 +119,3 @@ def _complaints(path: str, virtual: list[clang.UnsavedFile], texts: Mapping[str,
             library.disposeDiagnostic(handle)
     finally:
         library.disposeTranslationUnit(unit)
-
-
-def _defines(texts: Mapping[str, bytes], name: str) -> bool:
-    """Whether a file of the program defines a function."""
-    own = [text for path, text in texts.items() if path.startswith(_SKETCH) and name.encode() in text]
-    definition = re.compile(rb"\b%s[ \t]*\([^;{}()]*\)\s*\{" % name.encode()) if own else None
-    return definition is not None and any(definition.search(text) for text in own)
