@@ -23,6 +23,7 @@ from robosmi.transformations.chains.simulate import plan_beside
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.source_text import is_header
+from robosmi.transformations.queries.step_counts import most_steps
 from robosmi.transformations.verification.difference_calls import calls_around
 from robosmi.transformations.verification.judging import why_nothing_was_compared
 from robosmi.transformations.verification.original_side import (
@@ -280,7 +281,9 @@ def _cases(
     if given or seed is None:
         return cases, made
     known: frozenset[Place] = frozenset().union(*(places_reached(program, runs.nominal, ports) for _, runs in cases))
-    found = search(program, ports, texts_understood(plan), reads_console(plan), seed, known, budget_s)
+    assert plan.program is not None
+    steps = most_steps(plan.program)
+    found = search(program, ports, texts_understood(plan), reads_console(plan), seed, known, budget_s, steps)
     fresh = [(s, r) for s, r in found.scenarios if not known or not places_reached(program, r.nominal, ports) <= known]
     verdict.racy = found.racy
     made.racy_counts = found.racy_counts

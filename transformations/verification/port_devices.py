@@ -245,6 +245,8 @@ def _table(platform: str) -> DataTable:
 def texts_understood(plan: migration.MigrationPlan) -> list[str]:
     """Texts that a plan's program may understand: the characters in its code, and the texts that it compares with, as lines.
 
+    Where it compares with variables, the texts of its tables are these.
+
     Where it makes numbers of texts, each of these stands with a number behind it, too, one of them beyond 16 bits, and several
     numbers follow one another.
     """
@@ -254,14 +256,19 @@ def texts_understood(plan: migration.MigrationPlan) -> list[str]:
     compares, numbers = console.texts("compares", ()), console.texts("numbers", ())
     letters: dict[str, None] = {}
     words: dict[str, None] = {}
-    reads_numbers = False
+    reads_numbers = of_tables = False
     for element in (e for unit in plan.program.units for e in all_contents(unit)):
         if isinstance(element, ccode.CharacterLiteral):
             letters.setdefault(chr(int(element.value) & 0xFF))
         elif isinstance(element, ccode.Call) and element.calleeName in compares:
-            words |= {str(a.text).strip('"'): None for a in element.arguments if isinstance(a, ccode.StringLiteral)}
+            literals = [a for a in element.arguments if isinstance(a, ccode.StringLiteral)]
+            words |= {str(a.text).strip('"'): None for a in literals}
+            of_tables = of_tables or not literals
         elif isinstance(element, ccode.Call):
             reads_numbers = reads_numbers or element.calleeName in numbers
+    if of_tables:  # what is read is compared with what a variable holds
+        lists = [e for unit in plan.program.units for e in all_contents(unit) if isinstance(e, ccode.InitializerList)]
+        words |= {str(e.text).strip('"'): None for each in lists for e in each.elements if isinstance(e, ccode.StringLiteral)}
     shown = [letter for letter in letters if letter.isprintable()]
     texts = [*shown, *(f"{word}\r" for word in words)][:_MOST_TEXTS]
     if not reads_numbers:

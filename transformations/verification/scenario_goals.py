@@ -2,7 +2,8 @@
 
 A branch that was taken once, for the first time, says little: a robot that stops is to be seen stopping from each of its
 motions, and going on after it. So each three things that follow one another on a channel are a goal, and values at the sides of a
-border between two ways of the program. What a device can show at the most and at the least is one, since numbers have their
+border between two ways of the program. A button that is pressed again and again, and all keys and commands one after the other,
+are one. What a device can show at the most and at the least is one, since numbers have their
 longest texts there and some a sign; so is each text in which a number is negative, or beyond 16 bits.
 """
 
@@ -20,8 +21,8 @@ from robosmi.typed import distinct, in_threes
 from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.original_run import OriginalRun
 
-THEN, BESIDE, ENDS, NEGATIVE, LARGE = "then", "beside", "ends", "negative", "large"
-GOALS = (THEN, BESIDE, ENDS, NEGATIVE, LARGE)
+THEN, BESIDE, ENDS, SERIES, NEGATIVE, LARGE = "then", "beside", "ends", "series", "negative", "large"
+GOALS = (THEN, BESIDE, ENDS, SERIES, NEGATIVE, LARGE)
 """What goals that are no places of the source begin with."""
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 _LARGEST = 32767

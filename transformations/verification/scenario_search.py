@@ -8,41 +8,47 @@ are kept that reach all that was reached.
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
 from msgspec import Struct
 
-from robosmi.data_text import Json
 from robosmi.doing import doing
 from robosmi.transformations.verification.original_side import LIMITS, Place, SourceRuns, places_reached, run_source, run_varied
-from robosmi.transformations.verification.played_devices import CONSOLE, TYPING
 from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.transformations.verification.scenario_goals import BESIDE, ENDS, GOALS, behaviour, beside, shown
+from robosmi.transformations.verification.scenario_goals import BESIDE, ENDS, GOALS, SERIES, behaviour, beside, shown
+from robosmi.transformations.verification.scenario_inputs import (
+    LONGEST_MS,
+    ScenarioInput,
+    Signals,
+    constant,
+    in_turn,
+    random_signals,
+    scenario_inputs,
+    series_points,
+    together,
+    turned,
+)
 from robosmi.transformations.verification.search_effort import SearchEffort
 from robosmi.transformations.verification.simulated_kinds import device_facts
 from robosmi.typed import distinct, replaced
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_run import OriginalRun
-from robosmi.verify.scenario import POINTS, Points, Scenario
-
-Signals = Mapping[str, Mapping[str, Points]]
+from robosmi.verify.scenario import Points, Scenario
 
 _HORIZONS_MS = (3_000.0, 6_000.0, 12_000.0, 24_000.0)
 _HORIZON_ALONE_MS = 48_000.0
 """That of a program without inputs, which has one scenario and no other, may be as long."""
-_APART_MS = 250.0
-"""Inputs do not change nearer to one another than this: which of two is seen first would be a matter of luck."""
 _MOST = 120
 """So many scenarios are tried at most."""
 _PATIENCE = 30
 _RETRIES = 30
 _MOST_BACKGROUNDS = 4
+_MOST_SERIES = 8
 _PROBE_MS = 600.0
 """A short run that tells which way a program goes, beside what a device holds its value for."""
-_TEXT_MS = 900.0
-"""When a text is sent that is the only thing that happens: libraries for serial lines take up to half a second to begin."""
 
 
 class FoundScenarios(Struct):
@@ -71,6 +77,7 @@ def search(
     seed: int,
     known: frozenset[Place] = frozenset(),
     budget_s: float = 240.0,
+    steps: int = 0,
 ) -> FoundScenarios:
     """Make scenarios for a program.
 
@@ -82,25 +89,27 @@ def search(
         seed: of all that is random.
         known: what other scenarios reach of the source.
         budget_s: seconds of a usual machine's time, after which the search ends wherever it is; three times as long by the clock.
+        steps: how many steps of a variable the program tells apart.
     """
     effort = SearchEffort(budget_s)
     made = _Search(program, ports, set(known), effort)
-    inputs = _inputs(ports, texts, types)
+    inputs = scenario_inputs(ports, texts, types, steps)
     made.horizon = _horizon(program, ports, effort, _HORIZONS_MS + (() if inputs else (_HORIZON_ALONE_MS,)))
     made.try_signals({})
     if inputs:
         made.find_probe()
     for each in inputs:
         for value in each.values:
-            made.try_signals(_constant(each, value))
+            made.try_signals(constant(each, value))
     levels = [each for each in inputs if not any(isinstance(value, str) for value in each.values)]
     for number in range(max((len(each.values) for each in levels), default=0) if len(levels) > 1 else 0):
-        made.try_signals(_together(levels, number))
+        made.try_signals(together(levels, number))
     made.try_ends(inputs)
+    made.try_series(inputs)
     inputs = [made.with_borders(each.with_ends()) for each in inputs]
     chance = random.Random(seed)
     while inputs and made.found.tried < _MOST and made.fruitless < _PATIENCE and not effort.is_over():
-        made.try_signals(_random_signals(inputs, made.horizon, chance))
+        made.try_signals(random_signals(inputs, made.horizon, chance))
     return _fewest(made.found, made.reached_by, known)
 
 
@@ -121,19 +130,21 @@ class _Search:
         self.retried = 0
         self.at_rest: dict[str, list[str]] = {}
 
-    def try_signals(self, signals: Mapping[str, Mapping[str, Points]], also: frozenset[Place] = frozenset()) -> frozenset[Place]:
+    def try_signals(
+        self, signals: Mapping[str, Mapping[str, Points]], also: frozenset[Place] = frozenset(), horizon: float = 0.0
+    ) -> frozenset[Place]:
         """Run a scenario, keep it if it reaches what no other does and is not racy; what it reaches, and `also`."""
         found = self.found
         doing(f"look for scenarios: {found.tried} tried, {len(found.scenarios)} kept")
         if found.tried and self.effort.is_over():
             return frozenset()
         found.tried += 1
-        scenario = Scenario(f"generated {found.tried}", self.horizon, signals, "generated")
+        scenario = Scenario(f"generated {found.tried}", horizon or self.horizon, signals, "generated")
         run = run_source(self.program, self.ports, scenario)
         self.effort.add(run)
         if found.tried == 1:
             self.at_rest = shown(run, self.ports)
-        if any(place[0] == ENDS for place in also) and shown(run, self.ports) == self.at_rest:
+        if any(place[0] in (ENDS, SERIES) for place in also) and shown(run, self.ports) == self.at_rest:
             also = frozenset()  # the program does not heed it
         places = places_reached(self.program, run, self.ports) | behaviour(run, self.ports) | also
         self.fruitless += 1
@@ -177,15 +188,30 @@ class _Search:
         self.effort.add(run)
         return places_reached(self.program, run, self.ports)
 
-    def try_ends(self, inputs: Sequence[_Input]) -> None:
+    def try_ends(self, inputs: Sequence[ScenarioInput]) -> None:
         """Let each device show the least that it can, and the most, of all that it measures."""
         for name in distinct(each.name for each in inputs if each.ends):
             its = [each for each in inputs if each.name == name and each.ends]
             for end in (0, -1):
-                signals = {setting: points for each in its for setting, points in _constant(each, each.ends[end])[name].items()}
+                signals = {setting: points for each in its for setting, points in constant(each, each.ends[end])[name].items()}
                 self.try_signals({name: signals}, frozenset([(ENDS, name, end)]))
 
-    def with_borders(self, each: _Input) -> _Input:
+    def try_series(self, inputs: Sequence[ScenarioInput]) -> None:
+        """Let each input show one value after the other, slower where the program does not come along."""
+        for each in [each for each in inputs if each.series][:_MOST_SERIES]:
+            for slower in (1, 2, 4):
+                points, racy = series_points(each, slower), self.found.racy
+                ends_ms = min(LONGEST_MS, 1000 * math.ceil(points[-1][0] / 1000 + 1)) if points else 0.0
+                goal: Place = (SERIES, each.name, each.setting)
+                self.try_signals({each.name: {each.setting: points}}, frozenset([goal]), max(self.horizon, ends_ms))
+                if self.found.racy == racy:
+                    break
+        contacts = [each for each in inputs if each.is_contact and each.series][:_MOST_SERIES]
+        for one, other in pairwise(contacts):
+            for backwards in (False, True):
+                self.try_signals(turned(one, other, backwards))
+
+    def with_borders(self, each: ScenarioInput) -> ScenarioInput:
         """Halve the span between two values at which the source goes different ways, down to where these meet.
 
         What a program does at the border itself, as when a count equals a limit, is reached by no other value. Beside it faults
@@ -196,7 +222,7 @@ class _Search:
             values += [value for value in self._borders(each, background) if value not in values]
         return replaced(each, values=tuple(values))
 
-    def _backgrounds(self, each: _Input) -> list[Signals]:
+    def _backgrounds(self, each: ScenarioInput) -> list[Signals]:
         """What the other inputs show while borders are sought: nothing, then what has led the source elsewhere."""
         found: list[Signals] = [{}]
         for scenario, _ in self.found.scenarios:
@@ -206,7 +232,7 @@ class _Search:
                 found.append(others)
         return found[:_MOST_BACKGROUNDS]
 
-    def _borders(self, each: _Input, background: Signals) -> list[float]:
+    def _borders(self, each: ScenarioInput, background: Signals) -> list[float]:
         """The values at both sides of each border that is found while other inputs show something."""
         numbers = sorted({v for v in each.values if isinstance(v, (int, float)) and not isinstance(v, bool)})
         ways = {value: self._probe(each, value, background) for value in numbers} if len(numbers) > 2 else {}
@@ -223,43 +249,24 @@ class _Search:
                     break
                 places = self._probe(each, middle, background)
                 if not places <= self.seen | self.only_racy:
-                    self.only_racy |= self.try_signals({**background, **_constant(each, middle)}) - self.seen
+                    self.only_racy |= self.try_signals({**background, **constant(each, middle)}) - self.seen
                 begin, end = (middle, end) if places == ways[low] else (begin, middle)
             sides = [round(value, 1) for value in beside(end, facts)]
             values += sides
             there: Place = (BESIDE, each.name, each.setting, round(end))
-            turns = {each.name: {each.setting: _in_turn(each, [*sides, sides[0]], self.horizon)}}
+            turns = {each.name: {each.setting: in_turn(each, [*sides, sides[0]], self.horizon)}}
             self.try_signals({**background, **turns}, frozenset([there]))
         return values
 
-    def _probe(self, each: _Input, value: float, background: Signals) -> frozenset[Place]:
+    def _probe(self, each: ScenarioInput, value: float, background: Signals) -> frozenset[Place]:
         """What a short run reaches in which an input shows one value; nothing when the search is over."""
         if self.effort.is_over():
             return frozenset()
         lasts = self.probe_ms + (each.hold_ms if each.hold_ms > 1000 else 0)
-        scenario = Scenario("probe", min(self.horizon, lasts), {**background, **_constant(each, value)})
+        scenario = Scenario("probe", min(self.horizon, lasts), {**background, **constant(each, value)})
         run = run_source(self.program, self.ports, scenario)
         self.effort.add(run)
         return places_reached(self.program, run, self.ports)
-
-
-def _constant(each: _Input, value: Json) -> dict[str, dict[str, Points]]:
-    """Signals in which one input shows one value all the time; what happens once comes when the program has begun."""
-    return {each.name: {each.setting: ((_TEXT_MS if each.happens else 0.0, value),)}}
-
-
-def _in_turn(each: _Input, values: Sequence[Json], horizon: float) -> Points:
-    """A signal that shows values one after the other, each for as long as the input keeps one, as far as the horizon goes."""
-    step = max(each.hold_ms, horizon / 4)
-    return tuple((at * step, value) for at, value in enumerate(values) if at * step < horizon)
-
-
-def _together(inputs: Sequence[_Input], number: int) -> dict[str, dict[str, Points]]:
-    """Signals in which all inputs show one of their values all the time, each that of a number, counted round and round."""
-    signals: dict[str, dict[str, Points]] = {}
-    for each in inputs:
-        signals.setdefault(each.name, {})[each.setting] = ((0.0, each.values[number % len(each.values)]),)
-    return signals
 
 
 def _horizon(
@@ -291,65 +298,6 @@ def _horizon(
             settled = 0.0
         before = places, run.counts
     return settled or reached
-
-
-class _Input(Struct, frozen=True):
-    """A signal of a port: the port's name, the setting, the values that it takes, how long it keeps one, and its device.
-
-    `ends` are the least and the most that the device can give, where it measures something. With `happens` a value is something
-    that happens at an instant, such as a text that is sent.
-    """
-
-    name: str
-    setting: str
-    values: tuple[Json, ...]
-    hold_ms: float
-    device: str
-    ends: tuple[Json, ...] = ()
-
-    def with_ends(self) -> _Input:
-        """The signal with its ends among its values."""
-        return replaced(self, values=(*self.values, *(end for end in self.ends if end not in self.values)))
-
-    @property
-    def happens(self) -> bool:
-        return bool(device_facts().get(self.device, {}).get("happens", False))
-
-
-def _inputs(ports: Sequence[BoundPort], texts: Sequence[str], types: bool) -> list[_Input]:
-    facts = device_facts()
-    made = []
-    for port in ports:
-        if port.target and port.device and port.group in ("", port.source):
-            known = facts.get(port.device, {})
-            for setting, values in known.get("values", {}).items():
-                taken = [*texts, *values] if known.get("takes_text") else [None if v == "none" else v for v in values]
-                ends = tuple(known.get("ends", {}).get(setting, ()))
-                made.append(_Input(port.name, setting, tuple(taken), known["hold_ms"], port.device, ends))
-    if types:
-        made.append(_Input(CONSOLE, POINTS, (*texts, *facts[TYPING]["values"][POINTS]), facts[TYPING]["hold_ms"], TYPING))
-    return made
-
-
-def _random_signals(inputs: Sequence[_Input], horizon: float, chance: random.Random) -> Mapping[str, Mapping[str, Points]]:
-    """Some inputs that change some times, no two of them at nearly the same instant."""
-    chosen = [each for each in inputs if chance.random() < 0.7] or list(inputs[:1])
-    slots = [at * _APART_MS for at in range(1, int((horizon - 500) / _APART_MS))]
-    chance.shuffle(slots)
-    signals: dict[str, dict[str, Points]] = {}
-    for each in chosen:
-        begin = [(0.0, chance.choice(each.values))] if not each.happens and chance.random() < 0.5 else []
-        wanted = chance.randint(1, 5)
-        at = 0.0
-        points: list[tuple[float, Json]] = list(begin)
-        for slot in sorted(slots[:wanted]):
-            if slot - at >= each.hold_ms:
-                points.append((slot, chance.choice(each.values)))
-                at = slot
-        del slots[:wanted]
-        if points:
-            signals.setdefault(each.name, {})[each.setting] = tuple(points)
-    return signals
 
 
 def _fewest(found: FoundScenarios, places: list[frozenset[Place]], known: frozenset[Place]) -> FoundScenarios:

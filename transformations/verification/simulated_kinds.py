@@ -35,6 +35,7 @@ class SimulatedKind(TypedDict, total=False):
     limits: dict[str, list[Json]]
     ends: dict[str, list[Json]]
     jitter: dict[str, float]
+    keys: list[str]
     jitter_percent: float
     jitter_least: float
     finest: float

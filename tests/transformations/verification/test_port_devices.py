@@ -13,7 +13,13 @@ from robosmi.diagnostics import Location
 from robosmi.errors import UsageError
 from robosmi.transformations.chains.models import load_models
 from robosmi.transformations.verification.played_devices import played, signals_of
-from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, reads_console, resting_pins
+from robosmi.transformations.verification.port_devices import (
+    BoundPort,
+    bound_ports,
+    reads_console,
+    resting_pins,
+    texts_understood,
+)
 from robosmi.transformations.verification.simulated_kinds import device_facts
 from robosmi.verify.scenario import Points, Scenario
 from robosmi.verify.simulation import DeviceUse
@@ -230,3 +236,21 @@ def test_a_port_at_which_an_own_adapter_reads_is_played(tmp_path: Path) -> None:
     robosmi.migrate([tmp_path / "robot.c"], tmp_path / "out")
     found = {port.name: port for port in bound_ports(load_models(tmp_path / "out" / "models" / "plan.xmi").plan)}
     assert [(found[name].target, found[name].device) for name in ("gate.switch", "P5")] == [("D4", "levels"), ("D5", "")]
+
+
+def test_the_texts_of_tables_are_typed_where_a_program_compares_with_variables(tmp_path: Path) -> None:
+    (tmp_path / "menu.c").write_text("""#include "simpletools.h"
+struct cmd { const char *name; int step; } cmds[] = { {"faster", 5}, {"slower", -5}, {0, 0} };
+char line[20];
+int main() {
+  int n, speed = 0;
+  while (1) {
+    scan("%s %d\\n", line, &n);
+    for (int i = 0; cmds[i].name; i++)
+      if (!strcmp(line, cmds[i].name)) speed += n * cmds[i].step;
+    print("%d\\n", speed);
+  }
+}
+""")
+    texts = texts_understood(robosmi.plan_migration([tmp_path / "menu.c"]).plan)
+    assert {"faster\r", "slower\r", "faster 50\r", "slower 70000\r"} <= set(texts)

@@ -3,44 +3,91 @@
 from __future__ import annotations
 
 import random
+from itertools import pairwise
 
 import pytest
 
+from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.transformations.verification.scenario_goals import NEGATIVE, behaviour
-from robosmi.transformations.verification.scenario_search import _constant, _horizon, _in_turn, _Input, _random_signals
+from robosmi.transformations.verification.scenario_inputs import (
+    ScenarioInput,
+    constant,
+    in_turn,
+    random_signals,
+    scenario_inputs,
+    series_points,
+    turned,
+)
+from robosmi.transformations.verification.scenario_search import _horizon
 from robosmi.transformations.verification.search_effort import SearchEffort
 from robosmi.transformations.verification.simulated_kinds import device_facts
 from robosmi.verify.original_run import OriginalRun
 from robosmi.verify.simulation import ConsoleByte, PinTrace
 from tests.host_model.bench import built
 
-LINE = _Input("RX", "points", ("a", "b"), 300.0, "serial_line")
-LAMP = _Input("LAMP", "points", (0, 1), 250.0, "levels")
+LINE = ScenarioInput("RX", "points", ("a", "b"), 300.0, "serial_line")
+LAMP = ScenarioInput("LAMP", "points", (0, 1), 250.0, "levels")
 
 
 @pytest.mark.parametrize("seed", range(20))
 def test_texts_are_not_sent_at_the_begin(seed: int) -> None:
-    signals = _random_signals([LINE, LAMP], 6000.0, random.Random(seed))
+    signals = random_signals([LINE, LAMP], 6000.0, random.Random(seed))
     assert all(at_ms > 0 for at_ms, _ in signals.get("RX", {}).get("points", ()))
 
 
 def test_levels_hold_from_the_begin_and_texts_are_sent_once() -> None:
-    assert _constant(LAMP, 1) == {"LAMP": {"points": ((0.0, 1),)}}
-    assert _constant(LINE, "a") == {"RX": {"points": ((900.0, "a"),)}}
-    assert any(_random_signals([LAMP], 6000.0, random.Random(seed))["LAMP"]["points"][0][0] == 0 for seed in range(20))
+    assert constant(LAMP, 1) == {"LAMP": {"points": ((0.0, 1),)}}
+    assert constant(LINE, "a") == {"RX": {"points": ((900.0, "a"),)}}
+    assert any(random_signals([LAMP], 6000.0, random.Random(seed))["LAMP"]["points"][0][0] == 0 for seed in range(20))
 
 
 @pytest.mark.parametrize("horizon", [3_000.0, 6_000.0, 12_000.0, 24_000.0])
 def test_what_is_shown_in_turn_is_shown_before_the_end(horizon: float) -> None:
-    thermometer = _Input("DHT", "celsius", (-5, 21, 80), 3000.0, "dht22", (-40, 80))
-    times = [at_ms for at_ms, _ in _in_turn(thermometer, [20, 21, 20], horizon)]
+    thermometer = ScenarioInput("DHT", "celsius", (-5, 21, 80), 3000.0, "dht22", (-40, 80))
+    times = [at_ms for at_ms, _ in in_turn(thermometer, [20, 21, 20], horizon)]
     assert times[0] == 0
     assert max(times) < horizon
     assert horizon < 12_000 or len(times) == 3
 
 
+BUTTON = BoundPort("button", "P5", "D5", "", "", ("input",), "levels", "pin")
+
+
+@pytest.mark.parametrize(("steps", "presses"), [(0, 0), (2, 5), (4, 9), (10, 21)])
+def test_a_button_is_pressed_as_often_as_the_program_tells_apart_and_once_more_round(steps: int, presses: int) -> None:
+    (button,) = scenario_inputs([BUTTON], (), False, steps)
+    points = series_points(button)
+    assert [value for _, value in points] == [1, 0] * presses
+    assert all(after - at >= button.hold_ms for (at, _), (after, _) in pairwise(points))
+    assert series_points(button, 4) == tuple((900.0 + 1000 * n, value) for n, (_, value) in enumerate(points) if n < 23)
+
+
+def test_all_keys_of_a_matrix_are_pressed() -> None:
+    pins = [f"row{n}" for n in range(4)] + [f"column{n}" for n in range(3)]
+    ports = [BoundPort(pin, f"P{n}", f"D{n + 2}", device="keypad", pin=pin, group="P0") for n, pin in enumerate(pins)]
+    (keypad,) = scenario_inputs(ports, (), False)
+    pressed = [value for _, value in series_points(keypad) if value is not None]
+    assert pressed == [[row, column] for row in range(4) for column in range(3)]
+    assert keypad.series[1::2] == (None,) * 12
+    assert None in keypad.values
+
+
+def test_what_is_typed_follows_one_after_the_other() -> None:
+    (console,) = scenario_inputs([], ("up 50\r", "down 50\r"), True)
+    times = [at for at, _ in series_points(console)]
+    assert [value for _, value in series_points(console)][:2] == ["up 50\r", "down 50\r"]
+    assert times == [900.0 + 300 * number for number in range(len(console.values))]
+
+
+def test_two_contacts_are_turned_as_a_knob() -> None:
+    one, other = scenario_inputs([BUTTON, BoundPort("b", "P6", "D6", device="levels", pin="pin")], (), False, 4)
+    forwards, backwards = (turned(one, other, each) for each in (False, True))
+    assert [forwards[name]["points"][0] for name in ("button", "b")] == [(900.0, 1), (1150.0, 1)]
+    assert [backwards[name]["points"][0] for name in ("button", "b")] == [(1150.0, 1), (900.0, 1)]
+
+
 def test_what_a_device_can_give_at_the_least_and_at_the_most_are_further_values() -> None:
-    thermometer = _Input("DHT", "celsius", (-5, 21, 80), 3000.0, "dht22", (-40, 80))
+    thermometer = ScenarioInput("DHT", "celsius", (-5, 21, 80), 3000.0, "dht22", (-40, 80))
     assert thermometer.with_ends().values == (-5, 21, 80, -40)
 
 

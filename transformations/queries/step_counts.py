@@ -1,0 +1,106 @@
+"""How many steps a program tells apart: of a mode that comes round, of a list that is gone through.
+
+A variable counts that the program itself moves on: by one more or less, by what it was before, or from one constant to another
+as the states of a machine. What it is compared with, what it is taken modulo, the cases that it selects and the arrays that it
+is an index of say how far it goes. The counters of for loops, which go their way at once, do not count.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from robosmi.metamodels import ccode
+from robosmi.model.strict import Element
+from robosmi.query import all_contents
+from robosmi.transformations.queries.values import Values
+
+_COMPARISONS = frozenset(["==", "!=", "<", ">", "<=", ">="])
+_STEPS = frozenset(["+=", "-="])
+_SIZE = re.compile(r"\[\s*(\d+)\s*\]")
+_STATES = 3
+"""A variable that gets so many constants is the state of a machine."""
+_MOST = 16
+"""What is told apart later than that is beyond a short scenario."""
+
+
+def most_steps(program: ccode.Program) -> int:
+    """The most steps that a variable takes until it is told apart from what it was, 0 where none is found.
+
+    Args:
+        program: the program.
+    """
+    found = [0]
+    for unit in program.units:
+        values = Values(program, unit)
+        elements = list(all_contents(unit))
+        moved = _moved(elements, values)
+        for element in elements:
+            found += [number for number in _told_apart(element, moved, values) if 1 < number <= _MOST]
+    return max(found)
+
+
+def _moved(elements: list[Element], values: Values) -> set[str]:
+    """The names of variables and members that a program moves on."""
+    moved: set[str] = set()
+    constants: dict[str, set[int]] = {}
+    for element in elements:
+        if isinstance(element, ccode.Unary) and str(element.operator) in ("++", "--") and not _counts_a_loop(element):
+            moved.update(_named(element.operand))
+        elif isinstance(element, ccode.Assignment) and not _counts_a_loop(element):
+            name = next(_named(element.left), None)
+            if name is None:
+                continue
+            if str(element.operator) in _STEPS or name in set(_names_within(element.right)):
+                moved.add(name)
+            constants.setdefault(name, set()).update(v.number for v in values.of(element.right) if v.number is not None)
+    return moved | {name for name, numbers in constants.items() if len(numbers) >= _STATES}
+
+
+def _told_apart(element: Element, moved: set[str], values: Values) -> Iterator[int]:
+    """After how many steps an element tells a variable apart that the program moves on."""
+    if isinstance(element, ccode.Binary):
+        for side, other in ((element.left, element.right), (element.right, element.left)):
+            if moved.isdisjoint(_names_within(side)):
+                continue
+            numbers = [v.number for v in values.of(other) if v.number is not None]
+            if str(element.operator) in _COMPARISONS:
+                yield from (number + 1 for number in numbers)
+            elif str(element.operator) == "%" and side is element.left:
+                yield from numbers
+    elif isinstance(element, ccode.Switch) and not moved.isdisjoint(_names_within(element.selector)):
+        for case in all_contents(element):
+            if isinstance(case, ccode.Case):
+                yield from (v.number + 1 for v in values.of(case.constant) if v.number is not None)
+    elif isinstance(element, ccode.Index) and not moved.isdisjoint(_names_within(element.index)):
+        target = element.array.target if isinstance(element.array, ccode.NameReference) else None
+        if isinstance(target, ccode.Variable) and target.valueType is not None:
+            size = _SIZE.match(str(target.valueType.arrayDims))
+            yield from (int(size[1]),) if size is not None else ()
+
+
+def _counts_a_loop(element: Element) -> bool:
+    """Whether an element stands in the head of a for loop."""
+    within: Element | None = element
+    while within is not None and not isinstance(within, ccode.Statement):
+        holder = within.eContainer()
+        if isinstance(holder, ccode.For) and within in (holder.initial, holder.step):
+            return True
+        within = holder
+    return False
+
+
+def _named(expression: Element | None) -> Iterator[str]:
+    """What is written by an expression: the name of a variable, or of a member behind a point."""
+    if isinstance(expression, ccode.NameReference):
+        yield str(expression.name)
+    elif isinstance(expression, ccode.Member):
+        yield f".{expression.name}"
+
+
+def _names_within(expression: Element | None) -> Iterator[str]:
+    """The names of variables and members in an expression."""
+    if expression is None:
+        return
+    for each in (expression, *all_contents(expression)):
+        yield from _named(each)
