@@ -1,1 +1,1 @@
-"""The named workflows: each puts readers, model-to-model and model-to-text transformations in a row."""
+"""The named workflows (chains): each runs readers, model-to-model and model-to-text transformations in sequence."""

@@ -1,7 +1,7 @@
-"""The chains `adapters list`, `show` and `save`: what fills calls of the source platform, and bodies of a person kept for later.
+"""The chains `adapters list`, `show` and `save`: available adapters, and bodies written by a person that are kept for later.
 
-`save` takes what was written into placeholders of a generated program, and puts it as pieces into an adapter file beside the
-project file or among the user's data, where later migrations find it before the built-in ones.
+`save` takes the bodies that were written into placeholders of a generated program and adds them to an adapter file beside the
+project file or in the user's data, where later migrations find them before the built-in ones.
 """
 
 from __future__ import annotations
@@ -78,7 +78,7 @@ class AdaptersTold(Struct):
 
 
 def list_adapters(target: str | None = None, source: str | None = None) -> AdaptersTold:
-    """All functions of the headers that have adapter files, with the state of each.
+    """All functions of the headers that have adapter files, each with the status of its adapter.
 
     Args:
         target: name of the target; that of the project or the default if None.
@@ -95,7 +95,7 @@ def list_adapters(target: str | None = None, source: str | None = None) -> Adapt
 
 
 def show_adapter(name: str, target: str | None = None, source: str | None = None) -> AdaptersTold:
-    """The adapters of a function, the one that counts first in front, with their texts; of one without any what is to be written.
+    """The adapters of a function with their texts, the effective one first; for a function without one, what has to be written.
 
     Raises:
         UsageError: the source platform has no function of that name.
@@ -120,7 +120,7 @@ def show_adapter(name: str, target: str | None = None, source: str | None = None
 
 
 def _of(target: str | None, source: str | None) -> tuple[AdapterIndex, ApiIndex]:
-    """The adapter files and the source platform that count in the current folder."""
+    """The adapter files and the source platform that apply in the current folder."""
     settings = load_project(Path())
     facts = target_facts(target or settings.target or default_text("migrate", "target"))
     api = ApiIndex.load(source or settings.source_platform or default_text("migrate", "source_platform"))
@@ -136,14 +136,14 @@ def _row(index: AdapterIndex, piece: AdapterPiece) -> dict[str, Json]:
 
 
 def _row_without(index: AdapterIndex, header: str, name: str) -> dict[str, Json]:
-    """The row of a function that has no adapter."""
+    """The table row of a function without an adapter."""
     reason = index.unsupported(header)
     state = "unsupported" if reason else "todo"
     return {"function": name, "header": header, "kind": "", "source": "", "status": state, "limits": [reason] if reason else []}
 
 
 def _to_write(api: ApiIndex, header: str, name: str) -> dict[str, Json]:
-    """What is known of a function that has no adapter."""
+    """The known facts about a function without an adapter."""
     return {
         "signatures": [api.signature(name, api.declared(header)[name])], "fidelity": "", "needs": [], "mcus": [],
         "path": None, "line": None, "text": "",
@@ -161,7 +161,7 @@ def _whole(piece: AdapterPiece) -> dict[str, Json]:
 
 
 def save_adapters(output: Path, whose: str) -> AdaptersTold:
-    """Keep the bodies that a person wrote in a generated program.
+    """Save the adapter bodies that a person wrote in a generated program.
 
     Args:
         output: the output folder of a migration.
@@ -239,7 +239,7 @@ def _files(
     whose: str,
     plan: migration.MigrationPlan,
 ) -> dict[Path, str]:
-    """The adapter files as they are with some bodies in them.
+    """The texts of the adapter files after adding some bodies.
 
     Args:
         wanted: header and function of each -> its use in the plan.
@@ -261,7 +261,7 @@ def _files(
 
 
 def _pins(use: migration.AdapterUse, body: Body, plan: migration.MigrationPlan) -> list[str]:
-    """The parameters that are pins, as markers say it."""
+    """The parameters that are pins, as text for the marker `pin`."""
     header = ancestor_of_kind(use.function, platform.Header) if use.function is not None else None
     if header is None or plan.source is None:
         return []
@@ -275,7 +275,7 @@ def _pins(use: migration.AdapterUse, body: Body, plan: migration.MigrationPlan) 
 
 
 def _folder(output: Path, whose: str) -> Path:
-    """Where the files go.
+    """The folder that the adapter files are written to.
 
     Raises:
         SourceError: there is no project file around the output folder or in the current one.
@@ -315,7 +315,7 @@ def _existing(path: Path, header: str) -> str:
 
 
 def _with_piece(path: Path, before: str, use: migration.AdapterUse, body: Body, text: str, plan: migration.MigrationPlan) -> str:
-    """The text of an adapter file with a body as a piece, in the place of one of that name."""
+    """The text of an adapter file with a body added as a piece, or replacing the piece of the same name."""
     head = [f"{MARK} adapter {use.name}", f"{MARK}   for: {use.signature}", f"{MARK}   kind: semantic"]
     head += [f"{MARK}   name: {use.targetName}"] if use.targetName not in ("", use.name) else []
     words = set(body.code)

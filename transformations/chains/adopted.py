@@ -1,7 +1,7 @@
-"""The choices in the plan that an output folder holds already, for the migration that is about to make it anew.
+"""Reads a person's choices from the plan that an output folder already contains, for the migration that makes it anew.
 
-They count behind the command line and the project file. A plan in which a person has edited more than choices adopts nothing:
-the run stops before it is written over.
+They rank after the command line and the project file. A plan in which a person has edited more than choices is not adopted: the
+run stops before it would overwrite the plan.
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
-"""What the program in an output folder took when it was compiled last, for the plan: where it still is the program that is made.
+"""The memory use measured by the last compile of the program in an output folder, if that still is the generated program.
 
-`compile` keeps the sizes in its record beside the program. A report has them only while every file that was compiled is as it
-was.
+`compile` stores the sizes in its record beside the program. The report shows them only while every compiled file is unchanged.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ _SIZES = {"flashBytes": "flash_bytes", "flashLimit": "flash_limit", "ramBytes": 
 
 
 def built(output: Path, name: str, files: Mapping[str, bytes]) -> migration.Build | None:
-    """What a program took, or None where it was not compiled as it stands.
+    """The sizes of a program, or None if it has not been compiled in its current state.
 
     Args:
         output: the output folder.
@@ -36,7 +35,7 @@ def built(output: Path, name: str, files: Mapping[str, bytes]) -> migration.Buil
 
 
 def _same(compiled: Mapping[str, str], name: str, files: Mapping[str, bytes]) -> bool:
-    """Whether the files that were compiled are those that are made; a person's own files beside them do not count."""
+    """Whether the compiled files equal the generated ones; a person's own additional files are ignored."""
     made = {path.removeprefix(f"{name}/"): data for path, data in files.items() if path.startswith(f"{name}/")}
     there = {path: hashlib.sha256(data).hexdigest() for path, data in made.items() if not path.endswith(".md")}
     return all(compiled.get(path) == digest for path, digest in there.items())

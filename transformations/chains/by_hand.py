@@ -1,7 +1,7 @@
-"""What persons have done in a program that was made before, taken over by the run that makes it anew.
+"""A person's work in a previously generated program, taken over by the run that generates it anew.
 
-A body that they wrote into a placeholder counts as filled, a task that they ticked as done. What they wrote for a function that
-is called no more stays in its file, switched off, with a word about it; so neither that nor a tick becomes a conflict.
+A body written into a placeholder counts as filled, a ticked task as done. Text written for a function that is no longer called
+stays in its file, disabled and with a comment, so that neither it nor a tick causes a merge conflict.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class ByHand:
         self.findings: list[Finding] = []
 
     def base(self, name: str, last: str, there: str, made: str, path: Path) -> tuple[str, str]:
-        """The text that was made last and the one that is there, as the merge is to see them.
+        """The previously generated text and the existing one, adapted so that the merge sees no change in the person's work.
 
         Args:
             name: of the file, relative to the output folder.
@@ -89,19 +89,19 @@ class ByHand:
 
 
 def _plain(body: Body) -> list[str]:
-    """What a body does: the same in a program of one file and of several."""
+    """A body in normal form, equal for a program in one file and in several."""
     return [word for word in body.code if word not in ("static", "inline")]
 
 
 def _without(text: str, body: Body) -> str:
-    """A text without a function and the blank line behind it."""
+    """A text without a function and the blank line after it."""
     lines = text.split("\n")
     last = body.last + (body.last < len(lines) - 1 and not lines[body.last].strip())
     return "\n".join([*lines[: body.first], *lines[last:]])
 
 
 def by_hand(plan: migration.MigrationPlan, places: Places, made: Mapping[str, str], record: Record) -> ByHand:
-    """What persons have done in an output folder, told of the plan.
+    """Find what a person has done in an output folder, and record it in the plan.
 
     Args:
         plan: the plan; its uses and tasks are settled.
@@ -130,7 +130,7 @@ def by_hand(plan: migration.MigrationPlan, places: Places, made: Mapping[str, st
 
 
 def _given(symbol: migration.SymbolUse, there: str, made: str) -> bool:
-    """Whether a placeholder that is made stands no more as it is made, and its name does: a person has given it a meaning."""
+    """Whether a person has replaced a generated placeholder by a definition of the same name."""
     if symbol.status is not migration.AdapterStatus.todo:
         return False
     shown = str(symbol.placeholder).rpartition("\n")[2]

@@ -1,7 +1,7 @@
-"""The chain `check`: a drawing, a plan or any other model, and all constraints that are registered for its metamodel.
+"""The chain `check`: evaluates all constraints registered for the metamodel of a drawing, a plan or any other model.
 
-A plan is checked with the models that it refers to. Files are read as every other command reads them, so that what readers find
-is said too. Nothing is written.
+A plan is checked together with the models that it refers to. Files are read like in every other command, so the readers'
+findings are reported, too. Nothing is written.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from robosmi.typed import distinct, first_of, sum_of
 
 
 class Checked:
-    """What was checked, and what was found."""
+    """The checked model and the findings."""
 
     def __init__(self) -> None:
         self.models: list[dict[str, Any]] = []
@@ -98,11 +98,11 @@ def _validated(done: Checked, models: Sequence[Model]) -> Checked:
 
 
 def _referred(model: Model, models: Sequence[Model]) -> list[Model]:
-    """The program of a plan, which some of the plan's constraints are about."""
+    """The program of a plan, which some constraints on plans need."""
     is_plan = isinstance(model, EmfModel) and any(isinstance(r, migration.MigrationPlan) for r in model.roots)
     return [m for m in models if m is not model and m.name == "code"] if is_plan else []
 
 
 def _metamodels(model: Model) -> list[str]:
-    """The names of a model's metamodels; a technology without any has none."""
+    """The names of a model's metamodels; empty for a technology without metamodels."""
     return distinct(kind.partition("::")[0] for kind, _ in model.types() if "::" in kind)

@@ -1,8 +1,8 @@
-"""The chain `choose`: what a person chooses in the plan of an output folder, committed at once.
+"""The chain `choose`: makes a person's choice in the plan of an output folder, and commits it at once.
 
-The plan gets the value, who chose, when and why, and the sketch is made again from it. The value goes into the project file, too,
-where that lies beside the sources that the plan was made from. Everything is written in one run, which one `undo` takes back.
-Every front end chooses by this function: the command, the page and whatever else speaks for a person.
+The plan records the value, who chose, when and why, and the sketch is generated again. If the project file lies beside the
+sources of the plan, the value is stored there, too. Everything is written in one run, which a single `undo` reverts. All front
+ends use this function: the command, the page, and any other.
 """
 
 from __future__ import annotations
@@ -45,9 +45,9 @@ from robosmi.transformations.queries.plan import open_choices
 from robosmi.typed import replaced
 
 ROLE = "role:"
-"""How the identity of a choice of a role begins."""
+"""Prefix of the identity of a choice about a component's role."""
 STAYS = "RS415"
-"""The rule that says that a choice is in the plan alone."""
+"""The rule for a choice that is stored in the plan only."""
 
 
 class Chosen(Generated):
@@ -67,7 +67,7 @@ class Chosen(Generated):
 
     @property
     def project_said(self) -> str:
-        """The project file that has the values, for persons; empty where there is none."""
+        """The project file that was updated, as a text for persons; empty if there is none."""
         return said_place(self.project) if self.project is not None else ""
 
     def result(self) -> dict[str, Any]:
@@ -162,7 +162,7 @@ def choose(
 
 
 def _as_stored(folder: Path, models: MigrationModels) -> dict[str, bytes]:
-    """The models that no choice changes, as a run has stored them: that of the code is the longest of all."""
+    """The stored bytes of the models that choices do not change; serializing the code model takes longest."""
     wanted = {str(entry.path): str(entry.digest) for entry in models.plan.inputs if entry.path in (CODE, HARDWARE)}
     places = Places(folder)
     found = {name: places.read(f"{FOLDER}/{name}") or b"" for name in wanted}
@@ -173,7 +173,7 @@ def _hold(folder: Path, data: bytes, seen: str | None) -> None:
     """Make sure that the plan is the one that the person has seen.
 
     Raises:
-        StoppedError: it is another.
+        StoppedError: the plan has changed since.
     """
     if seen is not None and digest(data) != seen:
         raise StoppedError(
@@ -183,7 +183,7 @@ def _hold(folder: Path, data: bytes, seen: str | None) -> None:
 
 
 def _roles(folder: Path, answers: Mapping[str, str], *, seen: str | None, dry_run: bool) -> Chosen:
-    """Say what components are for. That is read with the drawing, so the program is migrated again as it was last.
+    """Set the roles of components. They are read with the drawing, so the last migration is repeated.
 
     Raises:
         UsageError: there is no such component or role, or pins are chosen with it.
@@ -225,7 +225,7 @@ def _roles(folder: Path, answers: Mapping[str, str], *, seen: str | None, dry_ru
 
 
 def decide(plan: migration.MigrationPlan, choice: Choice, value: str, why: str = "") -> None:
-    """Let a person make one choice of a plan; its texts follow when the plan is settled.
+    """Make a person's choice of one decision in a plan; texts are updated when the plan is settled.
 
     Raises:
         UsageError: there is no such value.
@@ -249,7 +249,7 @@ def decide(plan: migration.MigrationPlan, choice: Choice, value: str, why: str =
 
 
 def _release(plan: migration.MigrationPlan, binding: migration.PortBinding) -> None:
-    """Open the ports again that a rule has bound to the pin which a person gives another port, as a new migration would."""
+    """Reopen the ports that a rule has bound to a pin which a person now gives another port, as a new migration would."""
     for other in plan.portBindings:
         if other is not binding and other.pin is binding.pin and other.chosenBy is migration.ChosenBy.rule:
             bind_by_hand(other, "", (), plan.board)  # type: ignore[arg-type]
@@ -258,7 +258,7 @@ def _release(plan: migration.MigrationPlan, binding: migration.PortBinding) -> N
 
 
 def _library(plan: migration.MigrationPlan, name: str) -> Any:
-    """The library of that name in the plan, which it gets from the index where it has none.
+    """The library element of a name in the plan, added from the library index if it is missing.
 
     Raises:
         UsageError: no library has that name.
@@ -279,7 +279,7 @@ def _library(plan: migration.MigrationPlan, name: str) -> Any:
 
 
 def _project_change(models: MigrationModels, chosen: Mapping[str, str], folder: Path, settings: Project) -> ProjectChange:
-    """The project file of a folder with what was chosen, and why it stays as it is where it has to."""
+    """The changed project file of a folder with the choices, and the reason if it has to stay unchanged."""
     entries: dict[str, dict[str, str | None]] = {}
     for identity, value in chosen.items():
         decision = the_choice(models.plan, identity).decision
@@ -295,7 +295,7 @@ def _project_change(models: MigrationModels, chosen: Mapping[str, str], folder: 
 
 
 def names_of(decision: migration.Decision) -> tuple[str, ...]:
-    """All names that a project file may call the subject of a choice by."""
+    """All names by which a project file may refer to the subject of a decision."""
     if isinstance(decision, migration.PortBinding):
         return (str(decision.name), *(str(each) for each in decision.names))
     component = decision.component if isinstance(decision, migration.LibraryChoice) else None
@@ -303,7 +303,7 @@ def names_of(decision: migration.Decision) -> tuple[str, ...]:
 
 
 def _stays(folder: Path, reason: str, *, known: bool) -> Finding:
-    """Says that a choice is in the plan alone; `known` where the project file is known and only not to be written."""
+    """The finding that a choice is stored in the plan only; `known` if the project file is known but cannot be written."""
     message = f"the choice is in the plan alone, not in {FILE_NAME}: {reason}"
     way = "make it writable and choose again" if known else "give --source FILE, or migrate again from the sources"
     fix = f"{way}; the choice is taken over from the plan"
@@ -311,6 +311,6 @@ def _stays(folder: Path, reason: str, *, known: bool) -> Finding:
 
 
 def command_for(output: Path, chosen: Mapping[str, str], why: str = "") -> str:
-    """What to type for the same choice."""
+    """The command line that makes the same choice."""
     words = ["robosmi", "choose", str(output), *(f"{identity}={value}" for identity, value in chosen.items())]
     return shlex.join([*words, *(["--why", why] if why else [])])

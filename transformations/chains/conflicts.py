@@ -1,7 +1,7 @@
-"""Edits of persons that cannot be merged with what is made anew, as tasks of the plan, so that the report shows them.
+"""Turns edits that could not be merged into tasks of the plan, so that the report shows them.
 
-The merge marks a conflict in its file (`generate.keep`). Here the marks are read again, those of earlier runs too, which
-stand there until somebody decides.
+The merge marks a conflict in the file (`generate.keep`). Here the marks are read back, including those of earlier runs, which
+remain until a person resolves them.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from robosmi.metamodels import migration
 from robosmi.transformations.chains.by_hand import REPORT
 
 RULE = "RS511"
-"""Of edits and made texts that change the same lines."""
+"""The rule for edits of lines that the generated text changes, too."""
 _MARKS = tuple(mark.strip().encode() for mark in (YOURS, BASE, GENERATED))
 _ORDER = (BASE, MIDDLE, GENERATED)
 
 
 def show_conflicts(plan: migration.MigrationPlan, files: Mapping[str, bytes], made: Mapping[str, str]) -> bool:
-    """Make the plan's tasks about conflicts those that the files have; whether anything changed.
+    """Replace the plan's tasks about conflicts by those found in the files; returns whether anything changed.
 
     Args:
         plan: the plan.
@@ -47,7 +47,7 @@ def _key(task: migration.PlanTask) -> tuple[str, int, tuple[str, ...]]:
 
 
 def _tasks(name: str, text: str, made: str) -> Iterator[migration.PlanTask]:
-    """The conflicts that are marked in a text; marks that a program itself contains are none."""
+    """The conflicts marked in a text, without marks that are part of the program itself."""
     if any(mark in made for mark in (YOURS, *_ORDER)):
         return
     lines = text.replace("\r\n", "\n").splitlines(keepends=True)

@@ -1,7 +1,4 @@
-"""The constraints of a metamodel: the built-in ones and those of every plug-in, as one module.
-
-What they check is theirs; which models are checked is `check`'s and `migrate`'s business.
-"""
+"""Collects the constraints of a metamodel, built-in ones and those of every plug-in, into one module."""
 
 from __future__ import annotations
 
@@ -17,11 +14,11 @@ from robosmi.typed import class_name
 from robosmi.validate import EVL
 
 KIND = "constraints"
-"""The registry's kind of constraints; the name is a metamodel's, the value an `EVL`. All of one name add up."""
+"""The registry's kind for constraints: the name is a metamodel's, the value an `EVL`; all of one name are combined."""
 
 
 def constraints_of(metamodel: str) -> EVL:
-    """All constraints that are registered for a metamodel; none are an empty module.
+    """All constraints registered for a metamodel; an empty module if there are none.
 
     Args:
         metamodel: its name (`migration`).
@@ -34,7 +31,7 @@ def constraints_of(metamodel: str) -> EVL:
 
 
 def added_findings(plan: migration.MigrationPlan) -> list[Finding]:
-    """What the constraints of plug-ins find in a plan and its models; nothing where no plug-in has any.
+    """The findings of plug-ins' constraints on a plan and its models.
 
     Args:
         plan: the plan, with its findings so far.
@@ -49,7 +46,7 @@ def added_findings(plan: migration.MigrationPlan) -> list[Finding]:
 
 
 def added_hardware_findings(circuit: hardware.Circuit) -> list[Finding]:
-    """What the constraints of plug-ins find in a drawing; nothing where no plug-in has any.
+    """The findings of plug-ins' constraints on a drawing.
 
     Args:
         circuit: what is drawn.
@@ -84,7 +81,7 @@ def _together(offered: Sequence[tuple[EVL, str]]) -> EVL:
 
 
 def _refuse_faults(offered: Sequence[tuple[EVL, str]]) -> None:
-    """Refuse what is no EVL, and an id that a built-in rule or another constraint has, whatever its metamodel is."""
+    """Refuse an offer that is no EVL, or has the id of a built-in rule or of another constraint."""
     if not any(owner for _, owner in offered):
         return
     from robosmi.report.rules import built_in_rules  # few have plug-ins

@@ -19,15 +19,15 @@ from robosmi.transformations.queries.circuit import of_board, the_board
 
 
 class StoredDrawing(Struct, frozen=True):
-    """A drawing that was read and mapped, and whose circuit has the path of its copy.
+    """A drawing that was read and mapped, whose circuit refers to the stored copy.
 
     Attributes:
         hardware: the circuit, its board component, the connections.
         board: the board's model.
         given: path of the file as given.
         copy: path of its copy, relative to the models' folder.
-        files: the bytes of the drawing and of its companions, each with the path of its copy.
-        findings: what is odd about it.
+        files: bytes of the drawing and of its companion files, each with the path of its copy.
+        findings: the findings about the drawing.
     """
 
     hardware: Hardware
@@ -66,7 +66,7 @@ def stored_drawing(path: Path, roles: Mapping[str, str], target: TargetFacts) ->
 
 
 def _board_of(drawing: Drawing) -> hw.Component:
-    """The board that programs are moved to.
+    """The single board of a drawing; if there is none, the error repeats the reader's explanation, if it gave one.
 
     Raises:
         SourceError: there is none, or more than one; in the words of the reader where it has told why.
@@ -82,7 +82,7 @@ def _tool(component: hw.Component) -> str:
 
 
 def _checked(component: hw.Component, board: platform.Board | None, facts: TargetFacts, path: Path) -> platform.Board:
-    """The drawn board, which is refused if nothing is known of it or it is not the target's.
+    """The drawn board, if it is known and is the target's.
 
     Raises:
         SourceError: it is one of these.

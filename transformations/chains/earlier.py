@@ -1,4 +1,4 @@
-"""Earlier choices for a target, and what a run says when they cannot be used: it goes on as if nothing had been chosen before."""
+"""Earlier choices for a target; if the history cannot be used, the run continues as if it were empty, and reports that."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from robosmi.transformations.knowledge.target_platform import TargetFacts, takes
 
 
 def earlier_choices(place: str | None, target: TargetFacts) -> ForgivingHistory:
-    """What was chosen before for a target; where that is nothing, for targets that take the same libraries.
+    """The earlier choices for a target, or, if there are none, for targets that use the same libraries.
 
     Args:
         place: a file or a URL; the user's own history if None.

@@ -1,7 +1,6 @@
-"""What a person has edited in the stored plan of an output folder: choices alone, which the next run makes as well, or more.
+"""Determines whether a person has edited only choices in the stored plan, which the next run adopts, or more.
 
-The texts are compared, so that a plan which cannot be loaded is told apart, too. What the choices are is
-`m2m.stored_choices`'s business.
+The texts are compared, so that this also works for a plan that cannot be loaded. The choices are read by `m2m.stored_choices`.
 """
 
 from __future__ import annotations
@@ -17,17 +16,17 @@ from robosmi.transformations.chains.models import FOLDER, PLAN
 from robosmi.transformations.t2m.guarded_xml import parse_xml
 
 STORED = f"{FOLDER}/{PLAN}"
-"""The plan, relative to the output folder."""
+"""Path of the plan, relative to the output folder."""
 _DECISIONS = ("portBindings", "libraryChoices")
 _CHOSEN = ("choice", "chosenBy", "chosenAt", "confidence", "open", "connection", "pin", "chosen", "evidence")
-"""What of such a decision says what is chosen, by whom, when and why."""
+"""The attributes of a decision that record what was chosen, by whom, when and why."""
 
 _LOOSE = "//text()[preceding-sibling::* or normalize-space(.) != string(.)]"
-"""Texts that may have blanks around them, and those behind elements."""
+"""Text between elements, and text that may have surrounding blanks."""
 
 
 def beside_choices(plan: bytes) -> str:
-    """The digest of a stored plan without the choices of pins and libraries; empty where it has no canonical form."""
+    """The digest of a stored plan without its choices of pins and libraries; empty if the plan has no canonical form."""
     try:
         root = parse_xml(plan, PLAN, PLAN, tool="EMF", blanks=False)
     except SourceError:
@@ -53,7 +52,7 @@ def beside_choices(plan: bytes) -> str:
 
 
 def only_choices_differ(manifest: Manifest, name: str, data: bytes | None) -> bool:
-    """Whether a file is as the last run wrote it, or is the stored plan with other choices and nothing else."""
+    """Whether a file is unchanged since the last run, or is the stored plan with only its choices edited."""
     if data is None or manifest.files.get(name) == digest(data):
         return data is not None
     return name == STORED and bool(manifest.beside_choices) and manifest.beside_choices == beside_choices(data)

@@ -49,7 +49,7 @@ def generate(
 
 
 def _loaded(plan: Path, dry_run: bool) -> MigrationModels:
-    """The models of a plan that lies elsewhere, read while no run is writing there; that folder is not written."""
+    """Load a plan from its folder while no other run is writing there; that folder is not changed."""
     place = Path(os.path.realpath(plan)).parent.parent  # which no link that leads to itself stops
     with nullcontext() if dry_run else alone(place):
         look_only(place)
@@ -59,7 +59,7 @@ def _loaded(plan: Path, dry_run: bool) -> MigrationModels:
 
 
 def _bring_in_line(models: MigrationModels) -> None:
-    """Refuse a plan that contradicts itself, and let its tasks and findings follow from its decisions."""
+    """Refuse an inconsistent plan, and derive its tasks and findings anew from its decisions."""
     refuse_nonsense(models.plan)
     settle(models.plan, models.files)
     renew_findings(models.plan, words=False)

@@ -1,4 +1,4 @@
-"""The chain `hardware`: a drawing to its hardware model, and which board pin drives what."""
+"""The chain `hardware`: reads a drawing into its hardware model and determines which board pin drives what."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class HardwareAnalysis(Struct, frozen=True):
     findings: list[Finding]
 
     def lines(self) -> list[str]:
-        """What a person reads: the components with their roles, what only passes a signal on, and the wiring table."""
+        """The text for a person: the components with their roles, parts that only pass a signal on, and the wiring table."""
         drawn = boards(self.circuit)
         titles = ", ".join(b.title for b in drawn)
         shown = [c for c in self.circuit.components if c.role not in (hw.Role.Decoration, hw.Role.Passive)]
@@ -51,13 +51,13 @@ class HardwareAnalysis(Struct, frozen=True):
         return [*lines, "", *table(("pin", "name", "signal", "wired to", "through"), wires)]
 
     def picture(self) -> str:
-        """The circuit as SVG, with the findings where they belong."""
+        """The circuit as SVG, with the findings at their places."""
         from robosmi.transformations.m2t.circuit_picture import svg  # wanted with --svg only
 
         return svg(self.circuit, self.findings)
 
     def pin_table(self, target: Path) -> str:
-        """The connections as a pin table, in the form that the file's ending says.
+        """The connections as a pin table, in the format that the file's ending selects.
 
         Raises:
             UsageError: the ending is none of a pin table.
@@ -73,7 +73,7 @@ class HardwareAnalysis(Struct, frozen=True):
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
-    """Lines of a table for a terminal, columns as wide as they have to be; the last one is not filled up."""
+    """The lines of a table for a terminal, with columns as wide as necessary; the last column is not padded."""
     cells = [[" ".join(cell.split()) for cell in row] for row in (head, *rows)]
     widths = [min(max(len(row[column]) for row in cells), 48) for column in range(len(head))]
     return [("  " + "  ".join(cell.ljust(width) for cell, width in paired(row, widths))).rstrip() for row in cells]
@@ -84,7 +84,7 @@ def _title(component: hw.Component) -> str:
 
 
 def _wire(connection: migration.Connection, several: bool) -> tuple[str, str, str, str, str]:
-    """A row of the wiring table; of several boards the pin says which is meant."""
+    """A row of the wiring table; if there are several boards, the pin names the board."""
     board = connection.boardConnectors[0].component if connection.boardConnectors else None
     component = connection.component
     names = ", ".join(filter(None, told_names(connection.connectors)))

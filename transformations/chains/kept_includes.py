@@ -1,7 +1,7 @@
-"""Includes that nothing made needs any more, and that what a person has written beside them still does.
+"""Finds includes that the generated program no longer needs but a person's code still uses.
 
-A library leaves the program with its component. A body that uses it stays, so its header has to stay, too. Texts alone are looked
-at, with what the library index knows of headers.
+A library disappears from the program with its component. If a person's body that uses it stays, its header has to stay, too.
+Only texts are examined, with the library index's knowledge of headers.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from robosmi.transformations.knowledge.library_ranking import libraries_by_heade
 from robosmi.transformations.queries.written_bodies import AS_BYTES
 
 _MOST = 8
-"""Libraries with a header of one name that are looked at; the likeliest go first."""
+"""Limit on the libraries examined for one header name; the likeliest come first."""
 _INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)[>\"].*$", re.MULTILINE)
 
 
 def needed_still(texts: Mapping[str, tuple[str, str, str]], platform: str) -> dict[str, list[str]]:
-    """The headers that are made no more and are still needed: header -> the names that a person uses of it, in their order.
+    """The headers that are no longer generated but still needed: header -> the person's names that come from it, in order.
 
     Args:
         texts: path of a file of code -> the text that was made last, the one that is there, the one that is made anew.
@@ -63,7 +63,7 @@ def without_includes(text: str, headers: Mapping[str, list[str]], made: str) -> 
 
 
 def _leaving(last: str, there: str, made: str) -> list[str]:
-    """The headers that a text included, still includes, and that are not made for it any more."""
+    """The headers that a text includes, now and when it was last generated, and that are no longer generated."""
     before, now = set(_included(last)), set(_included(made))
     return [header for header in _included(there) if header in before - now]
 
@@ -78,7 +78,7 @@ def _names(text: str) -> list[str]:
 
 
 def _offered(header: str, platform: str) -> set[str]:
-    """The names that the libraries with a header give a program; empty where the index knows none."""
+    """The names that libraries with this header declare; empty if the index knows none."""
     found = set[str]()
     try:
         libraries = libraries_by_header(header.rpartition("/")[2], platform)

@@ -1,7 +1,7 @@
-"""The chains `libraries import` and `libraries show`: installed libraries into the user's own index, and what one offers.
+"""The chains `libraries import` and `libraries show`: adds installed libraries to the user's index, and shows a library's API.
 
-Ranking reads the user's index beside the shipped one. The facts read are kept beside it (`installed.jsonl.gz`), so that a
-second import adds to the first; a library that is read again replaces what was known of it.
+The ranking uses the user's index together with the shipped one. The imported facts are kept beside it (`installed.jsonl.gz`),
+so that a second import adds to the first; a library that is imported again replaces its earlier facts.
 """
 
 from __future__ import annotations
@@ -105,7 +105,7 @@ def import_libraries(folder: Path, platform: str) -> Imported:
 
 
 def _rows(facts: Path) -> list[LibraryRow]:
-    """Facts of earlier imports; a file that is damaged is started anew, since importing again makes it."""
+    """The facts of earlier imports; a damaged file counts as empty, since importing again restores it."""
     try:
         with packed_lines(facts) as lines:
             rows = [json_of(line) for line in lines]

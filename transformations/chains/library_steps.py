@@ -15,7 +15,7 @@ from robosmi.transformations.m2m.migration_plan import LibrariesSaid, decide_lib
 
 
 def ranker(target: TargetFacts) -> Ranker | None:
-    """What ranks libraries; None for a target that has none."""
+    """The ranker of libraries; None for a target without libraries."""
     if not target.libraries:
         return None
     made: Ranker = content("ranker", default_text("rank", "ranker"))(target.libraries, architecture=target.architecture)

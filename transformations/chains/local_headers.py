@@ -1,9 +1,9 @@
-"""Headers of the program's own that lie beside it: they are read with it, stored with it and carried over with it.
+"""Finds the program's own headers, which are read, stored and carried over with it.
 
-Found are those that a source file, or such a header, includes and that no platform provides, files with code (`.c`) too; where
-they are looked for is what a C compiler does: beside the including file, then in the folders given. A header that lies there
-under the name of one of the platform's is the program's own where its sources define most of the functions that the platform's
-declares, as those of a library do; else it is a copy of the platform's.
+They are the headers, and included `.c` files, that a source file or another such header includes and that no platform provides.
+They are searched like by a C compiler: beside the including file, then in the given folders. A header with the name of a
+platform header is the program's own if its sources define most of the functions that the platform's header declares, as the
+sources of a library do; else it is a copy of the platform's.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ from robosmi.transformations.queries.source_text import INCLUDED
 from robosmi.typed import sum_of
 
 OUTSIDE = "RS113"
-"""The rule of a header that is taken from outside of a program's folders."""
+"""The rule for a header that is taken from outside of the program's folders."""
 _INCLUDE = re.compile(r'#\s*include\s*[<"]([^>"\n]+)[>"]')
 
 
 def with_headers(paths: Sequence[Path], include_dirs: Sequence[Path], api: ApiIndex) -> list[Path]:
-    """The files of a program and behind them the headers of its own that they reach.
+    """The files of a program, followed by its own headers that they include directly or indirectly.
 
     Args:
         paths: the source files.
@@ -70,12 +70,12 @@ def from_outside(headers: Iterable[Path], folders: Iterable[Path]) -> list[Findi
 
 
 def _written(functions: Collection[str], defined: Collection[str]) -> bool:
-    """Whether most of a header's functions are defined."""
+    """Whether most of a header's functions are defined in the program."""
     return 2 * sum_of(name in defined for name in functions) > len(functions)
 
 
 def _defined(paths: Sequence[Path]) -> set[str]:
-    """The names of the functions that source files define: what stands before a list in parentheses and a body."""
+    """The names of the functions that source files define: names before a parameter list and a body."""
     found: set[str] = set()
     for path in paths:
         depth, name, before = 0, "", ""
@@ -92,7 +92,7 @@ def _defined(paths: Sequence[Path]) -> set[str]:
 
 
 def _read(path: Path) -> bytes:
-    """The bytes of a file; none of one that cannot be read, which its reader reports."""
+    """The bytes of a file; empty if it cannot be read, which its reader reports."""
     try:
         return inputs.read_bytes(path, inputs.SOURCE)
     except OSError:

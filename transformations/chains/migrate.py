@@ -64,7 +64,7 @@ GIVEN = (
     "files", "project", "hardware", "target_name", "source_platform", "include_dirs", "defines", "libraries", "bind", "history",
     "adapters", "widths",
 )  # fmt: skip
-"""What a migration is told from outside; `migration_chain` says what each is used for."""
+"""The values that a migration gets from outside; `migration_chain` says what each is used for."""
 
 
 def migration_chain() -> Chain:
@@ -185,7 +185,7 @@ def judgement(
     widths: str | None,
     settings: Project,
 ) -> tuple[Dependence, Trace]:
-    """What happens to each element of the program (paper 3.1), which adapters fill its calls, and from what that was made.
+    """What happens to each element of the program (paper 3.1), and which adapters fill its calls.
 
     Raises:
         UsageError: adapters are neither filled nor placeholders.

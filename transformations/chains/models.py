@@ -1,7 +1,7 @@
-"""The models of one migration and how they are stored: a closed set of files in `OUT/models`, with copies of the sources.
+"""The models of one migration and their storage: a closed set of files in `OUT/models`, with copies of the sources.
 
-`MigrationModels` is what a migration is in memory. Stored, references between the files are relative, so the folder can
-be moved; read back, every source and model is held against its digest. No transformation is run here.
+`MigrationModels` holds a migration in memory. When stored, references between the files are relative, so the folder can be
+moved; when loaded, the digest of every source and model is verified. No transformation runs here.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ from robosmi.typed import class_name
 PLAN, CODE, HARDWARE, PLATFORM = "plan.xmi", "code.xmi", "hardware.xmi", "platform.xmi"
 FOLDER = "models"
 LAST = ".robosmi/generated"
-"""Where the texts that were made last are kept, beside the models."""
+"""The folder of the last generated texts, beside the models."""
 SKETCH_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_]*")
-"""What the name of a sketch, and so of its folder and files, may be made of."""
+"""The characters allowed in the name of a sketch, and so of its folder and files."""
 
 
 class MigrationModels(Struct):

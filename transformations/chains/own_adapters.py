@@ -1,7 +1,7 @@
-"""The adapter files of a migration, and whether those that a person keeps for themselves compile.
+"""Provides the adapter files of a migration, and checks that a person's own adapters compile.
 
-Built-in adapters were compiled when they were written. An own one is compiled alone, with what it needs, where the target's
-toolchain is installed; where it is not, `compile` tells later.
+Built-in adapters were compiled when they were written. An own one is compiled separately with the pieces it needs, if the
+target's toolchain is installed; otherwise errors appear at `compile`.
 """
 
 from __future__ import annotations
@@ -31,9 +31,9 @@ from robosmi.typed import distinct
 
 _UNKNOWN = re.compile(r"['‘](\w+)['’] (?:was not declared|undeclared)|implicit declaration of function ['‘](\w+)['’]")
 _MISSING_HEADER = "RS803"
-"""The rule of a header that the compiler does not find."""
+"""The rule for a header that the compiler does not find."""
 _FIRST_STATEMENT = 3
-"""So many lines behind the last of the pieces' text stands the first statement of `setup`."""
+"""Distance in lines from the end of the pieces' text to the first statement of `setup`."""
 _C_HEAD = """#include <{header}>
 #include <stdbool.h>
 #include <stddef.h>
@@ -45,15 +45,14 @@ _PROGRAMS = {
     "C": (_C_HEAD, "int main(void) {\n{setup}return 0; }\n", "check.c", "Makefile"),
     "C++": ("#include <{header}>\n", "void setup() {\n{setup}}\nvoid loop() {}\n", "check.ino", ""),
 }
-"""Language of a target -> what stands in front of and behind the pieces (with a line for each statement of `setup`), the file,
-and the project file that there has to be."""
+"""For each language of a target: the text before and after the pieces, the file name, and the required project file."""
 
 
 def adapter_files_of(settings: Project, target: TargetFacts, api: ApiIndex) -> AdapterIndex:
-    """The adapter files for a target, those beside the project file in front.
+    """The adapter files for a target, those beside the project file first.
 
     Raises:
-        PlatformDataError: one beside the project file is wrong; one that is misnamed would not be missed.
+        PlatformDataError: a file beside the project file is wrong or is named like no header, so that it would never be used.
     """
     beside = settings.path.parent if settings.path is not None else None
     index = adapter_index(target.platform, api.name, beside=beside, language=target.language)
@@ -62,7 +61,7 @@ def adapter_files_of(settings: Project, target: TargetFacts, api: ApiIndex) -> A
 
 
 def unread_adapters(settings: Project, folders: Iterable[Path]) -> list[Finding]:
-    """That a folder of adapter files lies beside a program and is not read, since no project file lies there.
+    """A warning about a folder of adapter files beside a program that is ignored because there is no project file.
 
     Args:
         settings: of the project.
@@ -106,10 +105,10 @@ def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platfo
 
 
 def _check_timers(own: Iterable[AdapterPiece], board: platform.Board) -> None:
-    """Refuse a timer that the board's microcontroller does not have.
+    """Refuse a timer that the board's microcontroller lacks.
 
     Raises:
-        PlatformDataError: at the piece; nothing would be known to share that timer.
+        PlatformDataError: at the piece; conflicts over such a timer could not be detected.
     """
     timers = [str(timer.name) for timer in board.microcontroller.timers] if board.microcontroller is not None else []
     for piece in own:
@@ -123,10 +122,10 @@ def _check_timers(own: Iterable[AdapterPiece], board: platform.Board) -> None:
 
 
 def _check_libraries(own: Iterable[AdapterPiece], choice: AdapterChoice, target: TargetFacts) -> None:
-    """Refuse a library that a piece declares and of which neither it nor what it needs includes a header.
+    """Refuse a declared library none of whose headers the piece, or a piece it needs, includes.
 
     Raises:
-        PlatformDataError: at the piece; the sketch would ask for a library that nothing in it uses.
+        PlatformDataError: at the piece; the sketch would require a library that it does not use.
     """
     for piece in own:
         needed = choice.pieces.needed([(piece.header, piece.name)], choice.mcu).pieces if piece.libraries else ()
@@ -144,7 +143,7 @@ def _check_libraries(own: Iterable[AdapterPiece], choice: AdapterChoice, target:
 
 
 def _check_results(own: Iterable[AdapterPiece], api: ApiIndex) -> None:
-    """Refuse a piece for a function that gives something back, which gives nothing, or the other way round.
+    """Refuse a piece that returns no value for a function that does, or the other way round.
 
     Raises:
         PlatformDataError: at the piece; calls that use the result would not compile.
@@ -165,7 +164,7 @@ def _gives_nothing(signature: str) -> bool:
 
 
 def _offering(header: str, target: TargetFacts) -> list[str]:
-    """The libraries that have a header, as it is included."""
+    """The libraries that provide an included header."""
     from robosmi.transformations.knowledge.library_ranking import libraries_by_header  # most programs have no own adapters
 
     if not target.libraries:
@@ -182,14 +181,14 @@ def _header_of(name: str, target: TargetFacts) -> str:
 
 
 def _bare(header: str) -> str:
-    """The name of a header's file, as an include or a path has it."""
+    """The file name of a header, given as in an include or as a path."""
     return header.strip().strip('<>"').rpartition("/")[2]
 
 
 def first_fault(
     own: Sequence[AdapterPiece], known: AdapterPieces, mcu: str, target: TargetFacts, board: platform.Board
 ) -> tuple[AdapterPiece, Finding] | None:
-    """The first of some pieces that does not compile with what it needs, and what the compiler says at its line.
+    """The first of some pieces that does not compile, and the compiler's message with its line.
 
     Args:
         own: the pieces.
@@ -227,7 +226,7 @@ def first_fault(
 def fault_of_saved(
     files: Mapping[Path, str], saved: Collection[tuple[str, str]], folder: Path, plan: migration.MigrationPlan
 ) -> tuple[str, str, str] | None:
-    """Compile bodies of a person before they are kept for later programs.
+    """Compile a person's adapter bodies before they are saved for later programs.
 
     Args:
         files: the adapter files as they would be written.
@@ -265,7 +264,7 @@ def _put(path: Path, text: str) -> None:
 
 
 def _errors(text: str, setup: Iterable[str], target: TargetFacts, board: platform.Board) -> list[Finding]:
-    """What the target's compiler says of a text of adapters; lines count from its first."""
+    """The compiler's errors for a text of adapters; lines count from its first line."""
     from robosmi.verify.toolchain import compile_sketch  # most programs have no own adapters
 
     head, tail, name, project = _PROGRAMS[target.language]
@@ -287,7 +286,7 @@ def _errors(text: str, setup: Iterable[str], target: TargetFacts, board: platfor
 
 
 def _piece_at(pieces: Sequence[AdapterPiece], text: str, line: int | None) -> tuple[AdapterPiece | None, int]:
-    """The piece to which a line of the text belongs, and the line in its own file."""
+    """The piece that contains a line of the text, and the corresponding line of the piece's file."""
     lines, at = text.split("\n"), 0
     for piece in pieces:
         own = piece.text.split("\n")
@@ -308,7 +307,7 @@ def _first_line(piece: AdapterPiece) -> int:
 
 
 def _fix(message: str, piece: AdapterPiece, pieces: AdapterPieces) -> str:
-    """What to do; where the name of another piece is missed, that it is needed."""
+    """The advice for an error; if another piece's name is missing, that the piece needs it."""
     missed = _UNKNOWN.search(message)
     name = next((each for each in missed.groups() if each), "") if missed is not None else ""
     key = pieces.key(name, piece.header) if name else None

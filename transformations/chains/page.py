@@ -1,7 +1,7 @@
-"""The page of an output folder's plan: its sections as HTML, and what a person does on it.
+"""The page of an output folder's plan: its sections as HTML, and a person's actions on it.
 
-It only edits what `choose`, `undo` and a run of `generate` edit, and reads what lies in the folder. Who may ask for it, and how
-it is served, is `robosmi.report.page_server`'s business.
+It edits only through `choose`, `undo` and `generate`, and reads only the output folder. Access and serving are handled by
+`robosmi.report.page_server`.
 """
 
 from __future__ import annotations
@@ -39,12 +39,12 @@ SECTIONS = {
     "works": "What works", "decide": "Decide", "write": "Write", "check": "Check", "code": "Side by side", "wiring": "Wiring",
     "verdict": "Verdict", "history": "History",
 }  # fmt: skip
-"""The sections in their order, and what they are called."""
+"""The sections in order, with their headings."""
 REPORT = "MIGRATION.md"
 Row = tuple[str, str, str, str]
-"""What is shown of a finding, or of a line of code."""
+"""The displayed form of a finding, or of a line of code."""
 Rows = tuple[str, tuple[Row, ...]]
-"""Rows that a browser lays out together, behind the name of their section."""
+"""Groups of rows that a browser lays out together, after the name of their section."""
 _CODE = (".ino", ".h", ".cpp", ".c")
 _POLICY = "default-src 'none'; img-src data:; style-src 'nonce-{nonce}'; script-src 'nonce-{nonce}'; base-uri 'none'"
 _LONGEST = 300
@@ -134,7 +134,7 @@ class PlanPage:
         }  # fmt: skip
 
     def _do(self, what: str, about: Mapping[str, Json], shown: str) -> tuple[str, str, str]:
-        """Do it; what is said of it, the command for the same, and the diff."""
+        """Perform the action; returns the message, the equivalent command, and the diff."""
         if what == "choose":
             identity, value, why = (str(about.get(name, "")) for name in ("id", "value", "why"))
             if not identity or max(len(identity), len(value), len(why)) > _LONGEST:
@@ -162,7 +162,7 @@ class PlanPage:
         raise UsageError(f"the page asks for '{what}', which there is not", fix="load the page again")
 
     def _read(self, folder: Path, now: str) -> MigrationModels:
-        """The models that a folder whose plan has that digest holds: those of the page, once, where the files are theirs."""
+        """The models of a folder whose plan has this digest; cached by the page while the files are unchanged."""
         held, self._held = self._held, None
         if held is None or self.plan != now:
             return stored_models(folder)
@@ -173,7 +173,7 @@ class PlanPage:
         return held
 
     def _tick(self, key: str, *, done: bool) -> None:
-        """Tick something on the bench's list in the report, and let the plan know."""
+        """Tick an item of the report's list for the bench, and record it in the plan."""
         models = stored_models(self.output)
         places, name = Places(self.output), f"{models.plan.name}/{REPORT}"
         text = (places.look(name) or b"").decode("utf-8", AS_BYTES)
@@ -186,7 +186,7 @@ class PlanPage:
         generate(self.output / STORED, self.output)
 
     def _make(self, models: MigrationModels, *, live: bool = True, known: Counted | None = None) -> None:
-        """The sections of a plan as it is stored, of which the run that stored it may have counted what is `known`."""
+        """Render the sections of a stored plan; `known` are the counts of the run that stored it."""
         plan, files = models.plan, models.files
         self._held = models
         self._take_ticks(plan)
@@ -223,14 +223,14 @@ class PlanPage:
         self.plan = self.now()
 
     def _written(self, name: str, rows: Sequence[Row]) -> str:
-        """Rows of a section as HTML: as they were written for the page that was shown, where they are the same."""
+        """The rows of a section as HTML, reusing the HTML of unchanged rows."""
         key = name, tuple(rows)
         text = self._shown.get(key) or str(self._templates.text("rows.html.j2", name=name, rows=rows))
         self._rows[key] = text
         return text
 
     def _take_ticks(self, plan: migration.MigrationPlan) -> None:
-        """Let what is ticked in the report as it now stands count as done, also where no run has seen it yet."""
+        """Mark tasks as done that are ticked in the current report, even if no run has processed it yet."""
         there = Places(self.output).read(f"{plan.name}/{REPORT}")
         listed = {tick.key: tick.done for tick in ticks((there or b"").decode("utf-8", AS_BYTES))}
         for task in (*plan.tasks, *plan.checks):
@@ -246,7 +246,7 @@ class PlanPage:
 
 
 def changed(before: str, after: str) -> str | list[tuple[int, str]]:
-    """What of a section has changed: its pieces that have, by their places; the whole text if anything around them has."""
+    """The changed part of a section: its changed pieces by their indices, or the whole text if anything around them changed."""
     (around, inside), (new_around, new_inside) = _pieces(before), _pieces(after)
     if around != new_around:
         return after
@@ -254,7 +254,7 @@ def changed(before: str, after: str) -> str | list[tuple[int, str]]:
 
 
 def _pieces(section: str) -> tuple[list[str], list[str]]:
-    """The text around the pieces of a section, and that inside of each; what is shown of a plan has no tags."""
+    """Split a section into the text around its pieces and the content of each; displayed text contains no tags."""
     first, *rest = section.split("<div data-piece")
     around, inside = [first], list[str]()
     for piece in rest:
@@ -266,7 +266,7 @@ def _pieces(section: str) -> tuple[list[str], list[str]]:
 
 
 def report_page(output: Path, nonce: str) -> str:
-    """The page of an output folder to be read without a server.
+    """The page of an output folder for reading without a server.
 
     Raises:
         SourceError, ModelError: it holds no plan, or one that cannot be read.
@@ -282,12 +282,12 @@ def _told(error: RobosmiError) -> str:
 
 
 def _built_in() -> dict[str, str]:
-    """The templates of this package alone: none of the folder that the page is about is ever run."""
+    """The built-in templates only: a template of the folder that the page is about is never run."""
     return {name: _text(name) for name in ("page.html.j2", "section.html.j2", "rows.html.j2")}
 
 
 def _head(live: bool, nonce: str) -> str:
-    """The style of the page, and for a file, which no server sends, what a browser may run and load for it."""
+    """The page's style, and, for a page that is not served, the content security policy."""
     policy = f'<meta http-equiv="Content-Security-Policy" content="{_POLICY.format(nonce=nonce)}">'
     return f'{"" if live else policy}<style nonce="{nonce}">\n{_text("page.css")}</style>'
 

@@ -116,7 +116,7 @@ def _base(name: str, like: str | None) -> ApiIndex:
 
 
 def _counts(entry: HeaderContent) -> dict[str, int]:
-    """How much of each kind a header declares."""
+    """The number of declarations of each kind in a header."""
     return {
         "functions": len(entry.get("functions", {})),
         "macros": len(entry.get("macros", {})),
@@ -172,7 +172,7 @@ def _key(key: str) -> str:
 
 
 def _value(value: Any) -> str:
-    """A TOML value; what settings are made of: texts, numbers, booleans, lists and tables of these."""
+    """A TOML value made of the types that settings have: texts, numbers, booleans, lists and tables."""
     if isinstance(value, dict):
         return "{ " + ", ".join(f"{_key(k)} = {_value(v)}" for k, v in value.items()) + " }"
     if isinstance(value, (list, tuple)):

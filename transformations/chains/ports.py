@@ -1,4 +1,4 @@
-"""The steps of `migrate` about ports: which the program has, how their numbers flow, and which pin each becomes."""
+"""The steps of `migrate` about ports: finds the program's ports and the flow of their numbers, and binds them to pins."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from robosmi.transformations.queries.split_wires import split_functions
 
 
 def ports(program: StoredProgram) -> ProgramPorts:
-    """The ports of the program, and how their numbers flow to the functions that take them."""
+    """The ports of the program, and the data flow of their numbers to the functions that use them."""
     return program_ports(program.views, port_flows(program.views, program.copies))
 
 
@@ -35,7 +35,7 @@ def bindings(
     settings: Project,
     stored: StoredChoices | None,
 ) -> list[migration.PortBinding]:
-    """Which connection each port of the program becomes; flags go before the project file, and that before the stored plan.
+    """Bind each port of the program to a connection; flags precede the project file, and that precedes the stored plan.
 
     Raises:
         UsageError: a name is no port of the program, one port is bound to two pins, or a pin is none of the board.
@@ -51,6 +51,6 @@ def bindings(
 
 
 def pins_to_choose(plan: migration.MigrationPlan) -> list[str]:
-    """What a port may be bound to: pins of the board by all their names, and connections."""
+    """The possible values of a binding: all names of the board's pins, and connections."""
     pins = [name for pin in (plan.board.pins if plan.board is not None else []) for name in (pin.label, *pin.aliases)]
     return [*pins, *(connection.name for connection in plan.connections)]

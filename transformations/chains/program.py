@@ -1,4 +1,4 @@
-"""The program's side of a migration: its files, its code model as it is stored, and what is found in the sources alone."""
+"""The program's side of a migration: its files, its stored code model, and the findings in the sources alone."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from robosmi.typed import distinct
 
 
 class ProgramFiles(Struct, frozen=True):
-    """The files of one program, headers of its own behind the sources, how they are read, and what was left out of them."""
+    """The files of one program (sources, then its own headers), the options for reading them, and what was excluded."""
 
     paths: Sequence[Path]
     include_dirs: Sequence[Path]
@@ -89,7 +89,7 @@ def program_files(
 
 
 def _side_project(path: str) -> SideProject | None:
-    """What SimpleIDE's project file says that is given, or that lies beside a source and lists it; None for any other file.
+    """The content of a SimpleIDE project file that is given, or lies beside a source and lists it; None for any other file.
 
     Raises:
         SourceError: it cannot be read, or lists no source.
@@ -191,13 +191,11 @@ def _refuse_torn(main: ccode.Function) -> None:
 
 
 def _store_units(program: ccode.Program, taken: Collection[str]) -> dict[str, str]:
-    """Give units, and includes of them, the paths of their copies; path as given -> path of the copy.
+    """Set the paths of units and includes to those of their copies; returns path as given -> path of the copy.
 
-    A header that cannot keep its name gets `own_` before it, a further file of one name its number; no two differ only in capital
-    letters, which some file systems take for the same.
-
-    Include folders are then as seen from the first unit. A header that was found and is not copied, a platform's, keeps the name
-    by which it is included.
+    A header that cannot keep its name is prefixed with `own_`, a further file of the same name gets a number; no two names
+    differ only in case, since some file systems ignore it. Include folders are then relative to the first unit. A platform
+    header, which is found but not copied, keeps the name in its include.
     """
     places: dict[str, str] = {}
     used: set[str] = set()

@@ -1,8 +1,8 @@
-"""Which registered reader reads a file: a drawing by what it begins with, a program by its ending.
+"""Selects the registered reader for a file: a drawing by its content, a program by its ending.
 
-Endings are data (`[readers]` of defaults.toml, a name or a list of names; whole names of files go before them); what a file
-begins with is told by recognisers that drawing readers bring along. The ending of a drawing says which of them is asked first,
-and who refuses a file that none recognises. Nothing is read here but a drawing, to look at its first bytes.
+Endings are data (`[readers]` of defaults.toml, a name or a list of names; entries for whole file names take precedence).
+Recognisers that come with the drawing readers examine the first bytes of a file. The ending of a drawing determines which of
+them is asked first, and which reader refuses a file that none recognises.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ def reader_for(path: Path, kind: str, fallback: str | None = None) -> Offered:
 
 
 def is_drawing(path: Path) -> bool:
-    """Whether a file is a drawing: by its ending, or by what it begins with where the ending is that of no model either."""
+    """Whether a file is a drawing: by its ending, or, if the ending is not a model's either, by its content."""
     if _by_ending(path, DRAWING):
         return True
     return path.suffix.lower() not in registry().names("driver") and bool(_recognised(path, []))
@@ -71,7 +71,7 @@ def _by_ending(path: Path, kind: str) -> list[str]:
 
 
 def _check_names(path: Path) -> None:
-    """Refuse a reader's name that the data give for the file's ending and that is registered nowhere."""
+    """Raise an error if the data name a reader for the file's ending that is not registered."""
     known = {name for kind in (PROGRAM, DRAWING) for name in registry().names(kind)}
     for key in (path.name.lower(), path.suffix.lower()):
         for name in _listed(defaults()["readers"].get(key, ())):
@@ -88,10 +88,7 @@ def _listed(names: Json) -> list[str]:
 
 
 def _recognised(path: Path, first: list[str]) -> list[str]:
-    """The readers of drawings that take a file by what it begins with, those named first before all others.
-
-    Nothing is told of a file that cannot be read, which its reader says better.
-    """
+    """The drawing readers that recognise a file's content, the preferred ones first; empty if the file cannot be read."""
     try:
         head = inputs.read_bytes(path, inputs.DRAWING)[:HEAD]  # whole, so that its reader need not open it again
     except (OSError, ValueError):

@@ -1,4 +1,4 @@
-"""What several chains begin with: a program read and prepared for storing, a drawing read and mapped."""
+"""The first steps of several chains: reads a program and prepares it for storing, or reads a drawing and maps it."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from robosmi.typed import paired
 
 M = TypeVar("M")
 HEADERS_ONLY, NO_BOARD = "RS219", "RS229"
-"""Rules by which readers say that a schematic has no board: it seems to be drawn as headers, or there is none."""
+"""The readers' rules for a schematic without a board: it seems to be drawn as headers, or has none."""
 
 if TYPE_CHECKING:
     from robosmi.metamodels import ccode, hardware, migration, platform
@@ -55,7 +55,7 @@ def read_program(
 
 
 def check_source_platform(name: str) -> None:
-    """Refuse a source platform that nothing is known of.
+    """Refuse a source platform that the repository does not have.
 
     Raises:
         UsageError: there is none of that name.
@@ -115,7 +115,7 @@ def read_drawing(path: Path, roles: Mapping[str, str], board_name: str | None = 
 
 
 def _read(made: object, reader: Offered, kind: type[M], path: Path) -> tuple[M, list[Finding]]:
-    """What a reader gave, if it is what a reader has to give: a model of that kind, and findings."""
+    """The result of a reader, if it has the required form: a model of the given kind, and findings."""
     match made:
         case (model, [*given]) if isinstance(model, kind):
             findings = [each for each in given if isinstance(each, Finding)]

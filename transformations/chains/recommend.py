@@ -1,4 +1,4 @@
-"""The chain `recommend`: components, drawn or listed, to ranked libraries."""
+"""The chain `recommend`: ranks libraries for the components of a drawing or a list."""
 
 from __future__ import annotations
 

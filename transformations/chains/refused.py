@@ -1,4 +1,4 @@
-"""What a compiler refuses of a program that was just made, as findings of its plan: no report says "ready" above it."""
+"""Turns the compiler's errors on a generated program into findings of its plan, so that no report calls it ready."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from robosmi.transformations.t2m.c_source.refused_text import Refused, refused_t
 RULE = "RS337"
 _CODE = (".ino", ".cpp", ".h")
 _MOST = 10
-"""So many lines are told, at most."""
+"""Limit on the reported lines."""
 _TOLD_BEFORE = frozenset({"RS101", "RS312"})
 
 
 def tell_refused(plan: migration.MigrationPlan, texts: Mapping[str, str], sources: Mapping[str, bytes]) -> bool:
-    """RS337: bring what is said of refused lines in line with the texts that were made; whether the plan is another one now.
+    """RS337: update the findings about refused lines to the generated texts; returns whether the plan has changed.
 
     Args:
         plan: the plan.
@@ -62,7 +62,7 @@ def tell_refused(plan: migration.MigrationPlan, texts: Mapping[str, str], source
 
 
 def _place(refused: Refused, made: str, unit: ccode.SourceUnit | None, sources: Mapping[str, bytes]) -> Location | None:
-    """Where the source has the line: the one with its text that is nearest to where a line above it comes from."""
+    """The source line of a refused line: the one with the same text nearest to the origin of a line above it."""
     if unit is None:
         return None
     shown = [line.strip() for line in made.splitlines()]

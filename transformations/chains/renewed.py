@@ -1,7 +1,7 @@
-"""Findings of a stored plan that follow from its decisions, found anew when a decision was changed.
+"""Finds those findings of a stored plan anew that follow from its decisions, after a decision was changed.
 
-They are what `migrate` finds in a plan whose decisions are made: faults of the wiring with its libraries, and of ports. All other
-findings are those of reading, which the stored models were made by.
+They are the ones that `migrate` makes from a decided plan: faults of the wiring with its libraries, and of ports. All others
+come from reading the inputs, like the stored models.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from robosmi.transformations.queries.waiting_calls import ports_of_runs_bound
 
 
 def renew_findings(plan: migration.MigrationPlan, words: bool = True) -> None:
-    """Bring the findings of a plan in line with its decisions, in the place where they stood.
+    """Replace the findings of a plan that depend on its decisions, keeping their position in the list.
 
     Args:
         plan: the plan.
@@ -42,6 +42,6 @@ def renew_findings(plan: migration.MigrationPlan, words: bool = True) -> None:
 
 
 def _says(finding: migration.PlanFinding) -> tuple[object, ...]:
-    """All that `plan_findings` gives a finding."""
+    """The attributes that `plan_findings` sets on a finding."""
     about = [id(element) for element in finding.elements]
     return finding.rule, finding.severity, finding.message, finding.fix, finding.path, finding.line, finding.column, about

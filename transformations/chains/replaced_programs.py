@@ -1,4 +1,4 @@
-"""What a person is told where a program takes the place of another in an output folder."""
+"""Tells a person when a program replaces another one in an output folder."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from robosmi.transformations.m2t.program_files import BENCH
 
 
 def replaced_programs(output: Path, name: str, going: Iterable[str], contents: Iterable[str]) -> list[Finding]:
-    """What a person is told of sketches of other programs in this folder, whose files go or become this program's."""
+    """Findings about sketches of other programs in this folder, whose files are removed or replaced."""
     staying = {Path(path).name for path in contents}
     sources = sorted(Path(path).name for path in going if path.startswith(f"{FOLDER}/source/"))
     same = [each for each in sources if each.endswith(".c") and each not in staying and sketch_name_of(Path(each)) == name]

@@ -1,7 +1,7 @@
-"""The chain `simulate`: a generated program alone on a simulator: compiled, run, and what it did at its pins told.
+"""The chain `simulate`: compiles a generated program, runs it alone on a simulator, and reports what it does at its pins.
 
-With the models beside the program its components are at its pins, and a scenario says what they show; without them a scenario
-names pins. Nothing is written but the trace that was asked for.
+With the models beside the program its components are connected to its pins, and a scenario sets their values; without models a
+scenario names pins. Nothing is written except a requested trace.
 """
 
 from __future__ import annotations
@@ -33,11 +33,11 @@ from robosmi.verify.toolchain import compile_sketch
 from robosmi.verify.vcd import vcd_text
 
 CRASHED = "RS854"
-"""Rule of a program that ran into nothing."""
+"""The rule for a program that crashed."""
 SECONDS = 5.0
-"""How long a program runs unless told otherwise, in simulated seconds."""
+"""Default simulated time in seconds."""
 MOST_EVENTS = 10_000
-"""So many events are told at most; all of them are in the VCD."""
+"""Limit on the reported events; the VCD has all of them."""
 
 
 class Simulated(Struct):
@@ -89,7 +89,7 @@ class Simulated(Struct):
         }
 
     def lines(self) -> list[str]:
-        """What a person reads: the console, and each pin with how often it changed."""
+        """The text for a person: the console, and each pin with its number of changes."""
         trace = self.trace
         if trace is None:
             return [f"{'is too big' if self.compiled.ok else 'does not compile'} for {self.compiled.board}"]
@@ -116,12 +116,12 @@ class Simulated(Struct):
 
 
 def _shown(line: str) -> str:
-    """A line with characters that move a terminal's cursor, or do worse, as escapes."""
+    """A line with control characters replaced by escapes."""
     return "".join(each if each.isprintable() else each.encode("unicode_escape").decode("ascii") for each in line)
 
 
 def _told_by_devices(trace: PinTrace, ports: list[BoundPort]) -> list[str]:
-    """What each device noted last, and how often: a line for each kind of note."""
+    """A line for each kind of device note: the last one, and the count."""
     devices = devices_at(ports, target=True)
     last = {(event.device, event.what): event for event in trace.device_events}
     many = Counter((event.device, event.what) for event in trace.device_events)
@@ -133,7 +133,7 @@ def _told_by_devices(trace: PinTrace, ports: list[BoundPort]) -> list[str]:
 
 
 def _events(trace: PinTrace) -> list[dict[str, Any]]:
-    """The levels that the program drives and the waves that timers make, by time."""
+    """The levels that the program drives and the timers' waves, in order of time."""
     found: list[tuple[float, dict[str, Any]]] = [
         (c.at_us, {"t_us": round(c.at_us, 3), "pin": c.pin, "level": c.level}) for c in trace.changes if c.level in (0, 1)
     ]
@@ -192,7 +192,7 @@ def simulate(
 
 
 def plan_beside(output: Path) -> Path | None:
-    """The stored plan of a program: of the output folder, or of the one above the program's own."""
+    """The stored plan of a program, given its output folder or the program's own folder."""
     for folder in (output, output.parent, output.parent.parent):
         if (path := folder / "models" / "plan.xmi").is_file():
             return path
@@ -200,7 +200,7 @@ def plan_beside(output: Path) -> Path | None:
 
 
 def _bare(board: platform.Board, scenario: Scenario | None) -> list[BoundPort]:
-    """The pins that a scenario names, each with a voltage where its values are more than levels."""
+    """Devices for the pins that a scenario names: a voltage source where the values are more than levels."""
     found = []
     labels = {str(pin.label): pin for pin in board.pins}
     for name, settings in (scenario.signals if scenario is not None else {}).items():

@@ -1,7 +1,7 @@
-"""Where the sources of a migration lie, kept outside of its output folder, so that choices reach the project file beside them.
+"""Remembers, outside of the output folder, where a migration's sources are, so that choices reach the project file there.
 
-An output folder itself holds copies and no path of the machine. A place counts only as long as the files there are those that
-the plan was made from.
+An output folder itself contains copies and no path of the machine. A remembered place is used only while the files there are
+those that the plan was made from.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def last_run(output: Path) -> tuple[list[str], dict[str, Any]] | None:
 
 
 def project_folder(output: Path, plan: migration.MigrationPlan, source: Path | None = None) -> tuple[Path | None, str]:
-    """The folder of the program that a plan was made from, and why it is not known where there is None.
+    """The folder of the program that a plan was made from, or None and the reason why it is unknown.
 
     Args:
         output: the output folder.

@@ -1,4 +1,4 @@
-"""The step of a migration that keeps the widths of a program's numbers: expressions are read with types, and written wider."""
+"""The migration step that preserves the widths of a program's numbers: types expressions, and widens them where necessary."""
 
 from __future__ import annotations
 

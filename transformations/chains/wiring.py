@@ -1,7 +1,7 @@
-"""The chain `wiring`: the wiring that a migration has planned, handed back for another tool, as a table, or as a picture.
+"""The chain `wiring`: exports the wiring planned by a migration for another tool, as a table, or as a picture.
 
-It reads the plan and the models beside it, and the sketch as it now stands. Forms are registered (`wiring form`): functions that
-give files, or one file where the form is a file.
+It reads the plan, the models beside it, and the current sketch. Formats are registered (`wiring form`): functions that return
+files, or a single file.
 """
 
 from __future__ import annotations
@@ -32,16 +32,16 @@ from robosmi.transformations.m2t.wokwi_project import project_files
 from robosmi.transformations.queries.plan import ports_by_pin, said
 
 FORM = "wiring form"
-"""The registry's kind of forms: functions of `(models, OUT, path)` that give `Handed`."""
+"""The registry's kind for formats: functions of `(models, OUT, path)` that return `Handed`."""
 
 
 class Handed(Struct):
-    """A wiring as files of one form: a pin table, a picture or a folder for a simulator.
+    """A wiring exported in one format: a pin table, a picture or a folder for a simulator.
 
     Attributes:
-        files: relative path -> bytes; a form that is one file has it under an empty path.
-        kinds: the same paths -> kind of artifact.
-        findings: what could not be handed back, with what to do.
+        files: relative path -> bytes; a single file has an empty path.
+        kinds: relative path -> kind of artifact.
+        findings: what could not be exported, with what to do.
         result: further facts, JSON values.
     """
 
@@ -87,7 +87,7 @@ def wiring(output: Path, form: str, path: Path) -> Handed:
 
 
 def _check_free(folder: Path, files: Mapping[str, bytes]) -> None:
-    """Nothing that somebody may have edited is written over, and no link is replaced."""
+    """Make sure that no file that a person may have edited, and no link, is overwritten."""
     for name, data in files.items():
         refuse_link(folder / name)
         try:
@@ -109,7 +109,7 @@ def _check_free(folder: Path, files: Mapping[str, bytes]) -> None:
 
 
 def wokwi(models: MigrationModels, output: Path, path: Path) -> Handed:
-    """A folder for the Wokwi simulator: diagram, sketch, libraries; parts that Wokwi lacks are listed."""
+    """Export a folder for the Wokwi simulator: diagram, sketch, libraries; parts that Wokwi lacks are listed."""
     plan = models.plan
     drawn = wokwi_wiring(plan)
     source = Location(str(path))
@@ -138,7 +138,7 @@ def wokwi(models: MigrationModels, output: Path, path: Path) -> Handed:
 
 
 def _sketch(output: Path, name: str) -> dict[str, bytes]:
-    """The files of the sketch as they now stand; a link in the place of one, or one that leads out of the folder, is refused."""
+    """The current files of the sketch; links are refused."""
     place, places = Location(str(output / name)), Places(output)
     try:
         places.check_inside(name)
@@ -151,7 +151,7 @@ def _sketch(output: Path, name: str) -> dict[str, bytes]:
 
 
 def csv(models: MigrationModels, output: Path, path: Path) -> Handed:
-    """The pin table, which can be read again as a drawing."""
+    """Export the pin table, which can be read as a drawing again."""
     plan = models.plan
     connections, board = _connections(plan), plan.board.name if plan.board is not None else ""
     rests = rests_beyond_names(plan.circuit.components if plan.circuit is not None else ())
@@ -160,7 +160,7 @@ def csv(models: MigrationModels, output: Path, path: Path) -> Handed:
 
 
 def picture(models: MigrationModels, output: Path, path: Path) -> Handed:
-    """The picture (SVG), with the ports of the source at their pins and what is wrong at its place."""
+    """Export the picture (SVG), with the source's ports at their pins and the faults at their places."""
     plan = models.plan
     if plan.circuit is None:
         raise _no_drawing()

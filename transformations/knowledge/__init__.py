@@ -1,4 +1,4 @@
-"""What is known: the data of the platform repository as Python values, asked by readers, queries, rules and constraints alike.
+"""Domain knowledge: the data of the platform repository as Python values, used by readers, queries, rules and constraints.
 
-Nothing is read from a user's program or drawing here, and nothing is decided; this room imports no other of the content.
+Nothing here reads a user's program or drawing, and nothing is decided; this room imports no other room of the content.
 """

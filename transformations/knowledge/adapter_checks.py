@@ -1,7 +1,7 @@
-"""Whether the text of an adapter's piece is what its markers say: names, parameters, interrupts, brackets.
+"""Checks that the text of an adapter piece agrees with its markers: names, parameters, interrupts, brackets.
 
-Tokens are all that is looked at, so a file is judged without the target's headers and compiler. What a text needs of other
-pieces is asked of a compiler by the tests and by `robosmi adapters`.
+Only tokens are examined, so a file is checked without the target's headers and compiler. Whether a text compiles with the
+pieces it needs is checked by the tests and by `robosmi adapters`.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ _WORD = re.compile(r"\w+")
 _NOTHING = re.compile(r"(?:extern\s+|static\s+|inline\s+)*void\s+\w+\s*\(")
 _CLOSES = {")": "(", "]": "[", "}": "{"}
 Lines = Mapping[tuple[str, str], int]
-"""Key and value of each marker of a piece -> its line."""
+"""(key, value) of each marker of a piece -> its line."""
 
 
 def check_piece(piece: AdapterPiece, lines: Lines, text_line: int) -> None:
-    """Hold a piece's markers against its text.
+    """Check a piece's markers against its text.
 
     Args:
-        piece: as it was read.
-        lines: where its markers stand.
-        text_line: where its text begins.
+        piece: the piece as it was read.
+        lines: the lines of its markers.
+        text_line: the first line of its text.
 
     Raises:
         PlatformDataError: they contradict each other, or a bracket of the text is not closed.
@@ -64,7 +64,7 @@ def check_piece(piece: AdapterPiece, lines: Lines, text_line: int) -> None:
 
 
 def _brackets(piece: AdapterPiece, found: list[Token], text_line: int) -> None:
-    """Refuse a text whose brackets do not match; alternatives of the preprocessor may open one twice."""
+    """Refuse a text with unbalanced brackets. Texts with preprocessor conditions are not checked: branches may open one twice."""
     if any(kind == "directive" and re.match(r"#\s*if", text) for kind, *_, text in found):
         return
 
@@ -130,7 +130,7 @@ def _parameters(piece: AdapterPiece, found: list[Token], name: str, wrong: _Wron
 
 
 def _returns_nothing(found: list[Token], name: str) -> bool | None:
-    """Whether the first definition of a function begins with `void`; None where none is found, or it is a macro."""
+    """Whether the first definition of a function returns `void`; None if there is no definition, or it is a macro."""
     for at in range(1, len(found) - 1):
         if found[at][3] == name and found[at + 1][3] == "(":
             end = closing(found, at + 1) + 1
@@ -140,17 +140,17 @@ def _returns_nothing(found: list[Token], name: str) -> bool | None:
 
 
 def parameters_of(text: str, name: str) -> list[str]:
-    """The names of the parameters of a function that a text defines; an empty text for one without a name.
+    """The names of the parameters of a function that a text defines; empty texts for unnamed ones.
 
     Args:
         text: the text.
-        name: of the function; where it is not defined there are none.
+        name: the function's name; if it is not defined, the result is empty.
     """
     return next(_defined(tokens(text.encode()), name), [])
 
 
 def split_arguments(parameters: str) -> list[str]:
-    """Parameters as texts; none for `void` and for nothing."""
+    """Split a parameter list into its parameters; empty for `void` or an empty list."""
     depth, parts = 0, [""]
     for character in parameters:
         depth += (character in "(<[{") - (character in ")>]}")
@@ -163,7 +163,7 @@ def split_arguments(parameters: str) -> list[str]:
 
 
 def _defined(found: list[Token], name: str) -> Iterator[list[str]]:
-    """The names of the parameters of each definition of a function or macro; an empty text for one without a name."""
+    """The parameter names of each definition of a function or macro; empty texts for unnamed ones."""
     for at, (kind, _, _, text) in enumerate(found):
         if kind == "directive" and (macro := re.match(rf"#\s*define\s+{re.escape(name)}\(([^)]*)\)", text)):
             yield split_arguments(macro[1])
@@ -175,7 +175,7 @@ def _defined(found: list[Token], name: str) -> Iterator[list[str]]:
 
 
 def _names(inside: list[Token]) -> list[str]:
-    """The name of each parameter: its last word, or the one in the first parentheses of a pointer to a function."""
+    """The name of each parameter: its last word, or the one in the first parentheses of a function pointer."""
     parts: list[list[Token]] = [[]]
     depth = 0
     for token in (each for each in inside if each[0] != "comment"):

@@ -1,8 +1,8 @@
-"""Adapter files as built data: beside each file a JSON of the same name, so that no marker is parsed when a program is migrated.
+"""Precompiled adapter files: a JSON of the same name beside each file, so that a migration need not parse markers.
 
-`python -m robosmi.transformations.knowledge.adapter_data PLACE...` builds it, for all files of a folder or for the files that
-are given. Names in `needs` are complete there (`servo.h/servo_set`), so that what a piece needs is found without looking into
-further files. A file whose text is not the one that its data was built from, or that has none, is parsed: an edit counts at once.
+`python -m robosmi.transformations.knowledge.adapter_data PLACE...` builds it for the given files or for all files of a folder.
+Names in `needs` are fully qualified there (`servo.h/servo_set`), so that the needed pieces are found without reading further
+files. A file without JSON, or whose text differs from the one it was built from, is parsed: an edit takes effect at once.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from robosmi.transformations.knowledge.adapter_ranges import ArgumentRange
 from robosmi.typed import distinct, dynamic_attribute
 
 ENDINGS = (".cpp", ".c")
-"""Of adapter files, in C++ and in C."""
+"""Endings of adapter files, in C++ and in C."""
 _PARTS = {
     "pins": AdapterPin,
     "ports": ConventionalPort,
@@ -42,17 +42,17 @@ _PARTS = {
     "ranges": ArgumentRange,
 }
 _PLAIN = AdapterPiece("", "", "", Location(""))
-"""A piece without anything that need not be said: what equals its values is not written."""
+"""A piece with default values; values equal to these are not written."""
 _OPTIONAL = AdapterPiece.__struct_fields__[4:]
 
 
 def adapter_paths(folder: Path) -> list[Path]:
-    """The adapter files of a folder, and of folders in it for headers such as `sys/time.h`, by their names."""
+    """The adapter files of a folder and its subfolders (for headers such as `sys/time.h`), sorted by name."""
     return sorted(path for pattern in ("*", "*/*") for path in folder.glob(pattern) if path.suffix in ENDINGS)
 
 
 def load(path: Path) -> AdapterFile:
-    """What an adapter file says, from its built data where that belongs to its text.
+    """Load an adapter file, from its JSON if that belongs to its current text.
 
     Raises:
         PlatformDataError: the file cannot be read, or a marker in it is wrong.
@@ -89,10 +89,10 @@ def _file(data: Mapping[str, Any], path: str) -> AdapterFile:
 
 
 def to_data(file: AdapterFile, raw: bytes, headers: Mapping[str, Sequence[str]]) -> str:
-    """The built data of a file.
+    """The JSON of an adapter file.
 
     Args:
-        file: what it says.
+        file: the parsed file.
         raw: its bytes.
         headers: name of a piece of any file -> the headers that have one.
     """
@@ -125,7 +125,7 @@ def _complete(name: str, header: str, headers: Mapping[str, Sequence[str]]) -> s
 
 
 def build(folder: Path) -> dict[Path, str]:
-    """The built data of all adapter files in a folder: path -> text.
+    """The JSON of all adapter files in a folder: path -> text.
 
     Raises:
         PlatformDataError: a file cannot be read, or a marker in it is wrong.
@@ -165,7 +165,7 @@ def asked(place: Path) -> dict[Path, str]:
 
 
 def main(places: Sequence[str]) -> int:
-    """Write the built data of adapter files, and of folders of them; 1 if one cannot be built: then nothing is written."""
+    """Write the JSON of adapter files and of folders of them; returns 1, without writing any, if one cannot be built."""
     try:
         built = {path: text for place in places for path, text in asked(Path(place)).items()}
     except PlatformDataError as error:

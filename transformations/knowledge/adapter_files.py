@@ -22,13 +22,13 @@ from robosmi.typed import dynamic_attribute
 
 MARK = "//#"
 NOT_SERVED = "unsupported"
-"""A line `//# unsupported REASON` behind that of the header: the target cannot serve the header."""
+"""A line `//# unsupported REASON` after the header's line: the target cannot support this header."""
 TASK = "task"
-"""A line `//# task NAME REASON` behind that of the header: no adapter can do what the function does; a person has to."""
+"""A line `//# task NAME REASON` after the header's line: no adapter is possible for the function; a person has to replace it."""
 KINDS = ("adapter", "constant", "register", "variable", "type", "helper")
-"""A function, a constant, a register, a variable or a type of the source platform, or something that only adapters use."""
+"""The kinds of pieces: for a function, constant, register, variable or type of the source, or a helper used only by adapters."""
 RELATIONS = ("oneToOne", "oneToMany", "manyToOne", "semantic")
-"""How calls correspond (paper 3.4): one to one, to several statements, several to one, another mechanism with the same effect."""
+"""How calls correspond (paper 3.4): one to one, one to several, several to one, or by another mechanism with the same effect."""
 CAPABILITIES = ("digital", "pwm", "interrupt", "analog")
 DIRECTIONS = ("in", "out", "both")
 _LISTS = ("needs", "include", "timer", "vector", "taken", "mcu", "members", "beside", "library", "symmetric")
@@ -189,13 +189,13 @@ class AdapterPiece(Struct):
 
 
 class AdapterFile(Struct):
-    """What an adapter file says.
+    """The content of an adapter file.
 
     Attributes:
         header: header of the source platform.
-        pieces: in their order.
-        unsupported: why the target cannot serve the header, a sentence; empty where it can.
-        tasks: name of a function that no adapter can serve -> why, a sentence.
+        pieces: its pieces, in order.
+        unsupported: the reason, as a sentence, why the target cannot support the header; empty if it can.
+        tasks: name of a function for which no adapter is possible -> the reason, as a sentence.
     """
 
     header: str = ""
@@ -205,7 +205,7 @@ class AdapterFile(Struct):
 
 
 def read_adapter_file(path: Path) -> list[AdapterPiece]:
-    """The pieces of an adapter file, in their order; for the errors see `adapter_file`."""
+    """Read the pieces of an adapter file, in order; raises the errors of `adapter_file`."""
     try:
         text = inputs.read_text(path, inputs.DATA)
     except (OSError, ValueError) as error:
@@ -242,7 +242,7 @@ def _wrong(location: Location, message: str, fix: str) -> PlatformDataError:
 
 
 def _pieces(path: Path, lines: list[str], made: AdapterFile) -> Iterator[AdapterPiece]:
-    """The pieces of a file; what is said of its header goes to `made`."""
+    """Parse the pieces of a file; statements about the header are stored in `made`."""
     piece, marking = None, False
     text: list[str] = []
     marks: dict[tuple[str, str], int] = {}
@@ -291,7 +291,7 @@ def _pieces(path: Path, lines: list[str], made: AdapterFile) -> Iterator[Adapter
 
 
 def _finished(piece: AdapterPiece, text: list[str], marks: Mapping[tuple[str, str], int]) -> AdapterPiece:
-    """A piece with its text, which is what its markers say."""
+    """Complete a piece with its text, checked against its markers."""
     piece.text = "\n".join(text).strip("\n")
     if not piece.text.strip():
         raise _wrong(piece.location, f"'{piece.name}' has no text", "write it behind its markers, or remove the piece")
@@ -308,7 +308,7 @@ def _finished(piece: AdapterPiece, text: list[str], marks: Mapping[tuple[str, st
 
 
 def _take(piece: AdapterPiece, said: str, place: Location) -> None:
-    """Take one line of a piece's head."""
+    """Parse one marker line of a piece's head."""
     key, colon, value = said.partition(":")
     value = value.strip()
     if not colon or key not in (*_LISTS, *_TEXTS) or not value:
@@ -383,7 +383,7 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
 
 
 def _range(piece: AdapterPiece, value: str, place: Location) -> ArgumentRange:
-    """What a marker `range` says."""
+    """Parse the value of a marker `range`."""
     try:
         return argument_range(piece.name, piece.signatures, value)
     except ValueError as error:

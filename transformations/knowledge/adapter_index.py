@@ -1,8 +1,8 @@
-"""The adapter files for a source platform on a target platform, read when a program needs them.
+"""The adapter files for a source and a target platform, read when a program needs them.
 
-They lie in `<target platform>/adapters/<source platform>/` of the platform repository, one for each header, named like it
-(`sys/time.cpp` is for `sys/time.h`); files of a project, of a person and of plug-ins go before the built-in ones, piece by
-piece. Which pieces a program needs is told in `queries.adapter_needs`.
+They are in `<target platform>/adapters/<source platform>/` of the platform repository, one for each header, with its name
+(`sys/time.cpp` is for `sys/time.h`); files of a project, of a person and of plug-ins precede the built-in ones, piece by piece.
+`queries.adapter_needs` determines which pieces a program needs.
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ from robosmi.transformations.knowledge.adapter_files import MARK, AdapterFile, A
 
 BUILT_IN = "built-in"
 OWN = "adapters"
-"""Name of the folder with adapter files beside a project file, and in a user's data."""
+"""Name of the folder for adapter files beside a project file, and in the user's data."""
 ENDING_OF = {"C": ".c", "C++": ".cpp"}
-"""Language of a target's programs -> the ending of adapter files in it."""
+"""Language of a target's programs -> the ending of its adapter files."""
 
 
 class AdapterIndex:
     """The adapter files of some folders.
 
     Args:
-        folders: those that count first in front.
-        mcus: the microcontrollers that there are, which variants can be for; any if none are given.
-        ending: of the files, which says in which language they are; any if it is empty.
-        own: folders among them that persons keep for themselves -> whose they are, `project` or `user`.
+        folders: the folders, in order of precedence.
+        mcus: the known microcontrollers, for which variants may exist; any if none are given.
+        ending: the ending of the files, which selects their language; any if it is empty.
+        own: those of the folders that persons maintain -> the owner, `project` or `user`.
     """
 
     def __init__(
@@ -46,11 +46,11 @@ class AdapterIndex:
 
     @property
     def headers(self) -> list[str]:
-        """The headers that files are for, in the order of their names."""
+        """The headers for which there are files, sorted by name."""
         return sorted({header for folder in self.folders for header, _ in self._listed(folder)})
 
     def files(self, header: str) -> list[AdapterFile]:
-        """The files for a header, the one that counts first in front.
+        """The files for a header, in order of precedence.
 
         Raises:
             PlatformDataError: a file cannot be read, says something wrong, or is for another header than its name says.
@@ -63,17 +63,20 @@ class AdapterIndex:
         return known
 
     def check_those_of(self, whose: str) -> None:
-        """Read all files that somebody keeps, whatever is asked for.
+        """Read all files of an owner, to report their errors even if they are not needed.
+
+        Args:
+            whose: `project` or `user`.
 
         Raises:
-            PlatformDataError: as of `files`.
+            PlatformDataError: as for `files`.
         """
         for folder in (folder for folder, kept in self.own.items() if kept == whose):
             for header, _ in self._listed(folder):
                 self.files(header)
 
     def kept_by(self, piece: AdapterPiece) -> str:
-        """Whose a piece is: `project`, `user` or `built-in`."""
+        """The owner of a piece: `project`, `user` or `built-in`."""
         path = Path(piece.location.path)
         return next((whose for folder, whose in self.own.items() if path.is_relative_to(folder)), BUILT_IN)
 
@@ -105,11 +108,11 @@ class AdapterIndex:
         return [file.pieces for file in self.files(header)]
 
     def task(self, name: str, header: str) -> str:
-        """Why no adapter can do what a function of a header does; empty where nothing is said."""
+        """The reason why no adapter is possible for a function of a header; empty if none is stated."""
         return next((file.tasks[name] for file in self.files(header) if name in file.tasks), "")
 
     def unsupported(self, header: str) -> str:
-        """Why the target cannot serve a header; empty where a file has adapters for it, or nothing is said."""
+        """The reason why the target cannot support a header; empty if a file has adapters for it, or none is stated."""
         files = self.files(header)
         served = any(piece.kind == "adapter" for file in files for piece in file.pieces)  # values of a header do not serve it
         return "" if served else next((f.unsupported for f in files if f.unsupported), "")

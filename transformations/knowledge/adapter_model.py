@@ -1,4 +1,4 @@
-"""Pieces of adapter files as elements of the platform metamodel, made for those that a plan refers to."""
+"""Converts adapter pieces that a plan refers to into elements of the platform metamodel."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ KINDS = {
     "adapter": "adaptedFunction", "constant": "constant", "register": "register", "variable": "variable", "type": "dataType",
     "helper": "helper",
 }  # fmt: skip
-"""How files call the kinds of pieces -> how the metamodel does."""
+"""Kind of a piece in adapter files -> its kind in the metamodel."""
 _SAME = (
     "signatures", "text", "fidelity", "limits", "includes", "setup", "libraries", "timers", "vectors", "mcus", "symmetric",
 )  # fmt: skip
 
 
 def adapter_element(piece: AdapterPiece) -> platform.Adapter:
-    """A piece as a new element, without what it needs."""
+    """Make a new element from a piece, without its references to the pieces it needs."""
     said = {name: value for name in _SAME if (value := dynamic_attribute(piece, name))}
     return platform.Adapter(
         name=piece.name,

@@ -1,6 +1,6 @@
-"""Which parameters of a function are pins because its adapter says so, where the platform's own data tells none of the function.
+"""Which parameters of a function are pins according to its adapter, if the platform's own data says nothing about the function.
 
-What `pins.json` has of a function is the platform's and goes before. Reading adapter files is the business of `adapter_index`.
+The platform's `pins.json` takes precedence. Adapter files are read by `adapter_index`.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from robosmi.transformations.knowledge.api_facts import PinFacts, PinParameter
 
 
 class AdapterPins:
-    """The pins of functions, as the markers `pin:` of their adapters tell them.
+    """The pins of functions, from the markers `pin:` of their adapters.
 
     Args:
         index: the adapter files of the target.

@@ -1,6 +1,6 @@
-"""Which values of a parameter an adapter can serve, as a marker `range` says it: `frequency 31..65535 or 0: it stays silent`.
+"""The parameter values that an adapter can handle, from a marker such as `range frequency 31..65535 or 0: it stays silent`.
 
-Whether a program gives other values is a constraint's to say.
+A constraint checks whether a program passes other values.
 """
 
 from __future__ import annotations
@@ -17,16 +17,16 @@ _NAME = re.compile(r"(\w+)\s*(?:\[[^\]]*\]\s*)*$")
 
 
 class ArgumentRange(Struct, frozen=True):
-    """Which values of a parameter an adapter can serve.
+    """The values of a parameter that an adapter can handle.
 
     Attributes:
         name: the parameter, as the source's signature calls it.
-        position: among the parameters, from 0.
-        least, most: the least and the greatest value; None where there is none.
-        others: values outside of these that it serves all the same, such as 0 for off.
-        beside: the piece in whose presence alone the range holds; empty for always.
+        position: its index among the parameters, from 0.
+        least, most: the least and the greatest value; None where there is no limit.
+        others: further values that it handles, such as 0 for off.
+        beside: the piece in whose presence alone the range applies; empty for always.
         away_from: a pin of the target whose calls have no such range; empty for none.
-        effect: what happens with other values, half a sentence.
+        effect: what happens with other values, as half a sentence.
     """
 
     name: str

@@ -1,6 +1,6 @@
-"""The shapes of a platform's own files, as their readers give them: `platform.toml`, `api.json`, `pins.json`, `meanings.toml`.
+"""The data types of a platform's own files: `platform.toml`, `api.json`, `pins.json`, `meanings.toml`.
 
-What the keys mean stands in the files of the built-in platforms. Nothing is read here.
+The files of the built-in platforms explain the keys. Nothing is read here.
 """
 
 from __future__ import annotations

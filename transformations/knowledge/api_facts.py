@@ -1,7 +1,7 @@
-"""What a platform's API declares, as plain values: entries of names, pins of functions, and `ApiFacts`, which holds all of it.
+"""The declarations of a platform's API as plain values: entries of names, pins of functions, and `ApiFacts`, which holds all.
 
-Where facts come from is another module's business: `platform_folder` reads the repository, `platform_model` stored models.
-`ApiIndex` in `platform_api` answers questions from them.
+Facts come from the repository (`platform_folder`) or from stored models (`platform_model`). `ApiIndex` in `platform_api`
+answers questions about them.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ class PinParameter(NamedTuple):
 
 
 class Convention(Struct, frozen=True):
-    """A pin that a function uses without an argument; `when` restricts it to calls with such an argument."""
+    """A pin that a function uses without an argument for it; `when` restricts it to calls with a certain argument."""
 
     pin: int
     direction: str

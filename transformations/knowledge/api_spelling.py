@@ -1,7 +1,7 @@
-"""One spelling for what a library's API declares: parameters, types, names; and which defined values are literals.
+"""Normalizes the spelling of API declarations: parameters, types, names; and recognizes literal values.
 
-Facts that come from elsewhere and facts that are read from headers here are put into it, so that both can be compared:
-`(const char *name, uint8_t *data, bool fast=true) const`. What is declared is found by `library_declarations`.
+Facts from elsewhere and facts read from headers get the same spelling, so that both can be compared: `(const char *name,
+uint8_t *data, bool fast=true) const`. `library_declarations` finds the declarations.
 """
 
 from __future__ import annotations
@@ -22,20 +22,20 @@ _LITERAL = re.compile(
 
 
 def tidy(text: str) -> str:
-    """A signature or type of `api.json` in its spelling: a blank behind a comma, none behind an asterisk; C alone, no tokens."""
+    """Normalize a C signature or type of `api.json`: a blank after each comma, none after an asterisk."""
     text = re.sub(r"\s*,\s*", ", ", " ".join(text.split()))
     return re.sub(r"\*\s+(?=[\w*,)])", "*", text).strip()
 
 
 def spelled(text: str) -> str:
-    """A type, name or list of parameters in the one spelling; comments are left out."""
+    """A type, name or parameter list in normalized spelling, without comments."""
     return joined((kind, word) for kind, _, _, word in tokens(text.encode("utf-8")))
 
 
 def joined(parts: Iterable[tuple[str, str]]) -> str:
-    """Tokens (kind, text) in the one spelling.
+    """Join tokens (kind, text) in normalized spelling.
 
-    A blank stands between words, behind a comma and before what makes a pointer or a reference; nowhere else.
+    A blank is put between words, after commas and before pointer and reference signs; nowhere else.
     """
     listed = [part for part in parts if part[0] not in ("comment", "directive")]
     written: list[str] = []

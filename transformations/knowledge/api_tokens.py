@@ -1,7 +1,7 @@
-"""The text of a C++ header as tokens that declarations are read from, and the skipping of what is no declaration.
+"""Tokenizes C++ headers for reading declarations, and skips what is no declaration.
 
-Comments and directives are left out; no macro is expanded, and of a condition all branches count (only the first that says
-anything, where one holds a piece of a declaration). What the declarations are is in `library_declarations`.
+Comments and directives are dropped and no macro is expanded. All branches of a condition are used; if one contains an
+incomplete declaration, only the first non-empty branch. `library_declarations` reads the declarations.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ OPEN, _CLOSE = {"(": ")", "[": "]", "{": "}"}, frozenset(")]}")
 
 
 class _Condition(Struct):
-    """An open `#if`: what stands before it, its branches so far, and whether the branch at hand is never compiled."""
+    """An open `#if`: the tokens before it, its branches so far, and whether the current branch is never compiled."""
 
     around: list[Part]
     branches: list[list[Part]]
@@ -80,7 +80,7 @@ def _constant(rest: str, constants: dict[str, str]) -> None:
 
 
 def _kept(branches: list[list[Part]]) -> list[Part]:
-    """All branches of a condition if each is made of whole declarations, else the first that says anything."""
+    """All branches of a condition if each consists of whole declarations, else the first non-empty one."""
     if all(_whole(branch) for branch in branches):
         return [part for branch in branches for part in branch]
     return next((branch for branch in branches if branch), [])
@@ -97,7 +97,7 @@ def _whole(branch: list[Part]) -> bool:
 
 
 def closing_of(parts: list[Part], at: int) -> int:
-    """The place behind the bracket that closes the one at this place; the end if none does."""
+    """The index after the bracket that closes the one at this index; the end if it is never closed."""
     depth = 0
     for place in range(at, len(parts)):
         kind, text = parts[place]
@@ -109,7 +109,7 @@ def closing_of(parts: list[Part], at: int) -> int:
 
 
 def behind_angles(parts: list[Part], at: int) -> int:
-    """The place behind `<...>` that begins here."""
+    """The index after the `<...>` that begins here."""
     depth, place = 0, at
     while place < len(parts):
         text = parts[place][1]
@@ -126,7 +126,7 @@ def behind_angles(parts: list[Part], at: int) -> int:
 
 
 def behind_statement(parts: list[Part], at: int) -> int:
-    """The place behind the `;` that ends what begins here; before a `}` that closes the scope around it."""
+    """The index after the `;` of the statement that begins here, or of the `}` that closes its scope."""
     while at < len(parts):
         text = parts[at][1]
         if text == ";":
@@ -138,7 +138,7 @@ def behind_statement(parts: list[Part], at: int) -> int:
 
 
 def behind_variable(parts: list[Part], at: int) -> int:
-    """Behind a variable, or a body that nothing introduces."""
+    """The index after a variable, or after a body without a head."""
     while at < len(parts):
         text = parts[at][1]
         if text == ";":

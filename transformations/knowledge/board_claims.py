@@ -1,7 +1,7 @@
-"""What a board's file says of its pins, as claims that a core's headers can be asked about (`robosmi.verify.board_check`).
+"""The statements of a board's file about its pins, as claims to check against a core's headers (`robosmi.verify.board_check`).
 
-Which claims there are, and how a core is asked, is data of the platform's toolchain (`[[board_check.claims]]`); here they are
-filled with the pins of a board.
+The kinds of claims, and the expressions to evaluate, are data of the platform's toolchain (`[[board_check.claims]]`); here they
+are instantiated for the pins of a board.
 """
 
 from __future__ import annotations
@@ -25,9 +25,7 @@ _INPUT = re.compile(r"A(\d+)")
 def board_claims(
     platform_name: str, board: platform.Board, mapping: platform.BoardMapping, project: Path | None = None
 ) -> Callable[[], tuple[Claim, ...]]:
-    """What makes the claims of a board, which are asked for when a program is compiled for that one.
-
-    There are none for a platform whose toolchain does not check boards.
+    """Make a function that returns the claims of a board; it is called when a program is compiled for the board.
 
     Args:
         platform_name: the platform's folder in the repository.

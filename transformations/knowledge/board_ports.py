@@ -1,4 +1,4 @@
-"""Whether the ports that a board's file gives its pins are pins of its microcontroller, as that one's file says (`ports`)."""
+"""Checks that the ports which a board's file gives its pins exist on its microcontroller (key `ports` of that file)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Boards of a platform as the compile check wants them (`robosmi.verify.boards`), from the elements of `board_models`."""
+"""Converts the boards of `board_models` to the form that the compile check uses (`robosmi.verify.boards`)."""
 
 from __future__ import annotations
 

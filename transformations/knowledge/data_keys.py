@@ -1,6 +1,6 @@
-"""The keys that files of the platform repository may have; docs/reference/platform-data.md says what each means.
+"""The keys allowed in files of the platform repository; docs/reference/platform-data.md explains them.
 
-Here are those of `platform.toml` and `mcus/NAME.toml`; a board's stand in `board_models`, where they are read.
+These are the keys of `platform.toml` and `mcus/NAME.toml`; those of boards are in `board_models`, which reads them.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ OF_TARGETS = (
     "architecture", "core", "core_name", "include", "pin_functions", "standard_headers", "own_headers", "board_keys",
     "board_architectures", "pin_literals", "target", "widths", "wider_names",
 )  # fmt: skip
-"""Keys of the `platform.toml` of a platform that programs are moved to."""
+"""Keys in the `platform.toml` of a target platform."""
 OF_SOURCES = tuple(PlatformSettings.__annotations__)
-"""Keys of the `platform.toml` of a platform that programs come from; a platform may be both."""
+"""Keys in the `platform.toml` of a source platform; a platform may be both."""
 OF_MICROCONTROLLERS = (
     "name", "title", "architecture", "ports", "flash_bytes", "ram_bytes", "signature", "pin_ma", "total_ma", "timers",
     "buses", "takes",

@@ -1,7 +1,8 @@
-"""What the repository knows of a circuit's parts, written into the circuit, and asked of it there.
+"""Writes the repository's facts about a circuit's parts into the circuit, and reads them from there.
 
-A drawing that was read is described once; from then on rules and constraints ask the model, so that a stored one says the same
-whatever becomes of the repository. The tables themselves are `electrical_facts` and `part_names`; nothing is judged here.
+A drawing is described once, after reading; from then on rules and constraints use the model, so that a stored one gives the
+same results whatever happens to the repository. The tables themselves are `electrical_facts` and `part_names`; nothing is
+judged here.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ _DIRECTIONS = {
 
 
 def describe(circuit: hardware.Circuit, project: Path | None = None) -> None:
-    """Write into a circuit what is known of its parts; one that is described already stays as it is.
+    """Write the known facts about its parts into a circuit, unless it is described already.
 
     Args:
         circuit: the circuit.
@@ -52,19 +53,19 @@ def describe(circuit: hardware.Circuit, project: Path | None = None) -> None:
 
 
 def joins_by_bus_only(component: hardware.Component) -> bool:
-    """Whether a component joins connectors only where one of its buses does (breadboards, headers, terminals)."""
+    """Whether a component connects its connectors only through its buses (breadboards, headers, terminals)."""
     if _is_described(component):
         return bool(component.joinsByBusOnly)
     return conducts_by_bus_only(component.family, names(), component.partTitle)
 
 
 def is_either_side(component: hardware.Component) -> bool:
-    """Whether it is a chip that is an input or an output by what is wired to it."""
+    """Whether a chip is an input or an output depending on its wiring."""
     return bool(component.eitherSide) if _is_described(component) else _is_either_side(component, names())
 
 
 def device_facts(component: hardware.Component) -> DeviceFacts | None:
-    """What is known of a component of a described circuit, or None."""
+    """The known facts about a component of a described circuit, or None."""
     device = component.device
     if device is None:
         return None
@@ -93,7 +94,7 @@ def device_facts(component: hardware.Component) -> DeviceFacts | None:
 
 
 def supply_limit(circuit: hardware.Circuit, volts: float) -> int | None:
-    """What the boards of a described circuit give at their supply of that voltage, in mA, or None if nothing is known."""
+    """The current in mA that a described circuit's boards supply at a voltage, or None if unknown."""
     return next((limit.milliamperes for limit in circuit.supplyLimits if abs(limit.volts - volts) < 0.3), None)
 
 

@@ -1,7 +1,7 @@
-"""What the default ranker knows besides the index: device tables, usual libraries, words that say nothing, coefficients.
+"""The default ranker's knowledge besides the index: device tables, usual libraries, insignificant words, coefficients.
 
-Tables of devices and of usual libraries are those of every folder of data, a user's own before the shipped ones: an entry of
-one's own is one line in a file of one's own. Of the other files the first that is found counts, as of all data.
+The tables of devices and of usual libraries of all data folders are used, a user's before the shipped ones, so an own entry is
+one line in an own file. Of the other files only the first one found is used, as with all data.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from robosmi.recommend.words import StopWords, plain, stem
 _Files = tuple[tuple[Path, int], ...]
 
 DEVICES = "parts/devices"
-"""Folder of the tables of devices; their form is said in `robosmi.recommend.lexicon`."""
+"""Folder of the tables of devices; `robosmi.recommend.lexicon` describes their format."""
 
 USUAL = "libraries/usual.csv"
 """Table of a platform: device,libraries (apart by |, the most usual first)."""

@@ -1,8 +1,7 @@
-"""How boards are drawn: which board a part of a drawing tool's catalogue is, and what the labels of its connectors mean.
+"""Recognises boards in drawings: which board a catalogue part of a drawing tool is, and what its connector labels mean.
 
-A board's file says so under `drawn_as`; a file of the same name nearer in search order may add to it for another tool. Labels
-such as "D9 PWM", "~9" and "IO9" (all D9) are normalised for boards that have no file. The boards themselves are the business of
-`board_models`.
+A board's file states this under `drawn_as`; a file of the same name that is found earlier may add another tool. Labels such as
+"D9 PWM", "~9" and "IO9" (all D9) are normalised for boards without a file. The boards themselves are read by `board_models`.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ from robosmi.typed import kept
 from robosmi.verify.tables import DataTable
 
 PIN_TABLE = "pin table"
-"""The "drawing tool" of pin tables, in which a board is called by its short name and its connectors by their labels."""
+"""The "drawing tool" of pin tables, which name a board by its short name and its connectors by their labels."""
 
 
 class DrawnBoard(Struct, frozen=True):
@@ -63,12 +62,12 @@ def drawn_board(part_id: str, tool: str, project: Path | None = None) -> DrawnBo
 
 @kept
 def _plain(text: str) -> str:
-    """A name as it is compared: people who describe a board copy it by hand."""
+    """A name in normal form for comparison, since persons who describe a board copy it by hand."""
     return "".join(text.split()).lower()
 
 
 def _with_pins(path: Path, table: DataTable, project: Path | None) -> DataTable:
-    """The table of the board that a file is about: its own, or that of the board of its name where it only draws it."""
+    """The table with the pins of the board that a file describes: its own, or that of the board's main file."""
     if not only_draws(path):
         return table
     if (hardware := board_file(path.stem, project)) is None:

@@ -17,7 +17,7 @@ from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, normalise
 from robosmi.verify.tables import DataTable
 
 LEAST_PINS = 6
-"""Labelled pins of a symbol that is a board; logos and parts of boards have fewer."""
+"""Minimum number of labelled pins of a board's symbol; logos and parts of boards have fewer."""
 
 _SPELLED = re.compile(r"[^a-z0-9]+")
 _OVERLINE = re.compile(r"[!*~{}]")

@@ -1,7 +1,7 @@
-"""What devices need and bear electrically: `parts/electrical.toml` of the platform repository, the user's files first.
+"""The electrical properties of devices, from `parts/electrical.toml` of the platform repository, the user's files first.
 
-An entry is found by a part's id, title or family, or what the drawing calls a chip. What follows from the facts for a drawing
-is asked in `constraints/`; here nothing is judged.
+An entry is found by a part's id, title or family, or by the drawing's name of a chip. `constraints/` evaluates the facts for a
+drawing.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from robosmi.transformations.knowledge.part_names import Phrases, read_toml
 from robosmi.typed import distinct, kept, replaced
 
 FILE = "parts/electrical.toml"
-"""Place of the table in a folder of data; its head says what the keys mean."""
+"""Path of the table in a data folder; the head of the file explains the keys."""
 
 _FINDERS = ("ids", "words", "families", "not")
 _CHIP_NAMES = ("chip label", "part number", "mpn", "label")
@@ -83,7 +83,7 @@ _REMEMBERED = 1024  # components; drawings have the same few again and again
 
 
 REST = "rest"
-"""The property by which a drawing says at which level a component does nothing."""
+"""The part property by which a drawing states the level at which a component is inactive."""
 
 
 class _Entry(NamedTuple):
@@ -94,7 +94,7 @@ class _Entry(NamedTuple):
 
 
 class ElectricalFacts:
-    """One file: its entries, and what names of connectors say."""
+    """The content of one file: its entries, and the meanings of connector names."""
 
     def __init__(self, table: Mapping[str, Json], path: str) -> None:
         _check_tables(table, path)
@@ -110,7 +110,7 @@ class ElectricalFacts:
         self.supply_ma = [(as_number(volts), int(as_number(most))) for volts, most in limits]
 
     def find(self, component: hardware.Component) -> DeviceFacts | None:
-        """What is known of a component, or None."""
+        """The facts about a component, or None."""
         chip = tuple(p.value for p in component.properties if p.name.lower() in _CHIP_NAMES)
         key = (component.partId, component.partTitle, component.family, component.title, chip)
         if key not in self._known:
@@ -148,7 +148,7 @@ class Electrical:
         self._files = files
 
     def facts(self, component: hardware.Component) -> DeviceFacts | None:
-        """What is known of a component, or None: of the first file that knows it. A drawing may say its rest itself."""
+        """The facts about a component from the first file with an entry, or None. A drawing may override its inactive level."""
         found = next((found for file in self._files if (found := file.find(component)) is not None), None)
         if found is None:
             return None
@@ -162,14 +162,14 @@ class Electrical:
         return replaced(found, rest=rest) if has_it else found
 
     def meanings(self, name: str) -> tuple[str, ...]:
-        """What a connector's name says (`sda`, `output`; the keys of `[names]`), each once."""
+        """The meanings of a connector's name (`sda`, `output`; the keys of `[names]`), without duplicates."""
         word = " ".join(name.lower().split())
         found = (key for file in self._files for key, pattern in file.names.items() if pattern.match(word))
         return tuple(distinct(found))
 
     @property
     def supply_limits(self) -> list[tuple[float, int]]:
-        """Voltage of a board's supply, and what the board gives there at most in mA; the first that is near counts."""
+        """Supply voltage of a board -> the most current it supplies there, in mA; the first voltage that is close applies."""
         return [limit for file in self._files for limit in file.supply_ma]
 
 
@@ -187,7 +187,7 @@ def electrical(project: Path | None = None) -> Electrical:
 
 
 def rests_beyond_names(components: Iterable[hardware.Component]) -> dict[str, str]:
-    """The level at which a component does nothing (`low`, `high`), by its identity, where its name alone tells another."""
+    """The inactive level (`low`, `high`) of components, by identity, where it differs from what their names alone imply."""
     facts, found = electrical(), {}
     for component in components:
         own = facts.facts(component)
@@ -215,7 +215,7 @@ _WORDS = {
     "wants": ABILITIES,
     "bench": ("servo", "motor", "stepper", "switch", "sound", "ranger", "humidity", "count", "none"),
 }
-"""The only values that a key may have, or that its list may hold."""
+"""The allowed values of a key, or of the elements of its list."""
 
 
 def _entry(device: Mapping[str, Json], path: str) -> _Entry:
@@ -275,7 +275,7 @@ def _is_right(key: str, value: Json) -> bool:
 
 
 def _known_words(key: str, value: Json) -> str:
-    """What a key may have, and which of it was meant."""
+    """The message about a wrong value: the allowed ones, and the one that was probably meant."""
     if key not in _WORDS:
         return "; it is two numbers, the lower one first" if key == "volts" else ""
     odd = next((str(one) for one in (value if isinstance(value, list) else [value]) if one not in _WORDS[key]), "")
@@ -283,12 +283,12 @@ def _known_words(key: str, value: Json) -> str:
 
 
 _TABLES = {"device": list, "names": dict, "board": dict}
-"""What a file may hold."""
+"""The tables that a file may contain."""
 _BOARD = ("supply_ma",)
 
 
 def _check_tables(table: Mapping[str, Json], path: str) -> None:
-    """Refuse what nobody would read: a table or a key of another name than these."""
+    """Refuse unknown tables and keys, which would be ignored silently."""
     fix = "the head of the built-in parts/electrical.toml says what the keys mean"
     for key, value in table.items():
         place = Location(path, line_of_key(_text(path), key))

@@ -1,7 +1,8 @@
-"""Tokens of C text with their offsets: identifiers, literals, punctuation, comments, and whole directives.
+"""A lexer for C text with offsets: identifiers, literals, punctuation, comments, and whole directives.
 
-The parser's own tokens cost ten times as much and leave out what it did not compile. A directive is one token up to the
-end of its last line. Spelling only: no keyword, macro or type is known here but the few sets that others share.
+The parser's own tokens take ten times as long and omit what it did not compile. A directive is one token up to the end of its
+last line. Only spelling is considered: no keyword, macro or type is known here, except for the few sets that other modules
+share.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from collections.abc import Sequence
 from robosmi.typed import kept, matches
 
 Token = tuple[str, int, int, str]
-"""Kind (name, number, string, char, punct, comment, directive), start, end, text. One character is one byte."""
+"""(kind, start, end, text); the kinds are name, number, string, char, punct, comment, directive. A character is one byte."""
 
 _STRING = r'"(?:\\(?:\r?\n|.)|[^"\\\n])*"?'
 _CHAR = r"'(?:\\(?:\r?\n|.)|[^'\\\n])*'?"
@@ -33,7 +34,7 @@ _KINDS = (
     | dict.fromkeys(" \t\r\n\x0c\x0b", "space")
     | {'"': "string", "'": "char", "#": "directive"}
 )
-"""Kinds of pieces by their first character, punctuation left out; some need a second look."""
+"""Kind of a token by its first character, except punctuation; some need further inspection."""
 _SECOND_LOOK = frozenset("/\\.\xef%")
 
 _DIGRAPHS = {"<%": "{", "%>": "}", "<:": "[", ":>": "]"}
@@ -114,9 +115,10 @@ STORAGE_WORDS = frozenset(["extern", "static", "register", "auto", "typedef", "i
 
 
 def tokens(data: bytes, limit: int = sys.maxsize) -> list[Token]:
-    """All tokens of the text, in text order. Never fails: what is no token of C is punctuation of one character.
+    """All tokens of a text, in order.
 
-    The digraphs `<%`, `%>`, `<:` and `:>` have the text of what they stand for.
+    It never fails: a character that is in no C token counts as punctuation. The digraphs `<%`, `%>`, `<:` and `:>` have the
+    text of the characters that they stand for.
 
     Args:
         data: the text.
@@ -152,7 +154,7 @@ def _pieces_of_a_line() -> re.Pattern[str]:  # few programs have a hash within a
 
 
 def _in_line(text: str, place: int) -> list[Token]:
-    """The tokens from a hash within a line to the line's end."""
+    """The tokens from a `#` inside a line to the line's end."""
     found: list[Token] = []
     for piece in matches(_pieces_of_a_line(), text):
         first = piece[0]
@@ -164,7 +166,7 @@ def _in_line(text: str, place: int) -> list[Token]:
 
 
 def _second_look(piece: str) -> str:
-    """The kind of a piece whose first character does not tell it."""
+    """The kind of a token whose first character does not determine it."""
     first, second = piece[0], piece[1:2]
     if first == "/":
         return "comment" if second == "/" or piece.startswith("/*") else "punct"
@@ -196,7 +198,7 @@ def directive_comments(text: str) -> list[tuple[int, int]]:
 
 
 def closing(words: Sequence[Token], opening: int) -> int:
-    """The number of the token that closes the bracket with a number; how many tokens there are where none does."""
+    """The index of the token that closes the bracket at an index; the number of tokens if it is never closed."""
     depth = 0
     for number in range(opening, len(words)):
         depth += (words[number][3] in _OPENING) - (words[number][3] in _CLOSING)

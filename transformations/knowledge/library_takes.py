@@ -1,8 +1,8 @@
-"""What a library takes for itself on a board: timers, pins and buses, told with the choice, for hardware checks.
+"""The resources that a library occupies on a board (timers, pins and buses), for hardware checks.
 
-The board's microcontroller says it first (`mcus/<name>.toml`), then the target's list for all of them (`libraries/takes.toml`).
-A library that no entry names takes nothing that is known; that is not the same as nothing. Which pins lose their PWM with
-a timer is in the board's data.
+The board's microcontroller (`mcus/<name>.toml`) takes precedence over the target's list for all of them
+(`libraries/takes.toml`). A library without an entry has no known resources, which does not mean that it has none. Which pins
+lose PWM with a timer is data of the board.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _LISTS = ("names", "timers", "pins", "buses", "mcus")
 
 
 class Takes(Struct, frozen=True):
-    """What one library takes.
+    """The resources that one library occupies.
 
     Attributes:
         timers: timers of the processor, as the boards' data calls them.
@@ -39,7 +39,7 @@ class Takes(Struct, frozen=True):
     when: str = ""
 
     def __str__(self) -> str:
-        """As evidence of a plan: one sentence without full stop."""
+        """The resources as evidence in a plan: one sentence without a full stop."""
         taken = ", ".join((*self.timers, *self.pins))
         return f"takes {taken}{f' when {self.when}' if self.when else ''}"
 
@@ -76,7 +76,7 @@ def library_takes(index: str, board: platform.Board, project: Path | None = None
 
 
 def taken_of(board: platform.Board, kind: platform.UserKind) -> dict[str, Takes]:
-    """What functions or libraries take of a board as its microcontroller's data has it, by their names."""
+    """The resources that functions or libraries occupy on a board, by name, from its microcontroller's data."""
     chip = board.microcontroller
     return {
         use.name: Takes(tuple(use.timers), (*use.pins, *bus_pins(board, use.buses)), use.condition)

@@ -1,7 +1,7 @@
-"""What names say about parts: names of connectors, families that only join, ids that a drawing tool makes up.
+"""What the names of parts imply: names of connectors, families that only connect, ids that a drawing tool generates.
 
 Reads `parts/names.toml` of the platform repository, the user's folders first. It is read for every drawing and so is kept
-small; the rules for roles, which only unknown parts need, are in `part_roles`. Here is also how phrases are found in a text.
+small; the rules for roles, which only unknown parts need, are in `part_roles`. The search for phrases in a text is here, too.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ def _runs(text: str) -> Iterator[str]:
 
 
 class JoinedPins(Struct, frozen=True):
-    """What symbols are called whose parts join pins inside, which pins by number or name, and how many there are (0: any)."""
+    """The names of symbols whose parts connect pins inside, which pins (by number or name), and how many (0: any number)."""
 
     called: tuple[str, ...]
     groups: tuple[tuple[str, ...], ...]
@@ -73,14 +73,14 @@ class JoinedPins(Struct, frozen=True):
 
 
 class SignalBeside(Struct, frozen=True):
-    """Connector names that are those of signals on a part that has all names of one of these groups, too."""
+    """Connector names that are signals on a part that also has all names of one of these groups."""
 
     names: frozenset[str]
     beside: tuple[frozenset[str], ...]
 
 
 class GeneratedShape(Struct, frozen=True):
-    """Parts that a drawing tool makes up: title and family, what their ids begin with or contain, and the tool if it is one."""
+    """Parts that a drawing tool generates: title and family, what their ids begin with or contain, and the tool if it is one."""
 
     title: str
     family: str
@@ -134,9 +134,9 @@ def connector_kind(name: str, known: PartNames) -> str:
 
 
 def signals_beside(of_part: Iterable[str], known: PartNames) -> frozenset[str]:
-    """The names, in lower case, that on a part with connectors of these names are signals, whatever they are elsewhere.
+    """The names, in lower case, that are signals on a part with these connectors, whatever they are elsewhere.
 
-    The `G` of a transistor is its gate, that of a display a segment; `+` and `-` of an amplifier are what it compares.
+    The `G` of a transistor is its gate, that of a display a segment; `+` and `-` of an amplifier are its inputs.
     """
     words = {name.strip().lower() for name in of_part}
     return frozenset().union(
@@ -145,12 +145,12 @@ def signals_beside(of_part: Iterable[str], known: PartNames) -> frozenset[str]:
 
 
 def controls_supply(name: str, known: PartNames) -> bool:
-    """Whether a connector of a supply, by its name, steers it or tells of it (`EN`, `~{CHRG}`), and is none of its terminals."""
+    """Whether the name of a supply connector denotes a control or status signal (`EN`, `~{CHRG}`) instead of a terminal."""
     return name.strip().lower().strip("~{}!/") in known.names["control"]
 
 
 def passive_named(text: str, known: PartNames) -> str:
-    """What a passive part is that is told by a reference or a value alone (`R1`, `C_filter`, `220 ohm`), or an empty text."""
+    """The kind of a passive part identified only by a reference or a value (`R1`, `C_filter`, `220 ohm`), or an empty text."""
     if _OHMS.fullmatch(text.strip()):
         return "Resistor"
     letters = re.match(r"[a-z]+", text.strip().lower())

@@ -1,7 +1,7 @@
-"""What a part is to the software: a curated entry for its id, else the first rule that fits, each with its reason.
+"""Determines a part's role for the software: by a curated entry for its id, else by the first matching rule, with the reason.
 
 The entries and rules are those of `role_rules`, the user's files first. The built-in catalogue was made with them; a drawing
-needs them only for parts that the catalogue does not have.
+needs them only for parts that the catalogue lacks.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def classify(part: Part, project: Path | None = None) -> Part:
 
 
 def classify_by_id(part: Part, project: Path | None = None) -> Part:
-    """The part with what is said of its id alone, in an entry or a rule; for parts whose names tell nothing of what they do.
+    """The part with the role that an entry or rule assigns to its id alone; for parts whose names do not show what they do.
 
     Args:
         part: the part.
@@ -64,7 +64,7 @@ def classify_by_id(part: Part, project: Path | None = None) -> Part:
 def classify_drawn(
     part: Part, title: str, properties: Mapping[str, str], file_hint: str = "", project: Path | None = None
 ) -> Part:
-    """The same for one placed part that is a general one (a chip, a mystery part): what its label and its properties name.
+    """Classify one placed part that is generic (a chip, a mystery part) by its label and its properties.
 
     Args:
         part: the part, with the connector names of this placement.
@@ -107,7 +107,7 @@ def _with(part: Part, rule: RoleRule, clue: str) -> Part:
 
 
 def _clues(part: Part, known: RoleRules, lists: PartNames) -> Iterator[tuple[int, str]]:
-    """What speaks for a rule, by its number, the strongest first (see the head of `roles.toml`)."""
+    """The clues for each rule, by its index, the strongest first (see the head of `roles.toml`)."""
     part_id, family = part.id[:400].lower(), part.family[:200].strip().lower()
     for number, rule in enumerate(known.rules):
         if rule.get("first") and (clue := _id_clue(part_id, part.tool, rule) or _family_clue(family, part.tool, rule)):
@@ -145,7 +145,7 @@ def _strong_clues(part: Part, family: str, known: RoleRules) -> Iterator[tuple[i
 
 
 def _words_in(text: str, phrases: Phrases) -> Iterator[tuple[int, str]]:
-    """The phrases in a text: those of what it says first, then those of its remarks in brackets."""
+    """The phrases in a text: first those outside of brackets, then those inside."""
     said = _without_remarks(text)
     yield from sorted(phrases.found(said))
     if said != text:
@@ -153,7 +153,7 @@ def _words_in(text: str, phrases: Phrases) -> Iterator[tuple[int, str]]:
 
 
 def _without_remarks(text: str) -> str:
-    """A text without what stands in brackets, unless that is all of it."""
+    """A text without what is in brackets, unless that is all of it."""
     said = _REMARK.sub(" ", text)
     return said if said.strip() else text
 
@@ -166,7 +166,7 @@ def _connector_clues(part: Part, known: RoleRules) -> Iterator[tuple[int, str]]:
 
 
 def _of_tool(listed: ByTool, tool: str) -> Iterator[str]:
-    """The texts of a list that hold for a tool: a plain list for all, a table by tool; for no tool all of them."""
+    """The texts of a list that apply to a tool: a plain list applies to all tools, a table by tool; without a tool all apply."""
     if isinstance(listed, dict):
         for name, texts in listed.items():
             if _same_tool(name, tool):

@@ -1,8 +1,8 @@
-"""The catalogue of parts: what is known of a part of a drawing by its id. One part is read at a time.
+"""The catalogue of parts: looks up what is known about a drawing's part by its id, one part at a time.
 
-Looks into the folders `parts` of the platform repository, the user's first: entries written by hand (`*.toml`, its README
-has the keys) go before imported files (`*.sqlite`, format in `parts_store`). Only the entries that are asked for are parsed.
-What a drawing itself carries (embedded definitions) is read by its own reader, which gives it the same form, `Part`.
+It searches the folders `parts` of the platform repository, the user's first: hand-written entries (`*.toml`, explained in their
+README) precede imported files (`*.sqlite`, see `parts_store`). Only requested entries are parsed. Definitions embedded in a
+drawing are read by its own reader, into the same type `Part`.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 _HEAD = re.compile(r"[ \t]*\[\[[ \t]*part[ \t]*\]\][ \t]*(#.*)?")
 _NO_PARTS = ("names.toml", "roles.toml", "curated.toml", "electrical.toml", "wokwi_types.toml", "port_roles.toml")
-"""Files of the folder that are read elsewhere."""
+"""Files of the folder that other modules read."""
 _PART_KEYS = (
     "ids", "title", "family", "tags", "role", "evidence", "driver", "connectors", "buses", "properties", "description", "shapes",
 )  # fmt: skip
@@ -65,7 +65,7 @@ class Catalogue:
         return None
 
     def variants(self, part_id: str) -> tuple[str, ...]:
-        """What follows a part's id, behind a blank, in the ids of its variants (`pins=i2c`), in search order."""
+        """The suffixes, after a blank, in the ids of a part's variants (`pins=i2c`), in search order."""
         found: dict[str, None] = {}
         begin = f'"{part_id} '
         for path, changed in self._files:
@@ -125,7 +125,7 @@ def _chunks(path: Path, changed: int) -> tuple[tuple[int, str], ...]:
 
 
 def _no_part(path: Path, number: int, line: str) -> PlatformDataError:
-    """What to raise for a file that begins with what nobody would read: it is of another kind, or of another name."""
+    """The error for a file with unknown content at its beginning, such as a misspelt table."""
     other = did_you_mean(path.name.lower(), _NO_PARTS)
     return PlatformDataError(
         f"'{line[:60]}' is in no [[part]]{other and ', by its name' + other}", location=Location(str(path), number),

@@ -1,7 +1,7 @@
-"""The file of parts that an import writes and a drawing is read with: its format, one look-up for each part.
+"""The file format for imported parts, with one look-up for each part of a drawing.
 
-A row is a part: identity, title, family, tags, role with reason, and two compressed pieces, connectors with buses and
-properties, and the word counts of the description. Only facts: no drawings and no prose. Nothing is decided here.
+A row is a part: identity, title, family, tags, role with reason, and two compressed fields: connectors with buses and
+properties, and the word counts of the description. It contains only facts, no drawings and no prose. Nothing is decided here.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ APPLICATION = 0x52535043
 """What marks such a file: `PRAGMA application_id`, "RSPC"."""
 
 FIRST_TOOL = "fritzing"
-"""The tool of a file that names none: the first whose parts could be imported."""
+"""The tool of a file that names none: the first one whose parts could be imported."""
 
 _SCHEMA = """
 CREATE TABLE part(id TEXT PRIMARY KEY, title TEXT, family TEXT, tags TEXT, role TEXT NOT NULL, driver INTEGER NOT NULL,

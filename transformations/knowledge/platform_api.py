@@ -1,8 +1,7 @@
-"""What is known of a source platform's API: which header declares a name, as what, and what it means.
+"""The API of a source platform: which header declares a name, as what, and what it means.
 
-`ApiIndex` is a view: it answers look-ups from the repository's facts (`platform_folder`) or from a stored platform model
-(`stored_platform`), alike. No platform is known by name here, no program is read here; the queries in `queries.code` put both
-together.
+`ApiIndex` is a view on the repository's facts (`platform_folder`) or on a stored platform model (`stored_platform`). No
+platform is known by name here, and no program is read; the queries in `queries.code` combine both.
 """
 
 from __future__ import annotations
@@ -20,15 +19,15 @@ if TYPE_CHECKING:
     from robosmi.transformations.knowledge.adapter_pins import AdapterPins
 
 _PORTS = 32
-"""So many ports where the platform does not say it: the bits of a word."""
+"""Number of ports if the platform states none: the bits of a word."""
 
 
 class ApiIndex:
     """The API of one platform.
 
     Args:
-        facts: what is known of it.
-        adapters: of the target, which tell the pins of functions of which the facts tell none.
+        facts: the facts about it.
+        adapters: the target's adapters, which declare the pins of functions that the facts do not cover.
     """
 
     def __init__(self, facts: ApiFacts, adapters: AdapterPins | None = None) -> None:
@@ -39,7 +38,7 @@ class ApiIndex:
 
     @staticmethod
     def load(name: str) -> ApiIndex:
-        """The index of the platform of that name in the repository, one a process.
+        """The index of a platform of the repository, cached for the process.
 
         Raises:
             PlatformDataError: the repository has no such platform, or its data is damaged.
@@ -54,7 +53,7 @@ class ApiIndex:
         return ApiIndex(StoredFacts(model))
 
     def adapted(self, adapters: AdapterPins) -> ApiIndex:
-        """The same platform, with what adapters of a target tell of the pins of its functions."""
+        """The same platform, extended by what a target's adapters declare about the pins of its functions."""
         return ApiIndex(self._facts, adapters)
 
     @property
@@ -124,12 +123,12 @@ class ApiIndex:
         )
 
     def resolve(self, name: str, includes: Iterable[str]) -> ApiEntry | None:
-        """The one declaration that a program with these includes means.
+        """The declaration of a name that a program with these includes refers to; None if the platform does not know the name.
 
-        Headers that the includes bring in come first, those included earlier before later ones; a variable of the platform that a
-        standard header declares, too, is the platform's. Then, for a program that forgot the include, comes any header of the
-        platform before standard ones. An alternative to an included header, which declares functions of the same names, is not
-        meant: then the included header has the name, and nothing is known of it. None for a name that the platform does not know.
+        Headers reached by the includes are searched first, in order of inclusion; a variable that both the platform and a
+        standard header declare is the platform's. Then, for a program that lacks the include, other platform headers are
+        searched before standard ones. A header that is an alternative to an included one, with functions of the same names, is
+        skipped: the included header then has the name, and nothing is known about it.
         """
         found = self.entries(name)
         if not found:
@@ -225,7 +224,7 @@ class ApiIndex:
 
 
 def forget_platforms() -> None:
-    """Read every platform anew when it is asked for next: one was imported."""
+    """Clear the cache of platforms, because one was imported."""
     _load.cache_clear()
     forget_folders()
 

@@ -1,7 +1,7 @@
-"""A platform's folder of the repository as `ApiFacts`: `platform.toml`, `api.json`, `pins.json`, `meanings.toml`, `cogs.toml`.
+"""Reads a platform's folder as `ApiFacts`: `platform.toml`, `api.json`, `pins.json`, `meanings.toml`, `cogs.toml`.
 
-A platform takes over the C library of the one that its `standard` names, pins and meanings of the one that its `like` names. What
-is rarely asked for is read when it is asked for.
+A platform inherits the C library of the platform named by its `standard`, and pins and meanings of the one named by its `like`.
+Rarely used files are read on demand.
 """
 
 from __future__ import annotations
@@ -183,10 +183,10 @@ def _facts_of(folder: str) -> FolderFacts:
 
 
 def _other(name: str | None, folder: Path) -> FolderFacts | None:
-    """The platform that another one builds on; None without a name.
+    """The platform that another one builds on; None if no name is given.
 
     Raises:
-        PlatformDataError: there is none of that name, or they build on each other in a ring.
+        PlatformDataError: there is none of that name, or they build on each other in a cycle.
     """
     if not name:
         return None

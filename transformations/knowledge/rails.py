@@ -29,7 +29,7 @@ class Terminal(Struct, frozen=True):
 
 
 class Rail(Struct, frozen=True):
-    """Why a net is a rail, and the label of its supply (empty when unknown)."""
+    """The reason why a net is a rail, and the label of its supply (empty when unknown)."""
 
     evidence: str
     voltage: str
@@ -63,9 +63,9 @@ def _who(terminal: Terminal) -> str:
 
 
 def _voltage(board: Sequence[Terminal], supplies: Sequence[Terminal], named: Sequence[Terminal]) -> str:
-    """The label of a rail: what the board says goes before supplies, these before names; both on one net are said both.
+    """The label of a rail: from a board, else from supplies, else from names; supply and ground of one rank are both named.
 
-    So a net is what its source makes of it: 5 V of a board stay that where the ground of a servo hangs on them.
+    So a net keeps the label of its source: 5 V of a board stay that even if the ground of a servo is wired to them.
     """
     supplied = False
     for terminals in (board, supplies, named):

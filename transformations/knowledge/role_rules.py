@@ -1,7 +1,7 @@
-"""The files that give parts their roles: `parts/roles.toml` (rules) and `parts/curated.toml` (entries for single ids).
+"""Reads the files that assign roles to parts: `parts/roles.toml` (rules) and `parts/curated.toml` (entries for single ids).
 
-All folders of the platform repository count, the user's before the built-in one: a file of one's own adds to the built-in rules
-and goes before them. What is in a file is held against its keys here; which rule fits a part is `part_roles`' business.
+The files of all folders of the platform repository are used, the user's before the built-in one, so an own file extends and
+precedes the built-in rules. Keys are checked here; `part_roles` finds the rule that matches.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _ListsOfRule = TypedDict("_ListsOfRule", {"words": list[str], "not": list[str], 
 
 
 class RoleRule(_ListsOfRule, total=False):
-    """An entry as the files have it: a rule, or the role of single ids."""
+    """An entry of a file: a rule, or the role of single ids."""
 
     role: str
     why: str
@@ -50,7 +50,7 @@ class RoleRule(_ListsOfRule, total=False):
 
 
 class RoleRules(Struct, frozen=True):
-    """The rules of one `roles.toml` in their order, ready for looking up."""
+    """The rules of one `roles.toml` in order, indexed for look-up."""
 
     rules: tuple[RoleRule, ...]
     words: Phrases

@@ -1,4 +1,4 @@
-"""A stored platform model as `ApiFacts`, so that a stored plan is judged by what was known when it was made."""
+"""A stored platform model as `ApiFacts`, so that a stored plan is checked with the facts of the time when it was made."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""The names that programs share with the core of a target, which their own cannot have there.
+"""The names that a target's core declares, which a program's own names must not clash with.
 
-Those of a platform lie in `<platform>/names.json` of the platform repository, those that only boards with a microcontroller have
-in `<platform>/names/<microcontroller>.json`. What is renamed for them is told in `m2m.renaming`.
+Those of a platform are in `<platform>/names.json` of the platform repository, those of boards with a certain microcontroller in
+`<platform>/names/<microcontroller>.json`. `m2m.renaming` renames the program's names.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from robosmi.transformations.knowledge.board_models import KIND
 from robosmi.typed import dynamic_attribute
 
 KINDS = ("declared", "macros", "same", "absent", "keywords")
-"""Functions, variables and types; macros; names that mean the same; missing standard functions; words of the language."""
+"""Functions, variables and types; macros; names with the same meaning; missing standard functions; keywords."""
 
 
 class TargetNames:
-    """The names that a program shares with the core of its target, as sets.
+    """The names that a target's core declares, as sets.
 
     Args:
-        names: the element; None for a target that shares none.
+        names: the model element; None for a target without such names.
     """
 
     def __init__(self, names: platform.ReservedNames | None) -> None:
@@ -37,7 +37,7 @@ class TargetNames:
         """Words of the statements that stand within the program's text, which no macro of the program may be."""
 
     def beside(self, declared: frozenset[str], macros: frozenset[str], statements: frozenset[str]) -> TargetNames:
-        """The same with further names that a program shares with other text: those declared there, macros, and words within."""
+        """A copy extended by the names of other text in the sketch: declarations, macros, and words in statements."""
         made = TargetNames(None)
         made.declared, made.macros = self.declared | declared, self.macros | macros
         made.same, made.absent, made.keywords, made.statements = self.same, self.absent, self.keywords, statements

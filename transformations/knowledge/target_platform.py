@@ -1,7 +1,8 @@
-"""Targets: what `[targets.NAME]` and the platforms' own `[target]` say, as elements of `platform.ecore`, and a view of them.
+"""Targets: the content of `[targets.NAME]` and of the platforms' `[target]` as elements of `platform.ecore`, and a view of
+them.
 
-A target is a board of a platform with the generator that writes for it. Every board that a platform with `by_board` maps is
-one, by its short name and by its full name in the platform's tools. Boards themselves are read in `board_models`.
+A target is a board of a platform with the generator that writes for it. With `by_board`, every board that a platform maps is a
+target, by its short name and by its full name in the platform's tools. Boards themselves are read in `board_models`.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ from robosmi.typed import dynamic_attribute
 from robosmi.verify.tables import DataTable
 
 STRUCTURES = {"setup/loop": platform.EntryStructure.setupLoop, "main": platform.EntryStructure.mainFunction}
-"""How data calls the places where programs begin."""
+"""How data calls the functions in which programs begin."""
 PLAIN_C, CPLUSPLUS = "C", "C++"
 LANGUAGES = (PLAIN_C, CPLUSPLUS)
 _KEYS = (
@@ -47,7 +48,7 @@ _Board = platform.Board  # the class below has a property of the module's name
 
 
 class TargetFacts:
-    """A view of a target for rules: what they ask, by the words they use.
+    """A view of a target with the properties that rules use.
 
     Args:
         model: the target, loaded from the repository or from stored models.
@@ -64,10 +65,10 @@ class TargetFacts:
         """All names that the platform shares with programs, also once a plan has kept some of them only."""
 
     def reserve_names_of(self, board: _Board, project: Path | None = None) -> None:
-        """Take over the names that sketches share with a board of another microcontroller.
+        """Add the names that the core declares for a board with another microcontroller.
 
         Args:
-            board: of the plan; a drawing may have another one than the target.
+            board: the board of the plan, which may differ from the target's because of the drawing.
             project: the project folder; the current folder if None.
         """
         mcu = str(board.microcontroller.name) if board.microcontroller is not None else ""
@@ -122,7 +123,7 @@ class TargetFacts:
 
     @property
     def keeps_main(self) -> bool:
-        """Whether programs of the target begin with main, so that it stays as it is."""
+        """Whether programs of the target begin with main, so that the program's main is kept."""
         return self.model.structure is platform.EntryStructure.mainFunction
 
     @property
@@ -137,7 +138,7 @@ class TargetFacts:
 
     @cached_property
     def own_headers(self) -> frozenset[str]:
-        """Headers of the platform itself, in small letters: a header of a program with such a name would stand in for it."""
+        """The platform's own headers, in lower case: a program's header of the same name would replace it."""
         return frozenset(name.lower() for name in (self._platform.mainHeader, *self._platform.ownHeaders))
 
     @cached_property
@@ -147,12 +148,12 @@ class TargetFacts:
 
     @cached_property
     def wider_names(self) -> Mapping[str, str]:
-        """Function, type or macro of the standard library with an int in it -> its sister that has the width of the source."""
+        """Function, type or macro of the standard library with an int in it -> its counterpart with the source's width."""
         return {w.sourceType: w.targetType for w in self._platform.widerNames}
 
     @cached_property
     def names(self) -> TargetNames:
-        """The names that programs share with the platform's core."""
+        """The names that the platform's core declares."""
         return TargetNames(self.shared)
 
 
@@ -209,7 +210,7 @@ def _ending(table: DataTable, key: str) -> str:
 
 
 def takes_libraries_of(target: str, index: str, project: Path | None = None) -> bool:
-    """Whether a target takes its libraries from an index; no for one that there is no more.
+    """Whether a target uses the libraries of an index; false for a target that no longer exists.
 
     Args:
         target: name of a target, or a board's full name.
@@ -230,7 +231,7 @@ def _known(table: DataTable, key: str, known: Collection[str]) -> str:
 
 
 def _entry(target: str, project: Path | None) -> tuple[DataTable, str]:
-    """What is said of a target, and its name: its own table over the platform's."""
+    """The settings of a target, merged with the platform's, and its name."""
     listed = defaults(project).get("targets", {})
     if target in listed:
         place = defaults_place("targets", target, project)

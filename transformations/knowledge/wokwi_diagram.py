@@ -1,6 +1,6 @@
-"""What a Wokwi diagram that is written consists of: parts, wires, and what Wokwi has no part for. Plain records.
+"""The content of a Wokwi diagram before it is written: parts, wires, and what Wokwi has no part for.
 
-They are made by `m2m/wokwi_wiring` and written by `m2t/wokwi_project`.
+Plain records, made by `m2m/wokwi_wiring` and written by `m2t/wokwi_project`.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ class DrawnPart(Struct, frozen=True):
 
 
 class NotDrawn(Struct, frozen=True):
-    """A component that Wokwi has no part for: title, identity in the drawing, part, the board pins that it is on, and why."""
+    """A component that Wokwi has no part for: title, identity in the drawing, part, its board pins, and the reason."""
 
     title: str
     identity: str

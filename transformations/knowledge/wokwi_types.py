@@ -1,8 +1,7 @@
-"""Which type of Wokwi's stands for a component of any drawing, and which of its pins each connector is.
+"""Maps components of any drawing to Wokwi part types, and their connectors to the type's pins.
 
-The types are those of `parts/wokwi_types.toml`. Nothing is made up: a component that no type stands for, or a connector that is
-no pin of the type, is left to the caller to list. What Wokwi's parts and pins are is in the catalogue; how a diagram is put
-together is `m2m/wokwi_wiring`.
+The types are those of `parts/wokwi_types.toml`. A component without a matching type, or a connector that is no pin of the type,
+is left to the caller to list. Wokwi's parts and pins are in the catalogue; `m2m/wokwi_wiring` assembles the diagram.
 """
 
 from __future__ import annotations
@@ -136,7 +135,7 @@ def wokwi_part(
 
 
 def _taken(component: hardware.Component, entry: _Entry) -> dict[str, str]:
-    """Attributes whose value is that of the component, as a number: ohms of a resistor."""
+    """Attributes whose value is a number of the component, such as the ohms of a resistor."""
     own = {p.name.lower(): p.value for p in component.properties}
     own.setdefault("title", component.title)
     values = {
@@ -159,7 +158,7 @@ def plain_number(text: str) -> str:
 
 
 def _pins(component: hardware.Component, connected: Collection[hardware.Connector], part: Part, entry: _Entry) -> dict[str, str]:
-    """The pins of connectors: by name, by what they are on, by their order, and the last signal of both."""
+    """The pins of connectors, matched by name, by what they are wired to, by their order, and the last remaining signal."""
     found: dict[str, str] = {}
     on_pin: dict[str, hardware.Connector] = {}
     for connector in sorted(component.connectors, key=lambda c: c.net is None):
@@ -200,7 +199,7 @@ def _powered(connector: hardware.Connector, part: Part) -> str | None:
 
 
 def _groups(component: hardware.Component, connected: Collection[hardware.Connector]) -> Iterator[list[hardware.Connector]]:
-    """The connectors in the part's order, those that are joined inside together, as far as they are to be drawn."""
+    """The connectors to be drawn, in the part's order; connectors that are joined inside the part form one group."""
     seen: set[str] = set()
     for connector in component.connectors:
         if connector.connectorId in seen:
@@ -217,7 +216,7 @@ def _of_kind(part: Part | None, kinds: Sequence[str]) -> list[str]:
 
 
 def _counted(pin: str) -> str:
-    """A pin's name less the number that tells it from others of the name."""
+    """A pin's name without the number that distinguishes pins of the same name (`GND.1`)."""
     return re.sub(r"(?<=[A-Z])\.\d+$", "", pin)
 
 
@@ -251,7 +250,7 @@ def _entry(table: DataTable) -> _Entry:
 
 
 def _told(pin: str, patterns: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Pin and pattern of each name; a range of digits in both is the same digit."""
+    """The (pin, pattern) pairs of a table entry; a range of digits in both is expanded to equal digits."""
     digits = _DIGITS.search(pin)
     for pattern in patterns:
         if digits is None:
