@@ -1,6 +1,6 @@
-"""From complete models to the output folder: generate, compare with the last run, write whole or not at all.
+"""From complete models to the output folder: generates, compares with the last run, and writes atomically.
 
-Shared by the chains `migrate` and `generate`. The result knows what a report needs.
+Shared by the chains `migrate` and `generate`. The result has the data that a report needs.
 """
 
 from __future__ import annotations
@@ -237,7 +237,7 @@ def produce(
 
 
 def _diff(places: Places, contents: Mapping[str, bytes], going: Iterable[str], word: str) -> str:
-    """What changes in the files that a person reads, as a unified diff; of models only which, with that word."""
+    """The changes to files that a person reads, as a unified diff; models are only listed, with the given word."""
     from difflib import unified_diff  # few runs show changes
 
     lines: list[str] = []
@@ -256,7 +256,7 @@ def _diff(places: Places, contents: Mapping[str, bytes], going: Iterable[str], w
 
 
 def _made_by_runs(name: str) -> bool:
-    """Whether a migration can have made a file of that path: in a sketch's folder or the models' or among the last texts."""
+    """Whether a migration can have written a file with this path: in the sketch's or models' folder, or among the last texts."""
     inner = name.removeprefix(f"{LAST}/")
     return "/" in inner and not hidden(inner)
 
@@ -278,7 +278,7 @@ def _no_input(models: MigrationModels, output: Path, contents: Mapping[str, byte
 
 
 def _told(output: Path, guarded: Guarded) -> list[Finding]:
-    """What a person is told of files that are made again, or anew in their own form."""
+    """Findings about files that are generated again, or anew with their own line ends."""
     deleted = [
         Finding("RS517", Severity.info, "the file was deleted; it is made again", Location(str(output / name)))
         for name in guarded.deleted
@@ -289,7 +289,7 @@ def _told(output: Path, guarded: Guarded) -> list[Finding]:
 def _with_comments(
     output: Path, inputs: Mapping[str, bytes | None], contents: Mapping[str, bytes], findings: list[Finding]
 ) -> dict[str, bytes]:
-    """The models that are written anew and had comments of a person, under the names that they are kept by."""
+    """Copies of models with a person's comments that are about to be overwritten, under the names of the copies."""
     old: dict[str, bytes] = {}
     for name, data in inputs.items():
         if data is None or name not in contents:
@@ -308,7 +308,7 @@ def _with_comments(
 
 
 def _trace_texts(plan: migration.MigrationPlan, made: Generation, files: Mapping[str, bytes]) -> None:
-    """The plan's text traces anew: where the lines of the parts of templates stand in the files as they are written."""
+    """Set the plan's text traces: the lines of each template part in the files as written."""
     if plan.trace is None:
         plan.trace = trace.Trace()
     links = [
@@ -332,7 +332,7 @@ def _elements(link: TextLink) -> list[Element]:
 
 
 def _traces(text: trace.TextTrace, link: TextLink) -> bool:
-    """Whether a stored trace says what a link of this run says."""
+    """Whether a stored trace equals a link of this run."""
     said = (text.line, text.endLine, text.rule, text.path, text.step)
     if said != (link.line, link.end_line, link.part, link.path, link.step):
         return False
@@ -352,7 +352,7 @@ def _called(decision: migration.Decision) -> str:
 
 
 def remember(made: Generated, place: str | None = None) -> None:
-    """Count the libraries that persons chose (paper 3.3); a history that cannot be written is a finding, not a failure."""
+    """Count in the history the libraries that persons chose (paper 3.3); if it cannot be written, that is a finding only."""
     try:
         target = made.models.plan.targetDescription
         History(place).record_all(
