@@ -73,6 +73,7 @@ class Chain:
         *,
         metamodel: Paths = (),
         driver: str | Function | None = None,
+        lenient: bool = False,
         reads: Paths = (),
         step: str = "",
     ) -> None:
@@ -84,11 +85,14 @@ class Chain:
             metamodel: .ecore files, of XMI.
             driver: the driver's name, or a driver itself: it is called with the path and the model's name, and gives a `Model`;
                 found by the file's ending if None.
+            lenient: whether an XMI file may lack required values, or have too many or too few: a `validate` finds and mends that.
             reads: files that the model refers to.
             step: the step's name; `load NAME` if not given.
         """
         own, named = (None, driver) if driver is None or isinstance(driver, str) else (driver, None)
-        self._add(step or f"load {name}", "load", own, (), makes=name, file=file, metamodel=metamodel, driver=named, reads=reads)
+        title = step or f"load {name}"
+        options = {"lenient": True} if lenient else {}
+        self._add(title, "load", own, (), makes=name, file=file, metamodel=metamodel, driver=named, reads=reads, **options)
 
     def validate(self, function: Function, *, models: Names, stop_at: str = "error", reads: Paths = (), step: str = "") -> None:
         """Check constraints; later steps that use one of the models are done only if they hold.

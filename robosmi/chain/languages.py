@@ -72,7 +72,8 @@ def load(step: Step, doing: Doing) -> tuple[StepResult, Model]:
     if step.function is not None:
         made = _opened(step, step.function)
     else:
-        made = doing.session.open_model(step.file, step.driver, step.makes, metamodel=step.metamodel)
+        options = {"lenient": True} if step.lenient else {}
+        made = doing.session.open_model(step.file, step.driver, step.makes, metamodel=step.metamodel, **options)
     return StepResult(step, "done"), ModelView(made)
 
 

@@ -24,13 +24,14 @@ if TYPE_CHECKING:
 
 
 _KEYS: dict[str, dict[str, bool]] = {
-    "load": {"file": True, "metamodel": False, "driver": False},
+    "load": {"file": True, "metamodel": False, "driver": False, "lenient": False},
     "validate": {"models": True, "stop_at": False},
     "transform": {"models": True, "makes": True, "metamodel": True, "file": False, "trace": False},
     "migrate": {"models": True, "makes": True, "metamodel": True, "file": False},
     "generate": {"models": True, "folder": True, "templates": False},
 }
 """Key of each kind -> whether it must be there."""
+_FLAGS = ("lenient",)
 _LISTS = ("models", "metamodel", "reads")
 
 
@@ -76,7 +77,12 @@ def _add(chain: Chain, step: dict[str, Any], number: int, folder: Path, place: L
     for key, value in step.items():
         if key not in known:
             raise _wrong(place, f"'{key}' is no key of {kind}{did_you_mean(key, known)}", f"use one of: {', '.join(known)}")
-        if not (isinstance(value, str) or (key in _LISTS and isinstance(value, list) and all(isinstance(v, str) for v in value))):
+        if key in _FLAGS:
+            if not isinstance(value, bool):
+                raise _wrong(place, f"'{key}' of step {number} is neither true nor false", f"write {key} = true")
+        elif not (
+            isinstance(value, str) or (key in _LISTS and isinstance(value, list) and all(isinstance(v, str) for v in value))
+        ):
             raise _wrong(place, f"'{key}' of step {number} is no text", f'write {key} = "VALUE"')
     for key, needed in known.items():
         if needed and key not in step:

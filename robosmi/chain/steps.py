@@ -42,6 +42,7 @@ class Step(Struct, frozen=True):
         metamodel: .ecore files of that model.
         trace: the file of the trace of `transform`, None for none.
         driver: the driver of a model that is loaded; found by the file's ending if None.
+        lenient: whether an XMI file is read that has too few or too many values for its metamodel.
         folder: where `generate` writes.
         templates: where its templates are: a folder, or None for the built-in ones.
         reads: further files whose change makes the step run again.
@@ -60,6 +61,7 @@ class Step(Struct, frozen=True):
     metamodel: tuple[Path, ...] = ()
     trace: Path | None = None
     driver: str | None = None
+    lenient: bool = False
     folder: Path | None = None
     templates: Path | None = None
     reads: tuple[Path, ...] = ()

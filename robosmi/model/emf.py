@@ -72,6 +72,7 @@ class EmfModel(TypedModel):
         metamodel: Packages | str | Path | None = None,
         name: str | None = None,
         *,
+        lenient: bool = False,
         open_files: OpenFiles | None = None,
     ) -> EmfModel:
         """Read an XMI file; what it refers to in other files is read with it and belongs to models of their own.
@@ -80,6 +81,8 @@ class EmfModel(TypedModel):
             path: the file; an .ecore file is a model whose types are Ecore's (`EClass`, `EReference`).
             metamodel: a `Metamodel`, packages, or an .ecore file; the built-in metamodels if None, which are known beside others.
             name: what `M!Book` calls it; the file's name without its ending if None.
+            lenient: whether an element may lack a required value, or have more values or fewer than its metamodel says: it is for
+                constraints to find and to mend that.
             open_files: the files of a session, whose elements are referred to as they are; the model becomes one of them.
 
         Raises:
@@ -87,7 +90,8 @@ class EmfModel(TypedModel):
             ModelError: it contradicts its metamodel.
         """
         from robosmi.model.metamodels import built_in
-        from robosmi.model.xmi_reader import read_documents
+        from robosmi.model.versions import migrated
+        from robosmi.model.xmi_reader import UnreadableModelError, read_documents
 
         file = Path(path)
         if isinstance(metamodel, (str, Path)):
@@ -99,7 +103,11 @@ class EmfModel(TypedModel):
         roots = open_files.roots(place, used) if open_files is not None else None
         documents: dict[Path, Document] = {}
         if roots is None:
-            documents = read_documents(file, used, opened=open_files.documents(place) if open_files is not None else None)
+            opened = open_files.documents(place) if open_files is not None else None
+            try:
+                documents = read_documents(file, used, bounds=not lenient, opened=opened)
+            except UnreadableModelError as error:
+                roots = [migrated(file, used, error)]
         if roots is None and not documents:  # the file is a metamodel
             packages = Metamodel.packages_of(file)
             for element in (one for package in packages for one in walk(package)):
@@ -301,7 +309,11 @@ def _outermost(package: EPackage) -> EPackage:
 
 
 def open_xmi(
-    path: Path, name: str | None = None, metamodel: Packages | str | Path | None = None, open_files: OpenFiles | None = None
+    path: Path,
+    name: str | None = None,
+    metamodel: Packages | str | Path | None = None,
+    lenient: bool = False,
+    open_files: OpenFiles | None = None,
 ) -> EmfModel:
     """Open an XMI file; see `EmfModel.load`."""
-    return EmfModel.load(path, metamodel, name, open_files=open_files)
+    return EmfModel.load(path, metamodel, name, lenient=lenient, open_files=open_files)

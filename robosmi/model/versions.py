@@ -9,19 +9,33 @@ business.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Protocol
 
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError
 from robosmi.model.by_name import feature_values
-from robosmi.model.ecore import DynamicEObject, EObject
+from robosmi.model.ecore import DynamicEObject, EObject, Package
 from robosmi.model.metamodels import Metamodels
 from robosmi.model.xmi_reader import UnreadableModelError, read_models
 from robosmi.plugins import load, registry
 from robosmi.typed import first_of
 
 KIND = "model migration"
+
+
+class Migration(Protocol):
+    """A step from an older version of a metamodel to a newer one."""
+
+    def into(self, metamodels: Metamodels) -> Migration:
+        """The same step, into these metamodels where it names no newer version itself."""
+
+    def packages(self) -> list[Package]:
+        """The packages of the older version."""
+
+    def __call__(self, roots: Mapping[Path, EObject]) -> dict[Path, DynamicEObject]:
+        """The roots of models in the newer version, by the files of the older ones."""
 
 
 def read_current(path: Path, metamodels: Metamodels, *, inside: Path | None = None) -> dict[Path, DynamicEObject]:
@@ -42,7 +56,7 @@ def read_current(path: Path, metamodels: Metamodels, *, inside: Path | None = No
     try:
         return read_models(path, metamodels, inside=inside)
     except UnreadableModelError:
-        steps = {uri: load(target) for uri, target in registry().entries.get(KIND, {}).items()}
+        steps = _steps(metamodels)
         if not steps:
             raise
         older = dict.fromkeys(package for step in steps.values() for package in step.packages())
@@ -58,10 +72,37 @@ def read_current(path: Path, metamodels: Metamodels, *, inside: Path | None = No
     return current
 
 
-def _current(roots: dict[Path, DynamicEObject], steps: dict[str, Any]) -> tuple[dict[Path, DynamicEObject], list[Any]]:
+def migrated(path: Path, metamodels: Metamodels, refused: UnreadableModelError) -> DynamicEObject:
+    """The root of a file that could not be read, since it is of an older version of one of the metamodels.
+
+    Args:
+        path: the .xmi file.
+        metamodels: the metamodels in their current version; what was registered without a newer version migrates into these.
+        refused: why it could not be read; raised again where no step is registered for what the file is of.
+
+    Raises:
+        SourceError, ModelError: as `read_current`.
+    """
+    names = registry().entries.get(KIND, {})
+    if not any(uri in text for uri in names for _, text in refused.problems):
+        raise refused
+    return first_of(read_current(path, metamodels).values())
+
+
+def _steps(metamodels: Metamodels) -> dict[str, Migration]:
+    """The steps that are registered, by the older namespaces; those that name no newer version lead to these metamodels."""
+    into: dict[int, Migration] = {}
+    found: dict[str, Migration] = {}
+    for uri, target in registry().entries.get(KIND, {}).items():
+        step: Migration = load(target)
+        found[uri] = into.setdefault(id(step), step.into(metamodels))
+    return found
+
+
+def _current(roots: dict[Path, DynamicEObject], steps: dict[str, Migration]) -> tuple[dict[Path, DynamicEObject], list[EObject]]:
     """The roots in their current versions, and those that were replaced. Each namespace is migrated once."""
     current = dict(roots)
-    replaced: list[Any] = []
+    replaced: list[EObject] = []
     seen: set[str] = set()
     while pending := {file: uri for file, root in current.items() if (uri := _namespace(root)) in steps and uri not in seen}:
         step = steps[first_of(pending.values())]
@@ -76,7 +117,7 @@ def _namespace(root: EObject) -> str:
     return str(root.eClass.ePackage.nsURI)
 
 
-def _reference_into(root: EObject, replaced: list[Any]) -> Any:
+def _reference_into(root: EObject, replaced: list[EObject]) -> EObject | None:
     """An element of a model that refers to one of those that were replaced, or None."""
     from robosmi.model.features import all_features
     from robosmi.model.structure import root_of, walk

@@ -16,7 +16,7 @@ from robosmi.model.ecore import EObject, Package
 from robosmi.model.emf import EmfModel
 from robosmi.model.features import eclass_of
 from robosmi.model.metamodel import Metamodel
-from robosmi.model.metamodels import built_in
+from robosmi.model.metamodels import Metamodels, built_in
 from robosmi.transform.flock import Flock
 from robosmi.typed import dynamic_attribute
 
@@ -28,7 +28,7 @@ class ModelMigration(Struct, dict=True):
         old: the .ecore file of the older version. What it refers to in other files (`ccode.ecore#//Call`) is taken from the newer
             packages where they have that namespace, so that elements of other models stay what they are.
         rules: adds the rules to a `Flock`; what the newer version still takes is copied without any.
-        new: packages of the newer version; the built-in ones if None.
+        new: packages of the newer version; if None those that a model is loaded with, the built-in ones beside them.
     """
 
     old: Path
@@ -48,6 +48,18 @@ class ModelMigration(Struct, dict=True):
     @cached_property
     def _new(self) -> Metamodel:
         return self.new or Metamodel(built_in().packages)
+
+    def into(self, metamodels: Metamodels) -> ModelMigration:
+        """The same step, into these metamodels where it names no newer version itself.
+
+        Args:
+            metamodels: those that a model is loaded with.
+        """
+        if self.new is not None:
+            return self
+        known = {package.nsURI for package in metamodels.packages}
+        beside = [package for package in built_in().packages if package.nsURI not in known]
+        return ModelMigration(self.old, self.rules, Metamodel([*metamodels.packages, *beside]))
 
     def packages(self) -> list[Package]:
         """The packages of the older version."""

@@ -1,0 +1,16 @@
+"""Gates have labels."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from robosmi.query import ModelView
+from robosmi.validate import EVL, Fail, Fix
+
+
+def named(v: EVL, house: ModelView) -> None:
+    """Each gate has a label, and the fix gives it one."""
+
+    @v.context(house.Gate).constraint
+    def Named(gate: Any) -> Any:
+        return gate.label is not None or Fail("a gate has no label", Fix("side", lambda: setattr(gate, "label", "side")))
