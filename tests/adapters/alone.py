@@ -1,4 +1,4 @@
-"""Compiles every adapter alone, with just what it declares, for every microcontroller, and prints what the compiler says.
+"""Compiles every adapter by itself, with only what it declares, for every microcontroller, and prints the compiler's messages.
 
 `python -m tests.adapters.alone [TEXT]` takes the adapters whose `header/name` contains that text.
 """
@@ -14,7 +14,7 @@ from tests.adapters.test_files import KEYS, VARIANTS, alone
 
 
 def main(only: str = "") -> int:
-    """Compile the adapters whose names contain a text; 1 if the compiler says something of one."""
+    """Compile the adapters whose names contain a text; 1 if the compiler complains about one."""
     tried = wrong = 0
     with tempfile.TemporaryDirectory() as folder:
         keys_in_c = [(piece.header, piece.name) for piece in bench_c.pieces() if piece.kind != "helper"]

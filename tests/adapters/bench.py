@@ -1,4 +1,4 @@
-"""What adapters do, measured: a program that calls them is compiled with just the pieces that it needs, and runs on a simulator.
+"""Tests the behaviour of adapters: a program that calls them is compiled with just the pieces it needs, and simulated.
 
 A case is a function with `@proves(...)`: it runs programs on the `Uno` that it is given and asserts what the documentation of
 the source's library says. The same cases are run again with each adapter that they prove broken on purpose, and then have to
@@ -34,7 +34,7 @@ NOTHING_TO_DO = {
     "servo360.h/servo360_monitorRun", "servo360.h/servo360_monitorEnd",  # the library as it is shipped leaves its monitor out
     "pthread.h/pthread_set_affinity_thiscog_np",  # a thread never leaves its cog here
 }  # fmt: skip
-"""Adapters with empty bodies, with the reason: no case tells them from broken ones."""
+"""Adapters with empty bodies -> the reason; no case can distinguish them from broken ones."""
 
 
 @cache
@@ -44,7 +44,7 @@ def pieces() -> tuple[AdapterPiece, ...]:
 
 
 class NotBuiltError(Exception):
-    """A case's program does not compile, or not without warnings: no case is judged by that."""
+    """A program does not compile, or not without warnings, so that nothing is judged."""
 
 
 @dataclass
@@ -101,19 +101,19 @@ class Uno:
 
 Case = Callable[[Uno], None]
 CASES: dict[str, tuple[Case, tuple[str, ...]]] = {}
-"""Name of each case -> the case, and `header/name` of the adapters that it proves."""
+"""Name of each case -> the case, and the `header/name` of the adapters that it proves."""
 
 
 BESIDE: dict[str, tuple[str, ...]] = {}
-"""Name of a case -> `header/name` of adapters that it uses and does not prove, where a target may lack them."""
+"""Name of a case -> the `header/name` of adapters that it uses without proving them, which a target may lack."""
 NOT_IN_C: set[str] = set()
-"""Names of cases of what adapters in C do not promise."""
+"""Names of the cases that do not hold for adapters in C."""
 
 
 def proves(*adapters: str, beside: Sequence[str] = (), in_c: bool = True) -> Callable[[Case], Case]:
-    """Register a case as proof of adapters: it fails when one of them is broken. It may use others `beside`.
+    """Register a case as proof of adapters: it fails when one of them is broken.
 
-    Not `in_c` is what adapters in C do not promise: they state another limit.
+    It may use other adapters (`beside`). Cases with `in_c=False` do not hold for adapters in C, which state another limit.
     """
 
     def register(case: Case) -> Case:
@@ -128,10 +128,10 @@ def proves(*adapters: str, beside: Sequence[str] = (), in_c: bool = True) -> Cal
 
 
 def notices(case: Case, adapter: str, text: str, bench: type[Uno] = Uno) -> bool:
-    """Whether a case fails, on a bench, with that text in the place of an adapter's.
+    """Whether a case fails on a bench when an adapter's text is replaced by this one.
 
     Raises:
-        NotBuiltError: that text does not compile, which judges nothing.
+        NotBuiltError: the text does not compile, so that nothing is judged.
     """
     try:
         case(bench({adapter: text}))
@@ -147,7 +147,7 @@ _LAST_NAME = re.compile(r"(\w+)\s*$")
 
 
 def broken(piece: AdapterPiece) -> dict[str, str]:
-    """An adapter broken in each way that makes sense for it: name of the way -> the text."""
+    """An adapter broken in each way that makes sense for it: name of the way -> the broken text."""
     name = piece.target_name or piece.name
     if macro := re.search(rf"#define {name}\(.*\) ", piece.text):
         return {"does nothing": f"{piece.text[: macro.end()]}(int32_t)0"}

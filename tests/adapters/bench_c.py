@@ -44,7 +44,7 @@ PINS = {
     **{f"A{number}": 16 + number for number in range(6)},
     "MISO": 12, "SCK": 13, "MOSI": 11, "SCL": 21, "SDA": 20,
 }  # fmt: skip
-"""A pin of an Uno as the Arduino core calls it -> its number on avr-libc: 8 for each port from A on, and the bit."""
+"""Pin of an Uno in the Arduino core's numbering -> its number in the C adapters: 8 times the port (from A on) plus the bit."""
 
 
 @cache
@@ -77,7 +77,7 @@ def _with_pins(places: Sequence[int], call: re.Match[str]) -> str:
 
 @dataclass
 class UnoInC(Uno):
-    """A bench with an Uno for adapters in C."""
+    """A bench with an Uno for adapters in C; see `bench.Uno`."""
 
     def sketch(self, program: str, uses: Sequence[str], first: str = "") -> str:
         """The text of a C program: the pieces that `uses` (`header/name`) need, then what a program for the core becomes."""
@@ -117,7 +117,7 @@ class UnoInC(Uno):
 
 
 def alone(key: tuple[str, str], mcu: str, folder: Path) -> str:
-    """What the compiler says of one adapter with just what it needs; nothing where the microcontroller cannot serve it."""
+    """The compiler's messages about one adapter with just what it needs; empty if the microcontroller cannot serve it."""
     needed = AdapterPieces(pieces()).needed([key], mcu)
     if needed.unserved:
         return ""

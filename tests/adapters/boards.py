@@ -30,7 +30,7 @@ def kinds_of_boards() -> dict[tuple[str, int, str, str], list[str]]:
 
 
 def said(header: str, mcu: str, clock: int, variant: str, define: str, folder: Path) -> str:
-    """What the compiler says of all adapters of a header that a kind of board can serve."""
+    """The compiler's messages about all adapters of a header that a kind of board can serve."""
     wanted = {key for key in KEYS if key[0] == header}
     needed = AdapterPieces(pieces()).needed(sorted(wanted), mcu)
     (folder / "adapters.cpp").write_text(program(needed.pieces, wanted - needed.unserved.keys()))
@@ -42,7 +42,7 @@ def said(header: str, mcu: str, clock: int, variant: str, define: str, folder: P
 
 
 def main(only: str = "") -> int:
-    """Compile; 1 if the compiler says something."""
+    """Compile the headers whose names contain a text; 1 if the compiler complains."""
     wrong = tried = 0
     kinds = kinds_of_boards()
     with tempfile.TemporaryDirectory() as folder:

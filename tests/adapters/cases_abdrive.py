@@ -19,7 +19,7 @@ SAY = "void say(int32_t number) { Serial.print(number); Serial.print(' '); }"
 
 
 def d(*names: str) -> list[str]:
-    """These functions of abdrive.h."""
+    """The `header/name` of these functions of abdrive.h."""
     return [f"abdrive.h/drive_{name}" for name in names]
 
 

@@ -15,7 +15,7 @@ PORTS = {f"abdrive360.{name}": pin for name, pin in (("left_servo", "5"), ("righ
 
 
 def d(*names: str) -> list[str]:
-    """These functions of abdrive360.h."""
+    """The `header/name` of these functions of abdrive360.h."""
     return [f"abdrive360.h/drive_{name}" for name in names]
 
 

@@ -13,7 +13,7 @@ SAY = "void say(int32_t number) { Serial.print(number); Serial.print(' '); }"
 
 
 def a(*names: str) -> list[str]:
-    """These functions of arlodrive.h."""
+    """The `header/name` of these functions of arlodrive.h."""
     return [f"arlodrive.h/{name}" for name in names]
 
 

@@ -54,16 +54,16 @@ def inputs(until: float) -> list[DeviceUse]:
 def beside(
     uno: Uno, begin: str, go_on: str, uses: Sequence[str], devices: Sequence[DeviceUse], most: float, seconds: float
 ) -> None:
-    """Time all inputs in a loop beside something.
+    """Time all inputs in a loop while something else runs in the background.
 
     Args:
         uno: the bench.
-        begin: statements that begin what goes on beside.
-        go_on: statements for each turn, with its number `n`.
-        uses: the adapters of these.
-        devices: the devices of these.
-        most: the largest error of a time in microseconds, where 1 % is less.
-        seconds: for how long.
+        begin: statements that start the background activity.
+        go_on: statements for each round, with its number `n`.
+        uses: the adapters of these statements.
+        devices: their devices.
+        most: greatest error of a time in microseconds where 1 % is less.
+        seconds: duration of the run.
     """
     program = f"""
 int32_t n, left, right;

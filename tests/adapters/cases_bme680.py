@@ -35,13 +35,13 @@ def content() -> list[int]:
 
 
 def words(at: int, form: str = "<h") -> int:
-    """A coefficient of two bytes."""
+    """A coefficient of two bytes from an address on."""
     number: int = struct.unpack_from(form, COEFFICIENTS + MORE, at)[0]
     return number
 
 
 def truth() -> dict[str, float]:
-    """What the library's formulas give for what is measured; single bytes have no sign there."""
+    """The results of the library's formulas for the measured values; single bytes are unsigned there."""
     cal = COEFFICIENTS + MORE
     adc = MEASURED[5] << 12 | MEASURED[6] << 4 | MEASURED[7] >> 4
     t1, t2, t3 = words(33, "<H"), words(1), cal[3]
@@ -73,7 +73,7 @@ def truth() -> dict[str, float]:
 
 
 def b(*names: str) -> list[str]:
-    """These functions of bme680.h."""
+    """The `header/name` of these functions of bme680.h."""
     return [f"bme680.h/bme680_{name}" for name in names]
 
 
@@ -91,7 +91,7 @@ SPI = DeviceUse(
 
 
 def written(trace_events: Sequence[object]) -> list[tuple[int, ...]]:
-    """What was written into which register."""
+    """The writes of registers, as numbers."""
     return [tuple(event.value) for event in trace_events if event.what == "written"]  # type: ignore[attr-defined]
 
 

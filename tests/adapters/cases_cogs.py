@@ -12,7 +12,7 @@ SLOTS = "#define COG_SLOTS {}\n#define COG_STACK {}\n"
 
 
 def cogs(uno: Uno, program: str, uses: list[str], milliseconds: float = 60, slots: int = 2, stack: int = 200) -> str:
-    """What a program of cogs prints."""
+    """Run a program with cogs; returns what it prints."""
     return uno.run(program, uses, milliseconds, first=SLOTS.format(slots, stack)).text
 
 

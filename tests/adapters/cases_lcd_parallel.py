@@ -13,12 +13,12 @@ EIGHT = [*FOUR, "D8", "D9", "D10", "D11"]
 
 
 def lcd(*names: str) -> list[str]:
-    """Adapters of the header."""
+    """The `header/name` of these adapters."""
     return [f"lcdParallel.h/lcdParallel_{name}" for name in names]
 
 
 def taken(trace: PinTrace, wires: list[str]) -> list[tuple[float, int, int]]:
-    """What the display takes as enable falls: when, in us, the level of the select, and the value on the wires."""
+    """What the display reads at each falling edge of enable: time in us, level of the register select, value on the wires."""
     lines, found, risen = dict.fromkeys([SELECT, ENABLE, *wires], 0), list[tuple[float, int, int]](), 0.0
     for change in trace.changes:
         if change.pin not in lines:
@@ -34,7 +34,7 @@ def taken(trace: PinTrace, wires: list[str]) -> list[tuple[float, int, int]]:
 
 
 def bytes_of(halves: list[tuple[float, int, int]]) -> list[tuple[int, int]]:
-    """The select and the byte of each two halves."""
+    """The register select and the byte of each pair of half bytes."""
     pairs = zip(halves[::2], halves[1::2], strict=True)
     assert all(high[1] == low[1] for high, low in zip(halves[::2], halves[1::2], strict=True))
     return [(high[1], high[2] << 4 | low[2]) for high, low in pairs]

@@ -11,7 +11,7 @@ SAY = "void say(int32_t number) { Serial.print(number); Serial.print(' '); }"
 
 
 def words(*values: int) -> list[int]:
-    """Values of 16 bits, lowest byte first."""
+    """16-bit values as bytes, lowest byte first."""
     return [byte for value in values for byte in (value & 0xFF, value >> 8 & 0xFF)]
 
 
@@ -27,7 +27,7 @@ def sensor(sdo: str) -> DeviceUse:
 
 
 def m(*names: str) -> list[str]:
-    """These functions of lis3dh.h."""
+    """The `header/name` of these functions of lis3dh.h."""
     return [f"lis3dh.h/lis3dh_{name}" for name in names]
 
 

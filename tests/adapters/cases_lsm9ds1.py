@@ -17,21 +17,21 @@ uint8_t count;
 void say(float number) { said[count++] = number; }
 void loop() { for (uint8_t n = 0; n < count; n++) { Serial.print(said[n]); Serial.print(' '); } count = 0; }
 """
-"""Numbers are told at the end, so that the times of all exchanges are the same whatever is read."""
+"""Helpers that print numbers only at the end, so that exchanges take the same time whatever is read."""
 KNOWN = {(FIELD, 0x0F): [0x3D], (MOTION, 0x0F): [0x68]}
-"""Who the two halves of the sensor are."""
+"""The identification registers of the two halves of the sensor."""
 
 Exchange = tuple[str, list[int], list[float]]
-"""The select, the bits at the rising edges of the clock, and when the falling edges were, in ms."""
+"""An exchange: the chip select, the bits at the rising edges of the clock, the times of its falling edges in ms."""
 
 
 def m(*names: str) -> list[str]:
-    """Adapters of the header."""
+    """The `header/name` of these adapters."""
     return [f"lsm9ds1.h/imu_{name}" for name in names]
 
 
 def exchanges(trace: PinTrace) -> list[Exchange]:
-    """What went over the wires each time that a half was selected."""
+    """The exchanges on the wires, one for each time that a half was selected."""
     lines, found = {CLOCK: 0, DATA: 0, MOTION: 1, FIELD: 1}, list[Exchange]()
     for change in trace.changes:
         if change.pin not in lines:
@@ -58,7 +58,7 @@ def answered(
 ) -> tuple[PinTrace, list[tuple[str, int, int]]]:
     """Run a program with a sensor that answers with its registers, 0 for others: the trace, and what was written.
 
-    The sensor's answers are levels at given times: the program runs again until the answers fit its questions.
+    The sensor's answers are levels at given times, so the program runs again until the answers fit its questions.
     """
     points: list[list[float]] = [[0, 0]]
     for _ in range(8):

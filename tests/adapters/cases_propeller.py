@@ -12,7 +12,7 @@ from tests.adapters.bench import Uno, proves
 
 
 def p(*names: str) -> list[str]:
-    """These names of propeller.h."""
+    """The `header/name` of these names of propeller.h."""
     return [f"propeller.h/{name}" for name in names]
 
 

@@ -16,12 +16,12 @@ SERVOS = [
 
 
 def s(*names: str) -> list[str]:
-    """These functions of servo360.h."""
+    """The `header/name` of these functions of servo360.h."""
     return [f"servo360.h/servo360_{name}" for name in names]
 
 
 def turned(trace: PinTrace, number: int) -> float:
-    """How far a servo has turned, in degrees."""
+    """The angle in degrees by which a servo has turned."""
     start = SERVOS[number].settings.get("degrees", 90.0)
     said = [as_number(event.value) for event in trace.device_events if event.device == number and event.what == "degrees"]
     return float(said[-1]) - float(start)

@@ -16,7 +16,7 @@ CONTROLS = (
 
 
 def t(*names: str) -> list[str]:
-    """These names of simpletext.h."""
+    """The `header/name` of these names of simpletext.h."""
     return [f"simpletext.h/{name}" for name in names]
 
 

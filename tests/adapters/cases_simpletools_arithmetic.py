@@ -6,12 +6,12 @@ from tests.adapters.bench import Uno, proves
 
 
 def s(*names: str) -> list[str]:
-    """These functions of simpletools.h."""
+    """The `header/name` of these functions of simpletools.h."""
     return [f"simpletools.h/{name}" for name in names]
 
 
 def mapped(value: int, low: int, high: int, to_low: int, to_high: int) -> int:
-    """What mapInt.c computes: the product is rounded by half of the divisor, with the sign of the quotient, and cut off."""
+    """The result of mapInt.c: the product is rounded by half of the divisor, with the sign of the quotient, and truncated."""
     product, divisor = (value - low) * (to_high - to_low), high - low
     half = int(divisor / 2)
     return int((product + (-half if product * divisor < 0 else half)) / divisor) + to_low

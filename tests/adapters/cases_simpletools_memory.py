@@ -10,12 +10,12 @@ OLDER = ("put_byte", "get_byte", "put_int", "get_int", "put_str", "get_str", "pu
 
 
 def s(*names: str) -> list[str]:
-    """These functions of simpletools.h."""
+    """The `header/name` of these functions of simpletools.h."""
     return [f"simpletools.h/{name}" for name in names]
 
 
 def i(*names: str) -> list[str]:
-    """These functions of simplei2c.h."""
+    """The `header/name` of these functions of simplei2c.h."""
     return [f"simplei2c.h/{name}" for name in names]
 
 

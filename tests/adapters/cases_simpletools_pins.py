@@ -12,12 +12,12 @@ from tests.adapters.bench import Uno, proves
 
 
 def driven(trace: PinTrace, pin: str) -> list[int | str]:
-    """The levels that a program drives a pin to; between two of them there may be a pull-up for 3 us."""
+    """The levels to which a program drives a pin, without pull-ups of up to 3 us between them."""
     return [level for _, level in trace.levels(pin) if level != "p"]
 
 
 def s(*names: str) -> list[str]:
-    """These functions of simpletools.h."""
+    """The `header/name` of these functions of simpletools.h."""
     return [f"simpletools.h/{name}" for name in names]
 
 

@@ -11,7 +11,7 @@ from tests.adapters.bench import Uno, proves
 
 
 def s(*names: str) -> list[str]:
-    """These functions of simpletools.h."""
+    """The `header/name` of these functions of simpletools.h."""
     return [f"simpletools.h/{name}" for name in names]
 
 

@@ -11,7 +11,7 @@ READ = [f"spi_adc.h/{name}" for name in ("MCP3202_getVolts", "MCP3002_getVolts",
 
 
 def selected(trace: PinTrace) -> list[list[tuple[float, int]]]:
-    """When the clock (D6) rose, in ms, and what stood on the line to the converter (D4) then, from each selection (D7) on."""
+    """For each selection (D7): the times (ms) of the clock's (D6) rising edges, and the level sent to the converter (D4)."""
     lines, found = {"D4": 0, "D6": 0, "D7": 1}, list[list[tuple[float, int]]]()
     for change in trace.changes:
         if change.pin not in lines:

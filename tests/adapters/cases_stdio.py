@@ -7,7 +7,7 @@ from tests.adapters.bench import Uno, proves
 
 
 def c(*names: str) -> list[str]:
-    """These functions of stdio.h."""
+    """The `header/name` of these functions of stdio.h."""
     return [f"stdio.h/{name}" for name in names]
 
 

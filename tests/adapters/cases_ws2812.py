@@ -10,7 +10,7 @@ from tests.adapters.bench import Uno, proves
 
 
 def w(*names: str) -> list[str]:
-    """These functions of ws2812.h."""
+    """The `header/name` of these functions of ws2812.h."""
     return [f"ws2812.h/ws2812{name}" for name in names]
 
 

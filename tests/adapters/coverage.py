@@ -21,18 +21,18 @@ from tests.corpus.migrate_corpus import programs
 UNSERVED = frozenset({
     "badgetools.h", "badgewxtools.h", "il3820.h", "simplegfx.h", "sound.h", "text2speech.h", "vgatext.h", "wavplayer.h", "wifi.h",
 })  # fmt: skip
-"""Headers of hardware that an Uno has not."""
+"""Headers of hardware that an Uno lacks."""
 CORES = frozenset({"cog_run", "cog_end", "cog_num", "cogstart", "cognew", "coginit", "cogid", "cogstop", "_start_cog_thread"})
-"""Functions of cores, which the structure of the program serves and no adapter."""
+"""Functions about cores, which the program's structure replaces and no adapter does."""
 STANDARD = frozenset({"time.h", "sys/time.h", "sys/unistd.h", "unistd.h"})
-"""Headers whose functions the target lacks although they are standard ones. Of stdio.h it lacks some."""
+"""Standard headers with functions that the target lacks; of stdio.h it lacks some."""
 
 Name = tuple[str, str, str]
-"""What kind of name, its header, and the name."""
+"""Kind of a name, its header, and the name."""
 
 
 def used(folder: Path) -> Counter[Name]:
-    """How often the programs below a folder use each name of the platform: calls of functions, places of symbols and types."""
+    """How often the programs below a folder use each name of the platform."""
     api = ApiIndex.load("propeller")
     found: Counter[Name] = Counter()
     for files in programs(folder):
@@ -49,12 +49,12 @@ def used(folder: Path) -> Counter[Name]:
 
 
 def served() -> set[str]:
-    """The names that pieces of adapter files stand for."""
+    """The names for which adapter files have pieces."""
     return {piece.name for piece in pieces() if piece.kind != "helper"}
 
 
 def without_adapter(names: Iterable[Name]) -> list[Name]:
-    """Of names, those that an Uno could serve and that have no adapter."""
+    """The names, of some, that an Uno could serve and that have no adapter."""
     there = served() | CORES
     return [name for name in names if name[1] not in UNSERVED and name[2] not in there]
 
@@ -71,7 +71,7 @@ def declared() -> list[Name]:
 
 
 def main(folder: str = "") -> int:
-    """Print what has no adapter, and how much of the calls have one."""
+    """Print the names without an adapter, and the share of calls with one."""
     place = folder or os.environ.get("ROBOSMI_CORPUS", "")
     if not place:
         for kind, header, name in sorted(without_adapter(declared()), key=lambda each: each[1:]):

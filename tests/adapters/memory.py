@@ -1,7 +1,7 @@
-"""What the variables of adapter pieces take of the data memory, measured with avr-g++, avr-gcc and avr-objdump.
+"""Measures the data memory of the variables in adapter pieces, with avr-g++, avr-gcc and avr-objdump.
 
-`python -m tests.adapters.memory` prints the pieces whose marker `ram` says something else; with `--write` the markers are
-written. A variable belongs to the piece whose text declares it.
+`python -m tests.adapters.memory` prints the pieces whose marker `ram` differs from the measurement; with `--write` the markers
+are corrected. A variable belongs to the piece whose text declares it.
 """
 
 from __future__ import annotations
@@ -26,15 +26,15 @@ _SYMBOL = re.compile(
 )
 MCU = "atmega328p"
 _SCALAR = 4
-"""Constants of so many bytes are taken into the code."""
+"""Constants of up to this many bytes are put into the code, not into data memory."""
 _NO_NAME = re.compile(r"\([^()]*\)|\.\d+|vtable for|guard variable for|anonymous namespace")
 _COGS = "#define COG_SLOTS 1\n#define COG_STACK 0\n"
-"""With no bytes of stack: a plan adds those of its own."""
+"""Macros for one coroutine without stack; a plan counts the stacks itself."""
 _KEEP = ["-O1", "-fno-toplevel-reorder", "-fkeep-inline-functions", "-fkeep-static-consts", "-fno-merge-constants", "-w"]
 
 
 def symbols(text: str, mcu: str, folder: Path, language: str) -> Iterator[tuple[str, int]]:
-    """The names of the variables that a text declares, with their bytes; functions stand before their own with `::`."""
+    """The variables that a text declares, with their bytes; a static local is prefixed with its function and `::`."""
     name = f"adapters.{'c' if language == 'C' else 'cpp'}"
     (folder / name).write_text(text)
     tool, more = ("avr-gcc", ["-std=gnu11"]) if language == "C" else ("avr-g++", [*test_files.DEFINES])
@@ -51,7 +51,7 @@ def symbols(text: str, mcu: str, folder: Path, language: str) -> Iterator[tuple[
 def measured(
     pieces: Sequence[AdapterPiece], wanted: Sequence[tuple[str, str]], mcu: str, language: str
 ) -> Counter[tuple[str, str]]:
-    """Bytes of data memory of each piece that some wanted ones need."""
+    """Bytes of data memory of each piece that the wanted pieces need."""
     needed = AdapterPieces(pieces).needed(wanted, mcu)
     start = bench_c.HEAD if language == "C" else "#include <Arduino.h>\n"
     text = start + _COGS + adapter_text([adapter_element(piece) for piece in needed.pieces], {}, bench.NO_PIN)
@@ -85,7 +85,7 @@ def measurements(language: str, pieces: Sequence[AdapterPiece]) -> Counter[tuple
 
 
 def written(text: str, sizes: Counter[tuple[str, str]]) -> str:
-    """The text of an adapter file with its markers `ram` as measured; a variant for some programs keeps what it says."""
+    """The text of an adapter file with the measured `ram` markers; variants for some programs keep theirs."""
     lines: list[str] = []
     header = size = ""
     variant = False
@@ -107,7 +107,7 @@ def written(text: str, sizes: Counter[tuple[str, str]]) -> str:
 
 
 def main(*arguments: str) -> int:
-    """Print the files whose markers are not what is measured; 1 if there are any. With `--write`, write them."""
+    """Print the files with wrong markers, or with `--write` correct them; 1 if there are any."""
     wrong = 0
     for language, pieces, folder in (("C++", bench.pieces(), bench.ADAPTERS), ("C", bench_c.pieces(), bench_c.ADAPTERS)):
         sizes = measurements(language, pieces)

@@ -1,8 +1,8 @@
-"""What calls of adapters take of the stack, and what their interrupts take, read off their machine code.
+"""Measures the stack that calls of adapters and their interrupts take, by reading machine code.
 
-`python -m tests.adapters.stack [HEADER...]` prints the pieces whose markers `stack` and `interrupt` say something else than is
-measured on an Uno; with `--write` the markers are written. A program that does nothing but call the adapter is compiled, once
-with a call at one place, where a compiler puts its text in, and once with calls at two.
+`python -m tests.adapters.stack [HEADER...]` prints the pieces whose markers `stack` and `interrupt` differ from what is
+measured for an Uno; with `--write` the markers are corrected. A program that does nothing but call the adapter is compiled
+twice: with one call, which the compiler inlines, and with two calls.
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ struct Any {
   template <class T> operator T() const { return given<T>(); }
 };
 """
-"""Values that a compiler knows nothing of."""
+"""Functions whose results the compiler cannot predict, to be used as arguments."""
 _CORE = "TIMER0_OVF_vect"
-"""The interrupt that every program of the core has."""
+"""The interrupt that every program of the core contains."""
 _KINDS = ("adapter", "register", "variable")
 _LAST_NAME = re.compile(r"(\w+)\s*(?:\)\s*\(.*\))?(?:\[\w*\])*$")
 _TEMPLATE = re.compile(r"\b(?:class|typename) (\w+)")
@@ -45,11 +45,12 @@ _TEXT = re.compile(r"const char ?\*")
 
 
 class Measured(NamedTuple):
-    """What is measured of an adapter.
+    """The measurements of an adapter.
 
     Attributes:
-        stack: bytes of stack where it is called at more than one place, and where it is called at one.
-        interrupts: name of each interrupt that the adapter handles -> bytes, and those where others are let in, below 0 for none.
+        stack: bytes of stack if it is called at several places, and if it is called at one (inlined).
+        interrupts: name of each interrupt that the adapter handles -> bytes at its deepest point, and at its deepest point with
+            interrupts enabled (negative for none).
     """
 
     stack: tuple[int, int]
@@ -77,7 +78,10 @@ def parameters(piece: AdapterPiece) -> list[str]:
 
 
 def statement(piece: AdapterPiece, turn: int, again: bool) -> str:
-    """A statement that uses a piece: pins and texts are known, what else it is given is not; or another, where that is no C++."""
+    """A statement that uses a piece with known pins and texts and unknown other arguments.
+
+    With `again`, another one, for pieces whose first statement is no valid C++ (a register that cannot be written).
+    """
     name = piece.target_name or piece.name
     if piece.kind in ("register", "variable"):  # not all may be written
         return f"given<uint32_t *>()[{turn}] = {name};" if again else f"{name} = given<uint32_t>() | {name};"
@@ -100,7 +104,7 @@ def statement(piece: AdapterPiece, turn: int, again: bool) -> str:
 
 
 def code_of(piece: AdapterPiece, places: int) -> StackParts:
-    """What a program takes that uses a piece at so many places.
+    """The stack of a program that uses a piece at so many places.
 
     Raises:
         NotBuiltError: it does not compile, or there is nothing to use.
@@ -125,7 +129,7 @@ def code_of(piece: AdapterPiece, places: int) -> StackParts:
 
 
 def listing(elf: Path) -> str:
-    """A linked program as the disassembler prints it."""
+    """The disassembly of a linked program."""
     command = [
         "avr-objdump",
         *load_toolchain(bench.ROOT / "platform_repo" / "arduino" / "toolchain.toml").stack.texts("arguments"),
@@ -136,14 +140,14 @@ def listing(elf: Path) -> str:
 
 @cache
 def vectors() -> dict[str, str]:
-    """Name of a handler in machine code -> name of the interrupt."""
+    """Name of an interrupt handler in machine code -> name of the interrupt."""
     command = ["avr-gcc", f"-mmcu={MCU}", "-dM", "-E", "-include", "avr/io.h", "-x", "c", "/dev/null"]
     said = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     return {f"__vector_{found[2]}": found[1] for found in re.finditer(r"#define (\w+_vect)_num +(\d+)", said)}
 
 
 def measured(piece: AdapterPiece) -> Measured:
-    """What an adapter takes.
+    """Measure an adapter.
 
     Raises:
         NotBuiltError: no program can be made of it.
@@ -156,7 +160,7 @@ def measured(piece: AdapterPiece) -> Measured:
 
 
 def written(text: str, found: Mapping[tuple[str, str], Measured]) -> str:
-    """The text of an adapter file with its markers as measured; variants, and what is not measured, keep theirs."""
+    """The text of an adapter file with the measured markers; variants, and what was not measured, keep theirs."""
     lines: list[str] = []
     header, key, kept = "", ("", ""), True
     for line in [*text.split("\n"), None]:
@@ -180,7 +184,7 @@ def written(text: str, found: Mapping[tuple[str, str], Measured]) -> str:
 
 
 def marks(found: Measured) -> list[str]:
-    """The lines of a piece's head that say what is measured."""
+    """The lines with measurements for the head of a piece."""
     often, once = found.stack
     lines = [f"{MARK}   stack: {often}{f' {once}' if once != often else ''}"]
     for name, (size, others) in sorted(found.interrupts.items()):
@@ -189,7 +193,7 @@ def marks(found: Measured) -> list[str]:
 
 
 def main(*arguments: str) -> int:
-    """Print the files whose markers are not what is measured; 1 if there are any. With `--write`, write them."""
+    """Print the files with wrong markers, or with `--write` correct them; 1 if there are any."""
     asked = [each for each in arguments if not each.startswith("-")]
     wrong = 0
     for path in sorted({Path(piece.location.path) for piece in bench.pieces()}):

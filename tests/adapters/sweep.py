@@ -1,7 +1,7 @@
-"""Measures what interrupts of servos do to echoes and decays that are timed, over distances, decays and numbers of servos.
+"""Measures how interrupts of servos distort timed echoes and decays, over distances, decay times and numbers of servos.
 
-`python -m tests.adapters.sweep [SECONDS]` runs a program that times both in a loop beside 0 to 8 servos, so long for each value
-(4 s otherwise), on the simulator, and prints for each number of servos how many readings there were, and the worst.
+`python -m tests.adapters.sweep [SECONDS]` simulates a program that times both in a loop beside 0 to 8 servos, for so many
+seconds at each value (4 by default), and prints for each number of servos the number of readings and the worst one.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from robosmi.verify.simulation import DeviceUse
 from tests.adapters.bench import Uno
 
 DISTANCES = [3.5, 8.5, 16.5, 33.5, 65.5, 120.5, 240.5, 300.5]
-"""Centimetres, at the middle of what a whole one stands for."""
+"""Centimetres, each in the middle of the range that a whole number stands for."""
 DECAYS = [100, 250, 500, 800, 1200, 2500, 6000, 15000]
-"""Microseconds."""
+"""Decay times in microseconds."""
 SERVOS = [8, 9, 10, 11, 12, 13, 5, 6]
 USED = ["servo.h/servo_set", "ping.h/ping_cm", *(f"simpletools.h/{name}" for name in ("high", "pause", "rc_time"))]
 

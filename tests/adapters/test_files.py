@@ -47,7 +47,7 @@ def folders(mcu: str) -> list[str]:
 
 
 def warnings(text: str, mcu: str, folder: Path) -> str:
-    """What avr-g++ says of a text itself, with all warnings."""
+    """The warnings of avr-g++ about a text itself, with all warnings enabled."""
     (folder / "adapters.cpp").write_text(text)
     command = ["avr-g++", f"-mmcu={mcu}", *DEFINES, "-Os", "-Wall", "-Wextra", *folders(mcu), "-c", "adapters.cpp"]
     done = subprocess.run([*command, "-o", "adapters.o"], capture_output=True, text=True, check=False, cwd=folder)
@@ -55,7 +55,7 @@ def warnings(text: str, mcu: str, folder: Path) -> str:
 
 
 def program(needed: list[AdapterPiece], wanted: set[tuple[str, str]]) -> str:
-    """The pieces as a program that uses those wanted."""
+    """The pieces as a program that uses the wanted ones."""
     functions = [piece for piece in needed if piece.kind in ("adapter", "variable") and (piece.header, piece.name) in wanted]
     names = [piece.target_name or piece.name for piece in functions if "template" not in piece.text]
     taken = "".join(f"  (void)&{name};\n" for name in names)
@@ -73,7 +73,7 @@ def test_all_of_a_header_compile_together(header: str, mcu: str, tmp_path: Path)
 
 
 def alone(key: tuple[str, str], mcu: str, folder: Path) -> str:
-    """What the compiler says of one adapter with just what it needs; nothing where the microcontroller cannot serve it."""
+    """The compiler's messages about one adapter with just what it needs; empty if the microcontroller cannot serve it."""
     needed = AdapterPieces(pieces()).needed([key], mcu)
     return warnings(program(needed.pieces, {key}), mcu, folder) if not needed.unserved else ""
 
@@ -86,7 +86,7 @@ def test_some_compile_alone(key: tuple[str, str], tmp_path: Path) -> None:
 
 @cache
 def uses(header: str, members: tuple[str, ...] = (), calls: tuple[str, ...] = ()) -> dict[tuple[str, str], set[tuple[str, str]]]:
-    """What each piece of a header names of other pieces in a program with some members and calls, as libclang sees it."""
+    """Piece of a header -> the other pieces that it names, according to libclang, in a program with these members and calls."""
     wanted = [(piece.header, piece.name) for piece in pieces() if piece.header == header]
     needed = AdapterPieces(pieces(), members, calls).needed(wanted, "atmega328p").pieces
     text = f"#include <Arduino.h>\n{adapter_text([adapter_element(piece) for piece in needed], {}, NO_PIN)}"

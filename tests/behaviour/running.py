@@ -1,7 +1,7 @@
-"""What a C program prints on a machine of 32 bits whose plain char has no sign, and what its migrated sketch prints.
+"""Compares what a C program prints on a 32-bit machine with unsigned plain char with what its migrated sketch prints.
 
-The first is the truth (gcc for 32 bits); the sketch runs on a simulated board. Programs that go on for ever are ended: then
-the sketch, which is slower, must have said a beginning of it.
+The former is the truth (gcc for 32 bits); the sketch runs on a simulated board. Programs that never end are stopped: then the
+sketch, which is slower, must have printed a prefix of it.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ LIBRARY = Path(__file__).parent / "library"
 _FLAGS = ("-m32", "-funsigned-char", "-std=gnu99", "-O0", "-w", "-fcommon", "-include", "by_line.h")
 _MOST = 200_000
 ENOUGH = 400
-"""Characters that a sketch of a program without end has to print before they count."""
+"""Characters that the sketch of an endless program has to print before they count."""
 
 
 def sources(program: Path) -> list[Path]:
@@ -30,7 +30,7 @@ def sources(program: Path) -> list[Path]:
 
 
 def truth(files: Sequence[Path], folder: Path) -> tuple[str, bool]:
-    """What a program prints on this machine, and whether it comes to an end within a second."""
+    """The output of a program on this machine, and whether it ends within a second."""
     binary = folder / "truth"
     subprocess.run(["gcc", *_FLAGS, f"-I{LIBRARY}", *map(str, files), "-o", str(binary), "-lm"], check=True)
     with subprocess.Popen([str(binary)], stdout=subprocess.PIPE) as process:
@@ -46,7 +46,7 @@ def truth(files: Sequence[Path], folder: Path) -> tuple[str, bool]:
 
 
 def sketch(files: Sequence[Path], folder: Path, seconds: float, board: str = "uno") -> str:
-    """What the migrated sketch of a program prints in so many seconds on a simulated board.
+    """The output of a program's migrated sketch in so many seconds on a simulated board.
 
     Raises:
         AssertionError: the sketch does not compile, or generated text gives a warning.

@@ -24,7 +24,7 @@ DRAWING = SOURCE.with_name("line_following_robot.fzz")
 
 
 def process(arguments: list[str], output: Path | None = None) -> Callable[[], float]:
-    """A function that runs a process, without what it has put out before, and gives its seconds; bytecode is written first."""
+    """A function that deletes the previous output, runs a process, and returns its seconds; bytecode is written beforehand."""
 
     def run() -> float:
         if output is not None:
@@ -38,7 +38,7 @@ def process(arguments: list[str], output: Path | None = None) -> Callable[[], fl
 
 
 def warm(folder: Path) -> Callable[[], float]:
-    """A function that migrates in this process and gives the seconds."""
+    """A function that migrates in this process and returns the seconds."""
     import robosmi
 
     def run() -> float:
@@ -51,7 +51,7 @@ def warm(folder: Path) -> Callable[[], float]:
 
 
 def bare_parse() -> Callable[[], float]:
-    """A function that has libclang parse the source, nothing else, and gives the seconds."""
+    """A function that lets libclang parse the source and nothing else, and returns the seconds."""
     from clang.cindex import Index
 
     index = Index.create()
@@ -73,7 +73,7 @@ def measure(run: Callable[[], float], times: int) -> tuple[float, float]:
 
 
 def peak_megabytes(arguments: list[str]) -> float:
-    """The most memory that a process had, in MB."""
+    """Peak memory of a process in MB."""
     script = "import resource, subprocess, sys; subprocess.run(sys.argv[1:], check=True, stdout=subprocess.DEVNULL); "
     script += "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)"
     out = subprocess.run([sys.executable, "-c", script, *arguments], check=True, capture_output=True, text=True, cwd=ROOT).stdout

@@ -28,7 +28,7 @@ sys.path.insert(0, str(ROOT))
 TIMES = 5
 PLATFORM = "propeller"
 BOUNDS = {("partition", False): 4.0, ("partition", True): 1.6, ("everything", False): 7.0, ("everything", True): 2.2}
-"""Times the bare parse, without and with the headers."""
+"""Bounds of each stage as multiples of the bare parse, without and with the headers."""
 MEGABYTES, POOL = 1500, 3.0
 
 
@@ -51,7 +51,7 @@ def headers() -> list[str]:
 
 
 def bare(path: Path, folders: Sequence[str]) -> None:
-    """Libclang's parse of a file, and nothing else."""
+    """Let libclang parse a file, and nothing else."""
     from robosmi.transformations.knowledge.platform_api import ApiIndex
     from robosmi.transformations.t2m.c_source import clang
 
@@ -64,7 +64,7 @@ def bare(path: Path, folders: Sequence[str]) -> None:
 
 
 def partition(path: Path, folders: Sequence[str]) -> None:
-    """A file to its partition: what is the platform's, what is standard, what nobody knows."""
+    """Analyse a file up to its partition: what belongs to the platform, what is standard, what is unknown."""
     from robosmi.transformations.knowledge.platform_api import ApiIndex
     from robosmi.transformations.queries import code
     from robosmi.transformations.t2m.c_source import read_program
@@ -78,7 +78,7 @@ def partition(path: Path, folders: Sequence[str]) -> None:
 
 
 def everything(path: Path, folders: Sequence[str]) -> None:
-    """A file to the whole report, with all findings and pin uses."""
+    """Analyse a file up to the whole report, with all findings and pin uses."""
     from robosmi.transformations.knowledge.platform_api import ApiIndex
     from robosmi.transformations.queries.analysis import analysis
     from robosmi.transformations.t2m.c_source import read_program
@@ -134,7 +134,7 @@ def synthetic(lines: int) -> str:
 
 
 def on_demand(path: str) -> tuple[float, float]:
-    """Seconds and megabytes of the questions of a migration to a program read on demand, in this process."""
+    """Seconds and megabytes of a migration's queries to a program read on demand, in this process."""
     from robosmi.metamodels import ccode
     from robosmi.query import all_of_kind
     from robosmi.transformations.t2m.c_source.on_demand import open_program
@@ -149,7 +149,7 @@ def on_demand(path: str) -> tuple[float, float]:
 
 
 def growth(lines: int) -> list[tuple[int, float, float]]:
-    """Lines, seconds and megabytes on demand of a tenth, a half and the whole; each in a process of its own."""
+    """(lines, seconds, megabytes) of reading on demand a tenth, a half and the whole; each in its own process."""
     found = []
     with tempfile.TemporaryDirectory() as folder:
         for part in (lines // 10, lines // 2, lines):

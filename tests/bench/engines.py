@@ -81,7 +81,7 @@ def agree(name: str, folder: Path, budget: float) -> bool:
 
 
 def _uncounted(events: Sequence[ActivityEvent]) -> list[ActivityEvent]:
-    """Events without how many edges they have, which no verdict compares where the source's wave is a timer's."""
+    """The events without their number of edges, which no verdict compares where a timer makes the source's wave."""
     return [replace(event, pulses=0) for event in events]
 
 

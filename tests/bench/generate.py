@@ -60,7 +60,7 @@ def generation(model: EmfModel, folder: Path, keep: bool) -> Callable[[], Any]:
 
 
 def best(*runs: Callable[[], Any], times: int = 9) -> list[float]:
-    """Seconds of the fastest of some turns of each, taken in alternation."""
+    """Seconds of the fastest run of each, the two taking turns."""
     found = [float("inf")] * len(runs)
     for _ in range(times):
         for number, run in enumerate(runs):

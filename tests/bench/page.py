@@ -127,7 +127,7 @@ def choice(page: Served, value: str) -> float:
 
 
 def scrolled(page: Served) -> tuple[float, float]:
-    """The longest task that the browser tells of while the page is scrolled, and the longest step of the page's thread."""
+    """The longest task that the browser reports while the page is scrolled, and the longest step of the page's thread."""
     page.open()
     page.browser.execute_cdp_cmd("Performance.enable", {"timeDomain": "threadTicks"})
     page.browser.execute_async_script(STEP)  # the first one ends what loading has begun

@@ -52,7 +52,7 @@ def net(kinds: Metamodel, size: int) -> Any:
 
 
 def bare_transformation(source: Any, kinds: Metamodel) -> None:
-    """The loop that a rule stands for: targets and a map first, then features and references."""
+    """The loop that the transformation rule replaces: first targets and a map, then features and references."""
     cls, made = kinds.Node, {}
     nodes = source.all_of_type("Node")
     for node in nodes:
@@ -92,7 +92,7 @@ CHECKS: list[Callable[[Any], Any]] = [
 
 
 def bare_validation(source: Any) -> None:
-    """The loop that constraints stand for."""
+    """The loop that the constraints replace."""
     found = []
     for node in source.all_of_kind("Node"):
         for check in CHECKS:

@@ -28,7 +28,7 @@ BOUND_S = 3.0
 
 
 def processor_seconds() -> float:
-    """Those of the processes that this one has started and that have ended."""
+    """Processor time of this process's children that have ended."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 

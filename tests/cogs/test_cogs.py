@@ -34,7 +34,7 @@ def _tools() -> None:
 
 
 def moved(name: str, folder: Path, board: str = "uno") -> Generated:
-    """A program with its ports bound where it has them, as a sketch."""
+    """Migrate a program with its ports bound to their pins."""
     place = PROGRAMS / name
     files = sorted(place.glob("*.c")) if place.is_dir() else [place.with_suffix(".c")]
     text = "".join(file.read_text() for file in files)
@@ -45,7 +45,7 @@ def moved(name: str, folder: Path, board: str = "uno") -> Generated:
 
 
 def run(name: str, folder: Path, milliseconds: float, board: str = "uno") -> PinTrace:
-    """What a moved program does; the generated text gives no warning."""
+    """Simulate a migrated program; the generated text must give no warning."""
     made = moved(name, folder / "out", board)
     report = compile_sketch(made.sketch, board, keep=folder)
     assert report.ok, [finding.message for finding in report.diagnostics]
@@ -64,7 +64,7 @@ def rises(trace: PinTrace, pin: str) -> list[float]:
 
 
 def gaps(times: list[float]) -> list[float]:
-    """The times between them."""
+    """The differences between consecutive times."""
     return [b - a for a, b in itertools.pairwise(times)]
 
 

@@ -35,15 +35,15 @@ MAIN = ("setup", "loop")
 
 @dataclass(frozen=True)
 class Row:
-    """What became of one program.
+    """The result for one program.
 
     Attributes:
         path: its source.
         state: `both` (its cogs and main came by), `one` (not all of them), `tasks` (what it starts is no function of C that can
             be a coroutine: a task with a reason), `too big` (for both boards), `refused` or `not compiled`.
         board: that it ran on.
-        turns: of each function and of main (`main`), how often it came by and when last, in milliseconds.
-        said: what it printed first, or why it did not run.
+        turns: name of each function and `main` -> how often its marks were reached, and when last, in milliseconds.
+        said: the start of its output, or why it did not run.
     """
 
     path: str
@@ -59,7 +59,7 @@ class Row:
 
 
 def marked(text: bytes, name: str, pin: int) -> tuple[bytes, int]:
-    """A text with marks in the bodies of the functions of a name, and how many."""
+    """A text with marks in the bodies of the functions with a name, and the number of marks."""
     found = [t for t in tokens(text) if t[0] not in ("comment", "directive")]
     words = [t[3] for t in found]
     places, depth, inside = [], 0, None
@@ -82,7 +82,7 @@ def marked(text: bytes, name: str, pin: int) -> tuple[bytes, int]:
 
 
 def _before_brackets(words: Sequence[str], brace: int) -> int | None:
-    """Where the word stands before the brackets that end before a brace; None where there are none."""
+    """The index of the word before the parentheses that end before a brace; None if there are none."""
     if not brace or words[brace - 1] != ")":
         return None
     depth = 0
@@ -94,7 +94,7 @@ def _before_brackets(words: Sequence[str], brace: int) -> int | None:
 
 
 def with_marks(sketch: Path, functions: Sequence[str], first: int) -> dict[str, int]:
-    """Put marks into the files of a sketch: the pin of each function that has one, and of main."""
+    """Put marks into the files of a sketch; returns the pin for each function that has marks, and for main."""
     pins: dict[str, int] = {}
     for path in sorted(sketch.iterdir()):
         if path.suffix not in (".ino", ".cpp", ".h"):
@@ -110,13 +110,13 @@ def with_marks(sketch: Path, functions: Sequence[str], first: int) -> dict[str, 
 
 
 def seen(trace: PinTrace, pins: dict[str, int]) -> dict[str, tuple[int, float]]:
-    """How often each mark was come by and when last, in milliseconds."""
+    """How often the marks of each function were reached, and when last, in milliseconds."""
     times = {name: [at for at, level in trace.levels(f"D{pin}") if level in (0, 1)] for name, pin in pins.items()}
     return {name: (len(each), each[-1] / 1000 if each else 0.0) for name, each in times.items()}
 
 
 def row(files: Sequence[Path], name: str, seconds: float) -> Row:
-    """What becomes of one program."""
+    """Migrate, mark and run one program."""
     said = ""
     for board, first in FIRST_PIN.items():
         with tempfile.TemporaryDirectory() as scratch:

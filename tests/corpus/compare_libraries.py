@@ -50,13 +50,13 @@ LEFT_OUT = re.compile(
     r"i2c_\w+|addfiledriver|sddriverconfig|cogrun|cogend|timeTicks|simpleterm\w*|serial_\w+|gets|monitor|calibrationResults|Display"
     r"|encoderLeds|z_dev_console|bme680"
 )
-"""Files that reach for what the simulated chip has not: the bus's edges, drivers, the layout of memory."""
+"""Matches files that need what the simulated chip lacks: edges of the bus, drivers, the layout of memory."""
 _RENAMED = re.compile(r"^#define drive_\w+ \w+_drive_.*$", re.MULTILINE)
 _COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
 
 
 def sources(folder: Path, header: str, place: Path) -> list[Path]:
-    """The library's files behind a header, with the names that the model gives to functions of two libraries."""
+    """The library's files that implement a header, with the model's names for functions that two libraries define."""
     own = ROOT / "platform_repo" / "propeller" / "host" / "include" / header
     renamed = "\n".join(_RENAMED.findall(own.read_text(encoding="utf-8")))
     found = []

@@ -1,4 +1,4 @@
-"""Drawings of other people against the boards that the drawing tools made of them: what both judges share.
+"""Compares drawings of other people with the boards (PCBs) that the drawing tools made of them: the part shared by all tools.
 
 ROBOSMI_DRAWINGS names a folder with `OWNER+REPOSITORY/PATH` of each drawing that a table of `drawings/` lists.
 """
@@ -42,12 +42,12 @@ def drawings(tool: str) -> Rows:
 def told_and_meant(
     circuit: hw.Circuit, on_board: Mapping[Pad, frozenset[Pad]], reference: Callable[[str], str] = str
 ) -> tuple[set[tuple[str, ...]], set[tuple[str, ...]]]:
-    """(part, pin, other part, its connector) for each pin of a board: what a reader tells, and what the made board means.
+    """The connections of each pin of a board as (part, pin, other part, connector): as the reader found them, and as they are.
 
     Args:
-        circuit: what was read.
-        on_board: for each pad of the made board all that are on its net.
-        reference: the board's name of a part, of its title in the drawing.
+        circuit: the circuit that the reader made.
+        on_board: pad of the PCB -> all pads on its net.
+        reference: converts a title in the drawing to the PCB's name of the part.
     """
     nets: dict[int, hw.Net] = {id(connector): net for net in circuit.nets for connector in net.connectors}
     owners = {id(connector): reference(part.title) for part in circuit.components for connector in part.connectors}
@@ -72,10 +72,9 @@ def told_and_meant(
 def all_told_and_meant(
     circuit: hw.Circuit, on_board: Mapping[Pad, frozenset[Pad]], reference: Callable[[str], str] = str
 ) -> tuple[set[tuple[str, ...]], set[tuple[str, ...]]]:
-    """(part, connector, part, connector) for each two connectors of any parts that are joined: told by a reader, and meant.
+    """All connections as (part, connector, part, connector): as the reader found them, and as they are.
 
-    Only connectors that the made board has on a net are judged, of parts whose reference no other part has. Arguments as in
-    `told_and_meant`.
+    Only connectors on nets of the PCB are judged, of parts with a unique reference. Arguments as in `told_and_meant`.
     """
     counts = Counter(reference(part.title) for part in circuit.components)
     owners = {id(c): reference(part.title) for part in circuit.components for c in part.connectors}
@@ -92,7 +91,7 @@ def all_told_and_meant(
 def check_figures(
     tool: str, suffix: str, judged: Callable[[Path], tuple[set[tuple[str, ...]], set[tuple[str, ...]]]], what: str
 ) -> None:
-    """Hold precision and recall over all drawings whose board lies beside them and is not stale; print the counts."""
+    """Check precision and recall over all drawings with a PCB beside them that is not stale; print the counts."""
     counts: Counter[str] = Counter()
     wrong = []
     for row, path in drawings(tool):
@@ -111,7 +110,7 @@ def check_figures(
 
 
 def check_all_read(tool: str) -> None:
-    """Hold that every drawing at hand is analysed, with the board that its row says it has or without one; print the counts."""
+    """Check that every available drawing is analysed, with or without a board as its row says; print the counts."""
     counts: Counter[str] = Counter()
     refused = []
     for row, path in drawings(tool):

@@ -125,7 +125,7 @@ def construct(packages: list[Package], base: str) -> int:
 
 
 def attempt(path: Path, folder: Path, base: str) -> tuple[str, Rendered | None, int]:
-    """What became of a file, what was generated, and how many elements were made."""
+    """Try one file: the outcome, the generated package, and the number of elements created."""
     try:
         rendered = render([path])
     except MetamodelError as error:
@@ -197,7 +197,7 @@ def main() -> int:
 
 
 def tools(work: Path, checked: list[str]) -> None:
-    """What type checker and formatter say of some of the packages, with no configuration of their own."""
+    """Print what mypy and ruff report about some of the packages, with their default configuration."""
     root = Path(__file__).resolve().parents[2]
     ruff = shutil.which("ruff") or str(Path(sys.executable).with_name("ruff"))
     for title, command in (

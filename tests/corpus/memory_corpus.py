@@ -1,9 +1,9 @@
-"""Compare the memory that programs of a corpus are estimated to take with what the linker says and with the stack on a simulator.
+"""Compares estimates of memory with the linker's figures and with the stack seen on a simulator, for programs of a corpus.
 
-Usage: python -m tests.corpus.memory_corpus FOLDER [--only TEXT] [--seconds N]. Each program is migrated and compiled for the Uno;
-with seconds it runs on simavr, its room for heap and stack filled before. A run sees the stack of what happens in it, the bound
-that is read off the code is of all that may happen: the estimate of the stack should be near the bound. The estimate of the rest
-should be within 10 % of .data and .bss. Constants of the estimate are chosen by the half of the programs that is not `held_out`.
+Usage: python -m tests.corpus.memory_corpus FOLDER [--only TEXT] [--seconds N]. Each program is migrated and compiled for the
+Uno; with `--seconds` it also runs on simavr, with a pattern in its free memory. A run shows the stack of what happens in it,
+the bound read off the code covers all that may happen: the estimated stack should be near that bound. The estimate of the rest
+should be within 10 % of .data and .bss. Constants of the estimate are tuned on the programs that are not `held_out`.
 """
 
 from __future__ import annotations
@@ -34,16 +34,16 @@ NEAR = 0.1
 
 @dataclass(frozen=True)
 class Row:
-    """What became of one program.
+    """The figures of one program.
 
     Attributes:
         path: its source.
-        estimate: of its memory.
+        estimate: the estimate of its memory.
         linked: bytes of .data and .bss.
         written: whether each call of the platform reaches a body.
-        stack: bytes of stack that the simulator saw; None where it was not asked or the program has no room.
-        bound: bytes of stack that the compiled program takes at most, read off its code; None where no bound is known.
-        interrupts: how many of these are for interrupts.
+        stack: bytes of stack seen on the simulator; None if it did not run or has no room.
+        bound: upper bound of the stack in bytes, read off the compiled program; None if there is none.
+        interrupts: how many bytes of the bound are for interrupts.
     """
 
     path: str
@@ -56,12 +56,12 @@ class Row:
 
     @property
     def estimated(self) -> int:
-        """What RAM and stack are estimated to take together."""
+        """The estimate of RAM and stack together, in bytes."""
         return self.estimate.total + self.estimate.depth
 
     @property
     def error(self) -> float:
-        """How far the estimate is off, as a part of what the linker says."""
+        """The relative error of the estimate against the linker's figure."""
         return self.estimate.total / self.linked - 1
 
     def __str__(self) -> str:
@@ -83,7 +83,7 @@ def stack_room(elf: Path) -> tuple[int, int]:
 
 
 def stack_bytes(report: CompileReport, seconds: float) -> int | None:
-    """The bytes of stack that a program takes on the simulator; None where nothing is left for it."""
+    """The bytes of stack that a program takes on the simulator; None if it leaves no room for any."""
     if report.elf is None or report.hex is None or not report.fits:
         return None
     asked = job(report.elf, report.hex, load_board("uno"), seconds * 1e6)
@@ -91,7 +91,7 @@ def stack_bytes(report: CompileReport, seconds: float) -> int | None:
 
 
 def row(files: Sequence[Path], name: str, seconds: float) -> Row | None:
-    """What becomes of one program; None where it cannot be migrated or compiled."""
+    """The figures of one program; None if it cannot be migrated or compiled."""
     with tempfile.TemporaryDirectory() as scratch:
         output = Path(scratch)
         try:
@@ -109,7 +109,7 @@ def row(files: Sequence[Path], name: str, seconds: float) -> Row | None:
 
 
 def summary(rows: Sequence[Row]) -> list[str]:
-    """The distribution of the errors, of all programs and of those without functions that are still to be written."""
+    """The distribution of the errors, over all programs and over those without unwritten functions."""
     lines = []
     for title, chosen in (("all", rows), ("with a body for each call", [each for each in rows if each.written])):
         errors = sorted(abs(each.error) for each in chosen)
@@ -124,7 +124,7 @@ def summary(rows: Sequence[Row]) -> list[str]:
 
 
 def stack_summary(rows: Sequence[Row]) -> list[str]:
-    """How near the estimate, the bound and what was seen of the stack are, of programs that ran and have a bound."""
+    """How close estimate, bound and observed stack are, over the programs that ran and have a bound."""
     ran = [each for each in rows if each.stack and each.bound]
     if not ran:
         return []
@@ -149,7 +149,7 @@ def stack_summary(rows: Sequence[Row]) -> list[str]:
 
 
 def held_out(name: str) -> bool:
-    """Whether a program is of the half that nothing is chosen by: told by the digest of its path."""
+    """Whether a program belongs to the test half, on which nothing is tuned; decided by the digest of its path."""
     return bool(sha256(name.encode()).digest()[0] & 1)
 
 

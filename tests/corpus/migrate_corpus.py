@@ -35,7 +35,7 @@ _QUOTED = re.compile(r"['‘][^'’]*['’]")
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of one program.
+    """The result for one program.
 
     Attributes:
         path: its source file, relative to the corpus.
@@ -43,16 +43,16 @@ class Outcome:
         errors, warnings: messages of the compiler about the sketch, each once.
         message: why it was refused or crashed.
         lost: elements without a disposition, or with more than one.
-        calls: `header/function` -> how many calls it has, for functions of the platform that the target can serve.
-        bodies: the same of those that reach an adapter with a body.
+        calls: `header/function` of the platform that the target can serve -> number of calls.
+        bodies: the same for calls that reach an adapter with a body.
         reasons: `header/function` -> why it has none.
         missing: functions of the program that no file of the sketch has.
         fits_on: where the sketch is too big for the board, one that it fits, or `none`.
-        untrue: sums of the report, its JSON and the plan that do not add up, and a first screen of more lines than one.
+        untrue: sums of the report, its JSON and the plan that do not add up, and a first screen that is too long.
         valid: whether gcc takes the source with the platform's real headers, and there is a main; None where these or gcc are
             not there.
-        refusal: what gcc says first of a source that it does not take.
-        told: the rules by which the plan says that a compiler refuses something of it.
+        refusal: gcc's first error for a source that it refuses.
+        told: the rules of the plan that predict that a compiler refuses it.
     """
 
     path: str
@@ -73,7 +73,7 @@ class Outcome:
 
     @property
     def of_adapters(self) -> list[str]:
-        """What the compiler says of the adapters' text."""
+        """The compiler's messages about the adapters' text."""
         return [said for said in (*self.errors, *self.warnings) if said.startswith("adapters.h:")]
 
 
@@ -112,7 +112,7 @@ class Table:
         ]
 
     def _valid(self) -> list[str]:
-        """How many of the programs that gcc takes with the platform's headers become a sketch that compiles."""
+        """How many of the programs that gcc accepts with the platform's headers become a sketch that compiles."""
         valid = [o for o in self.outcomes if o.valid]
         if not valid:
             return []
@@ -123,7 +123,7 @@ class Table:
         ]
 
     def _told(self) -> list[str]:
-        """What was said before compiling of sketches that a compiler refuses, and of sketches that it takes."""
+        """How often the plan predicted a refusal of sketches that a compiler refuses, and of others."""
         refused = [o for o in self.outcomes if o.state == "not-compiled"]
         untold = [o for o in refused if not o.told]
         false = [o for o in self.outcomes if o.state == "compiled" and "RS337" in o.told]
@@ -175,7 +175,7 @@ def programs(folder: Path) -> list[tuple[Path, ...]]:
 
 @cache
 def _gcc(corpus: Path) -> list[str] | None:
-    """The call of gcc that takes a program of the corpus with the platform's headers; None where these are not there."""
+    """The gcc command for a program with the platform's headers; None if these or gcc are missing."""
     own = next((path.parent for path in sorted(corpus.rglob("lib/include/stdio.h"))), None)
     if own is None or shutil.which("gcc") is None:
         return None
@@ -186,9 +186,9 @@ def _gcc(corpus: Path) -> list[str] | None:
 
 
 def refusal(files: tuple[Path, ...], corpus: Path) -> str | None:
-    """What gcc says first of a program that it does not take, empty for one that it takes; None where gcc cannot be asked.
+    """gcc's first error for a program, empty if it accepts it; None if gcc cannot be run or the text has no main.
 
-    A `.side` file says where a program's own headers are. Without a main once it is preprocessed, a text is no program.
+    A `.side` file gives the folders of a program's own headers.
     """
     call = _gcc(corpus)
     if call is None:
@@ -257,7 +257,7 @@ def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
 
 
 def _untrue(made: MadeSketch) -> tuple[str, ...]:
-    """What does not add up in a report, and whether its first screen is longer than one."""
+    """The sums of a report that do not add up, and whether its first screen is longer than one."""
     from robosmi.transformations.m2t.first_screen import LINES
     from tests.transformations.m2t.truth import report_faults
 
@@ -270,7 +270,7 @@ def _untrue(made: MadeSketch) -> tuple[str, ...]:
 
 
 def _missing(made: MadeSketch) -> tuple[str, ...]:
-    """The functions of a program that no file of its sketch defines, under their name or the one that they were given."""
+    """The functions of a program that no file of its sketch defines, under their old or new name."""
     plan = made.models.plan
     text = "".join(data.decode("utf-8", "replace") for name, data in made.contents.items() if name.startswith(f"{plan.name}/"))
     renamed = {d.element.name: d for d in plan.dispositions if isinstance(d.element, ccode.Function) and "rename" in d.rules}

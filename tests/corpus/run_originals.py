@@ -27,7 +27,7 @@ _MAIN = re.compile(r"^[\w \t*]*\bmain\s*\(", re.MULTILINE)
 
 
 def outcome(source: Path, model: HostModel, seconds: float) -> tuple[str, str]:
-    """What became of a program: a status, and the cause."""
+    """Run one program: a status, and the cause."""
     others = [path for path in sorted(source.parent.glob("*.c")) if path != source and not _MAIN.search(_text(path))]
     for sources in ([source], [source, *others]):  # some folders hold one program of several files, some hold several programs
         with tempfile.TemporaryDirectory() as place:

@@ -18,7 +18,7 @@ from tests.running import run
 from tests.sarif_judge import complaints
 
 BATCH = 40
-"""So many files are judged at once: the judge may take a while for each."""
+"""Number of files that are judged at a time; the judge may take a while for each."""
 
 
 def main(folder: Path) -> int:

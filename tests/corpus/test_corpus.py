@@ -17,7 +17,7 @@ MEASURED, COMPILED = 159, 156
 """Programs of the corpus, and how many of them compiled when this was written. The others are no C as they stand."""
 
 BODIES = 0.95
-"""Least share of the calls that an Uno can serve and that reach a body."""
+"""Least share of the servable calls that must reach a body."""
 
 
 def test_corpus() -> None:

@@ -1,9 +1,9 @@
-"""What must hold of each drawing of other people that is read, whatever it shows: no label is needed to see it broken.
+"""Invariants of all drawings of other people that are read; no labels are needed to see them broken.
 
-A reader that joins what is apart (pins without a number, labels of two sheets, bus rows) makes nets that nobody draws: both ends
-of a lamp on one net, two pins of a board tied to each other, a supply on a ground. People draw a few of these, too;
-`odd_drawings.csv` lists each, judged by a person with the drawing. One more is a fault of a reader, or a row to be judged.
-ROBOSMI_DRAWINGS names a folder with `OWNER+REPOSITORY/PATH` of each.
+A reader that joins separate things (pins without a number, labels of two sheets, bus rows) makes nets that nobody draws: both
+ends of a lamp on one net, two pins of a board connected to each other, a supply connected to ground. People draw a few of
+these, too; `odd_drawings.csv` lists each, judged by a person with the drawing. Any other one is a fault of a reader, or a row
+to be judged. ROBOSMI_DRAWINGS names a folder with `OWNER+REPOSITORY/PATH` of each.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ MOST_OF_ALL = 0.6
 LEAST_CONNECTORS = 12
 
 Odd = tuple[str, str, str]
-"""What is odd, and of which part or net: kind, part, and pins or names."""
+"""An oddity: its kind, the part, and pins or net names."""
 
 
 def of_nets(circuit: hw.Circuit) -> Iterator[Odd]:
-    """Nets that hold what people keep apart, and one that holds nearly all."""
+    """Nets that join what people keep apart, and a net that contains nearly all connectors."""
     wired = sum(len(net.connectors) for net in circuit.nets)
     for net in circuit.nets:
         connectors = list(net.connectors)
@@ -59,7 +59,7 @@ def of_nets(circuit: hw.Circuit) -> Iterator[Odd]:
 
 
 def of_parts(circuit: hw.Circuit) -> Iterator[Odd]:
-    """Parts all of whose wired connectors are on one net, though nothing inside joins them."""
+    """Parts with all wired connectors on one net, although nothing inside the part joins them."""
     for part in circuit.components:
         wired = [connector for connector in part.connectors if connector.net is not None]
         inside = [{id(connector) for connector in bus.connectors} for bus in part.buses]
@@ -70,7 +70,7 @@ def of_parts(circuit: hw.Circuit) -> Iterator[Odd]:
 
 
 def of_mappings(made: HardwareAnalysis) -> Iterator[Odd]:
-    """Components with more mappings than connectors and pins at these, and connectors that are not theirs."""
+    """Components with more mappings than connectors and pins, and mappings with connectors of other components."""
     connectors = {part.elementId: {str(c.connectorId) for c in part.connectors} for part in made.circuit.components}
     boards = {part.elementId: {str(c.pin) for c in part.connectors if c.pin} for part in made.circuit.components}
     seen: Counter[str] = Counter()
@@ -87,7 +87,7 @@ def of_mappings(made: HardwareAnalysis) -> Iterator[Odd]:
 
 
 def odd_drawings(folder: Path) -> tuple[set[tuple[str, ...]], int]:
-    """All that is odd in the drawings of a folder, with each one's path, and how many were read."""
+    """All oddities in the drawings of a folder, each with its path, and the number of drawings read."""
     found: set[tuple[str, ...]] = set()
     read = 0
     for path in (p for p in sorted(folder.rglob("*.*")) if p.suffix in ENDINGS):

@@ -22,7 +22,7 @@ from robosmi.transformations.queries.pin_uses import pin_uses
 
 TABLES = sorted((Path(__file__).parent / "pin_tables").glob("*.csv"))
 BOUND = 123
-"""So many ports rules bound when this was written, all of them as meant."""
+"""Number of ports that rules bound, all correctly, when this was written."""
 
 
 def meant(table: Path) -> tuple[str, dict[str, str]]:
@@ -66,7 +66,7 @@ def test_rules_bind_what_is_meant_and_leave_open_what_they_cannot_know() -> None
 
 
 def faults(plan: migration.MigrationPlan) -> list[str]:
-    """What is wrong with a plan in which nobody chose a pin."""
+    """The errors of a plan in which nobody chose a pin."""
     pins = Counter(b.pin.label for b in plan.portBindings if b.pin is not None)
     found = [f"{count} ports are on {pin}" for pin, count in pins.items() if count > 1]
     found += [f"{b.name} is neither bound nor open nor none" for b in plan.portBindings if not b.open and not b.choice]

@@ -18,7 +18,7 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.platform_headers import read_headers
 
 RECALL = {"functions": 0.985, "macros": 0.975, "vars": 0.90, "consts": 1.0, "types": 0.985}
-"""Of the declarations that the facts have, the part that must be found (measured: .990, .980, .925, 1.000, .989)."""
+"""Recall required for each kind of declaration (measured: .990, .980, .925, 1.000, .989)."""
 
 
 def test_the_real_headers() -> None:

@@ -29,11 +29,11 @@ ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "tests" / "wiring" / "blink.c"
 ENDINGS = (".json", ".sch", ".kicad_sch", ".net", ".fz", ".fzz")
 PinMap = dict[tuple[str, str], tuple[str, ...]]
-"""Pin and component -> the parts on the way."""
+"""(pin, component) -> titles of the parts between them."""
 
 
 class Handed(NamedTuple):
-    """What is handed back of a drawing: its pin map, the files (None for none), parts drawn, and titles of those listed."""
+    """The exports of one drawing: its pin map, the files (None for none), parts drawn, and titles of those only listed."""
 
     drawing: Path
     pins: PinMap
@@ -52,12 +52,12 @@ def drawings() -> Iterator[Path]:
 
 
 def told(mappings: Iterable[Mapping[str, Any]]) -> PinMap:
-    """What a report says."""
+    """The pin map of a report."""
     return {(m["pin"], m["component"]): tuple(via["title"] for via in m["via"]) for m in mappings}
 
 
 def planned(connections: Iterable[migration.Connection]) -> PinMap:
-    """What a plan says."""
+    """The pin map of a plan."""
     return {
         (
             c.pin.label if c.pin is not None else "",
@@ -78,13 +78,13 @@ def read(path: Path) -> HardwareAnalysis | None:
 
 @pytest.fixture(scope="module")
 def handed(tmp_path_factory: pytest.TempPathFactory) -> list[Handed]:
-    """What is handed back of each drawing at hand that has one board which is known."""
+    """The exports of each available drawing with exactly one known board."""
     folder = tmp_path_factory.mktemp("handed")
     return [handed_back(path, made, folder / str(number)) for number, path in enumerate(drawings()) if (made := read(path))]
 
 
 def handed_back(path: Path, made: HardwareAnalysis, folder: Path) -> Handed:
-    """The wiring of a drawing as a table and for Wokwi, in a folder that is made."""
+    """Export the wiring of a drawing as a table and for Wokwi, into a new folder."""
     folder.mkdir()
     board = next(iter(made.board_models.values())).name
     plan = plan_migration([PROGRAM], project=Project(), hardware=path, target=board).plan

@@ -50,7 +50,7 @@ def drawings() -> list[tuple[dict[str, str], Path]]:
 
 
 def judged(told: set[str], meant: set[str], counts: Counter[str]) -> bool:
-    """Count what is right, told and meant; whether all is."""
+    """Count correct, found and true connections; True if the found ones are exactly the true ones."""
     counts.update(right=len(told & meant), told=len(told), meant=len(meant))
     return told == meant
 
@@ -98,7 +98,7 @@ CONTACTS = ("wokwi-pushbutton", "wokwi-pushbutton-6mm")
 
 
 def node(end: str, kinds: dict[str, str]) -> str:
-    """The pin that stands for all that is joined to one: a row of a breadboard, a contact of a button, the same pin again."""
+    """The representative of all pins joined to this one: a row of a breadboard, a contact of a button, an equal pin."""
     part, _, pin = end.partition(":")
     if "breadboard" in kinds[part] or kinds[part] in CONTACTS or "arduino" in kinds[part] or "max7219" in kinds[part]:
         pin = pin if pin == "3.3V" else pin.partition(".")[0]

@@ -47,7 +47,7 @@ def migrated(files: list[Path], wiring: Mapping[str, str], folder: Path) -> None
 
 
 def row(files: list[Path], entry: Mapping[str, Any], budget: float) -> tuple[str, list[str]]:
-    """The verdict on one program, and its row."""
+    """The verdict on one program, and its row in the table."""
     with tempfile.TemporaryDirectory() as place:
         out = Path(place) / "out"
         try:
@@ -73,7 +73,7 @@ def cells(verdict: Verdict) -> list[str]:
 HEADINGS = ["program", "verdict", "scenarios", "s", "lines %", "branches %", "what is told", "cause"]
 _LONG_TEXT = 100
 _MOST = 200
-"""So many characters of what is told stand in the table."""
+"""Greatest number of characters of a message in the table."""
 
 
 INTRODUCTION = """# Real programs and their verdicts

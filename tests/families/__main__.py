@@ -1,6 +1,6 @@
-"""Play the whole programs, or those whose names contain a text, right and spoilt: `python -m tests.families [TEXT]`.
+"""Runs the whole programs, or those whose names contain a text, as they are and with faults: `python -m tests.families [TEXT]`.
 
-Prints what a right one shows otherwise than the library documents, and each fault that was not noticed.
+Prints where a correct program differs from the library's documentation, and each fault that was not noticed.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from tests.families.played import CASES, Case, NotMadeError, Spoilt
 
 
 def main(only: str = "") -> int:
-    """Play the programs whose names contain a text; 1 if one is not right, or a fault goes unnoticed."""
+    """Run the programs whose names contain a text; 1 if one is not correct, or a fault goes unnoticed."""
     cases = [Case(folder) for folder in CASES if only in folder.name]
     tried = bad = 0
     for case in cases:

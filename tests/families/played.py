@@ -28,11 +28,11 @@ ADAPTERS = "adapters.h"
 
 
 class NotMadeError(Exception):
-    """A case is not moved, or does not compile: nothing is judged by that."""
+    """A case cannot be migrated or compiled, so that nothing is judged."""
 
 
 class Spoilt(NamedTuple):
-    """One way to spoil a case: what it is called, the file, and which text of it becomes which."""
+    """A fault put into a case: its name, the file, the text that is replaced, and the new text."""
 
     why: str
     file: str
@@ -42,22 +42,22 @@ class Spoilt(NamedTuple):
 
 @dataclass(frozen=True)
 class Case:
-    """A program with what it is to show."""
+    """A program with its expected behaviour."""
 
     folder: Path
 
     @property
     def family(self) -> str:
-        """The family of adapters that it is about."""
+        """The family of adapters that the program tests."""
         return self.folder.name.split("_")[0]
 
     @cached_property
     def expected(self) -> Any:
-        """What `expected.toml` says."""
+        """The contents of `expected.toml`."""
         return toml_of((self.folder / "expected.toml").read_bytes())
 
     def wrong(self) -> list[Spoilt]:
-        """Each way in which it is spoilt; an adapter is broken in each way that makes sense for it."""
+        """The faults of the case; an adapter is broken in each way that makes sense for it."""
         known = {f"{piece.header}/{piece.name}": piece for piece in pieces()}
         found: list[Spoilt] = []
         for each in self.expected["wrong"]:
@@ -70,10 +70,10 @@ class Case:
         return found
 
     def faults(self, spoilt: Spoilt | None = None) -> list[str]:
-        """What a run shows otherwise than expected; empty if nothing.
+        """The differences between a run and the expected behaviour; empty if there are none.
 
         Raises:
-            NotMadeError: it is not moved, or does not compile, or the text to spoil is not there.
+            NotMadeError: the program cannot be migrated or compiled, or the text to replace is not there.
         """
         return faults(self.expected, self._run(spoilt))
 

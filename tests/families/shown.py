@@ -23,11 +23,11 @@ from robosmi.verify.simulation import PinTrace
 _NUMBER = r"[-+]?\d+(?:\.\d+)?"
 _ABOUT = re.compile(rf"<({_NUMBER})~({_NUMBER})>")
 _NO_TONE_US = 3_000.0
-"""Edges of a tone are nearer than this."""
+"""Edges of a tone are less than this many microseconds apart."""
 
 
 def faults(expected: Any, trace: PinTrace) -> list[str]:
-    """What a run shows otherwise than expected; empty if nothing."""
+    """The differences between a run and the expected behaviour; empty if there are none."""
     found = [*_console(expected["console"], trace.text)] if "console" in expected else []
     for kind, read in (("pulses", _pulses), ("levels", _levels), ("tones", _tones), ("duties", _duties), ("told", _told)):
         for each in expected.get(kind, ()):
@@ -43,7 +43,7 @@ def _told(each: Any, trace: PinTrace) -> Iterator[str]:
 
 
 def _console(lines: Sequence[str], text: str) -> Iterator[str]:
-    """What of the console is otherwise than the lines say."""
+    """The differences between the console output and the expected lines."""
     found = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     if found and not found[-1]:
         found.pop()
@@ -67,7 +67,7 @@ def _same(expected: str, found: str) -> bool:
 
 
 def near(found: float, expected: float, least: float) -> bool:
-    """Whether a time is as expected: at most 1 % off, or that much at least."""
+    """Whether a time is as expected, within 1 % or within `least`, whichever is greater."""
     return abs(found - expected) <= max(0.01 * abs(expected), least)
 
 
@@ -107,7 +107,7 @@ def _levels(each: Any, trace: PinTrace) -> Iterator[str]:
 
 
 def tones(trace: PinTrace, pin: str) -> list[tuple[float, float]]:
-    """The tones at a pin, made by hand or by a timer: Hz and milliseconds."""
+    """The tones at a pin, produced by software or by a timer, as (Hz, milliseconds)."""
     bursts: list[list[float]] = []
     for at, _ in trace.pulses(pin):
         last = bursts[-1] if bursts else []
@@ -135,7 +135,7 @@ def _tones(each: Any, trace: PinTrace) -> Iterator[str]:
 
 
 def _duties(each: Any, trace: PinTrace) -> Iterator[str]:
-    """What of each stretch of time is high, counted a cycle after its begin and until a cycle before its end."""
+    """The differences of duty cycles, measured in each stretch of time without its first and last cycle."""
     pin, wanted = each["pin"], each["duties"]
     driven = [(at, level) for at, level in trace.levels(pin) if level in (0, 1)]
     high = [at for at, level in driven if level == 1] + [wave.at_us for wave in trace.waves if wave.pin == pin and wave.hz]
@@ -154,7 +154,7 @@ def _duties(each: Any, trace: PinTrace) -> Iterator[str]:
 
 
 def _shown(trace: PinTrace, pin: str, begin: float, end: float) -> tuple[float, float]:
-    """Frequency and duty at a pin in a stretch of time, made by hand or by a timer."""
+    """Frequency and duty cycle at a pin in a stretch of time, produced by software or by a timer."""
     waves = [wave for wave in trace.waves if wave.pin == pin and wave.at_us <= begin]
     if waves and waves[-1].hz:
         return waves[-1].hz, waves[-1].duty

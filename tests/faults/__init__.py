@@ -1,1 +1,1 @@
-"""Faults and harmless rewritings put into migrated programs: what `verify` notices, and that it raises no false alarm."""
+"""Mutation testing of `verify`: faults and harmless rewritings are put into migrated programs to see what it notices."""

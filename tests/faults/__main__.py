@@ -1,11 +1,11 @@
-"""How many faults `verify` notices: `python -m tests.faults [--count 100] [--seed 1] [--jobs 2] [--rewritings] [STUDY...]`.
+"""Mutation score of `verify`: `python -m tests.faults [--count 100] [--seed 1] [--jobs 2] [--rewritings] [STUDY...]`.
 
 For each case study the program is migrated and verified, then one seeded fault at a time is put into the sketch or its
-adapters, and the program is compared again. Faults of all kinds take turns, until so many were compared; those whose lines no
-scenario executes, that do not compile, or that are the same machine code, are no faults and are counted. What came of each is
-kept in `kept/STUDY.json`; `equivalent.toml` lists by hand, with the reason, the faults that nothing outside can tell from the
-right program. A hundred take a quarter of an hour or more on two cores. A campaign that was ended goes on when it is started
-again, as long as the program, its scenarios and `verify` are the same.
+adapters, and the program is compared again. Faults of all kinds take turns until so many were compared. Faults whose lines no
+scenario executes, that do not compile, or that give the same machine code are dropped and only counted. Results are stored in
+`kept/STUDY.json`; `equivalent.toml` lists by hand, with reasons, the faults whose program behaves like the right one. A hundred
+faults take a quarter of an hour or more on two cores. An interrupted campaign goes on when it is started again, as long as the
+program, its scenarios and `verify` are the same.
 """
 
 from __future__ import annotations
@@ -32,13 +32,13 @@ _NO_FAULT = ("same machine code", "not-compiled")
 
 
 def equivalent() -> dict[tuple[str, str], str]:
-    """(study, name of the fault) -> why nothing outside can tell it from the right program."""
+    """(study, name of the fault) -> why the faulty program is equivalent to the right one."""
     listed = tomllib.loads((HERE / "equivalent.toml").read_text()).get("fault", [])
     return {(each["study"], each["fault"]): each["reason"] for each in listed}
 
 
 def stale(study: str, possible: Collection[str]) -> list[str]:
-    """The faults of a study that are listed as equivalent and are none any more: the program's text has changed since.
+    """The listed equivalent faults of a study that no longer exist, because the program's text has changed since.
 
     Args:
         study: the study's name.
@@ -60,14 +60,14 @@ def in_turns(listed: list[Fault], seed: int) -> Iterator[Fault]:
 
 
 def run(study: Study, count: int, seed: int, jobs: int, kept: Path) -> dict[str, object]:
-    """Try faults of a study until so many were compared that are not listed as equivalent, and tell what came of them.
+    """Try faults of a study until so many were compared that are not listed as equivalent; returns the results as JSON.
 
     Args:
         study: the case study.
-        count: how many.
-        seed: of their order.
-        jobs: how many at once.
-        kept: the file with the results; those of the same program are taken from it.
+        count: how many faults to compare.
+        seed: seed of their order.
+        jobs: how many to compare at the same time.
+        kept: the file of results; those of the same program are taken from it.
     """
     reached = study.reached()
     listed = [fault for name, text in study.files.items() for fault in faults(name, text)]
@@ -95,7 +95,7 @@ def run(study: Study, count: int, seed: int, jobs: int, kept: Path) -> dict[str,
 
 
 def _outcomes(kept: Path, study: Study) -> dict[str, Outcome]:
-    """What is known of the faults of this very program under these very scenarios."""
+    """The stored outcomes, if they are of this very program, its scenarios and this `verify`; else empty."""
     told = json.loads(kept.read_text()) if kept.is_file() else {}
     if told.get("program") != study.digest:
         return {}
@@ -113,7 +113,7 @@ def _outcomes(kept: Path, study: Study) -> dict[str, Outcome]:
 
 @dataclass
 class _Table:
-    """What came of the faults so far."""
+    """The outcomes of the faults so far."""
 
     study: Study
     seed: int
@@ -125,11 +125,11 @@ class _Table:
 
     @property
     def counted(self) -> int:
-        """How many count."""
+        """How many of the faults are not equivalent, and so count for the score."""
         return sum(not reason for _, _, reason in self.tried.values())
 
     def add(self, fault: Fault, outcome: Outcome) -> str:
-        """Take an outcome; a line that tells it, empty where it is no fault or the same as another."""
+        """Add an outcome; returns a line for the log, empty if the fault is dropped or is the same as another."""
         if outcome.verdict in _NO_FAULT:
             self.dropped[outcome.verdict] += 1
             return ""
@@ -142,7 +142,7 @@ class _Table:
         return f"{self.study.name} {len(self.tried)} {seen} {what}"
 
     def result(self) -> dict[str, object]:
-        """The table."""
+        """The results as JSON."""
         counted = [(fault, outcome) for fault, outcome, reason in self.tried.values() if not reason]
         noticed = [fault for fault, outcome in counted if outcome.verdict == "different"]
         by_kind = {

@@ -1,8 +1,8 @@
-"""A case study whose migrated program is changed and compared again: what was migrated, the scenarios, the original's runs once.
+"""A migrated case study that is changed and compared again: its sketch, the scenarios, and the original's runs, made once.
 
-A change is compiled and run in the scenarios one after the other, first for a part of their time: the first difference ends it.
-Scenarios in which more changes were noticed come first, which changes only how soon that is known.
-What a run of the right program executes is told by `executed_lines`.
+A changed sketch is compiled and run in the scenarios one after the other, first for a part of their time; the first difference
+ends it. Scenarios that revealed more changes so far come first, which affects only the speed. `executed_lines` finds the lines
+that the right program executes.
 """
 
 from __future__ import annotations
@@ -42,10 +42,10 @@ STUDIES = ("line_follower", "environmental_monitoring", "parking_aid")
 FOLDERS = (ROOT / "docs" / "examples", Path(__file__).parent / "studies")
 SKETCH_FILES = (".ino", ".h", ".cpp")
 _PART = 0.35
-"""The part of a scenario's time after which a changed program is looked at for the first time."""
+"""The part of a scenario's time that is compared first."""
 _LEAST_MS = 2_500.0
 _FIRST_LOOKS = 4
-"""So many scenarios are looked at for that part first: what none of these tells, others seldom do."""
+"""How many scenarios are compared for that part first: what none of these reveals, others seldom do."""
 _CORES = os.cpu_count() or 1
 _VERIFIER = ("robosmi/verify", "transformations/verification", "platform_repo/simulation", "platform_repo/propeller/host")
 _PARTS = (".py", ".cjs", ".toml", ".c", ".h")
@@ -53,13 +53,13 @@ _PARTS = (".py", ".cjs", ".toml", ".c", ".h")
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of a change.
+    """The outcome of comparing a changed sketch.
 
     Attributes:
         verdict: `different`, `no-difference-found`, `not-decidable`, `not-compiled`, `same machine code`, or `error`.
         told: the first difference in words, or why there is no verdict.
-        scenario, channel: where it was found.
-        functions: what the verdict says of who makes it.
+        scenario, channel: where the difference was found.
+        functions: the functions that the verdict names for that channel.
     """
 
     verdict: str
@@ -71,12 +71,12 @@ class Outcome:
 
 @dataclass
 class Study:
-    """A case study, ready for changes.
+    """A migrated and verified case study.
 
     Attributes:
         name: its name.
         out: the output folder of its migration.
-        right: the verification of what was migrated.
+        right: the verification of the unchanged sketch.
         cases: the scenarios with the original's runs.
         files: name of each file of the sketch -> its text.
     """
@@ -112,7 +112,7 @@ class Study:
 
     @classmethod
     def of(cls, name: str, out: Path, place: Path, seed: int = 1, scenarios: Sequence[Path] = ()) -> Study:
-        """A study of what was migrated already."""
+        """A study of a program that was migrated already."""
         right = verify(out, seed=seed, scenarios=scenarios)
         models = load_models(out / "models" / "plan.xmi")
         ports = bound_ports(models.plan, out / "models")
@@ -135,14 +135,14 @@ class Study:
 
     @property
     def digest(self) -> str:
-        """What stands for the program, the scenarios, and for what `verify` is made of."""
+        """A digest of the program, the scenarios, and the files of `verify`, by which stored results are recognised."""
         told = [*self.files.items(), *((scenario.name, scenario.text()) for scenario, _ in self.cases)]
         verifier = sorted(path for folder in _VERIFIER for path in (ROOT / folder).rglob("*") if path.suffix in _PARTS)
         told += [(path.name, hashlib.sha256(path.read_bytes()).hexdigest()) for path in verifier]
         return hashlib.sha256(repr(told).encode()).hexdigest()[:16]
 
     def reached(self) -> dict[str, set[int]]:
-        """The lines of the sketch's files of which an instruction runs in some scenario."""
+        """The executed lines: file of the sketch -> lines with an instruction that runs in some scenario."""
         board = _board(self._models, self.right.compiled)
         with tempfile.TemporaryDirectory(dir=self.place) as place, ThreadPoolExecutor(_CORES) as pool:
             report = built_for_lines(self.out, Path(place))
@@ -151,11 +151,11 @@ class Study:
             return lines_of(report, set().union(*runs), self.files)
 
     def judge(self, files: Mapping[str, str], early: bool = True) -> Outcome:
-        """Compile the sketch with other files, and compare it.
+        """Compile the sketch with changed files, and compare it with the original.
 
         Args:
             files: name of each changed file -> its text.
-            early: whether to look at a part of each scenario first, which is faster where a difference is likely.
+            early: whether to compare a part of each scenario first, which is faster where a difference is likely.
         """
         with tempfile.TemporaryDirectory(dir=self.place) as place:
             out = Path(place) / "out"
@@ -176,7 +176,7 @@ class Study:
                 return Outcome("error", error.message)
 
     def _further(self, scenario: Scenario, runs: SourceRuns) -> SourceRuns:
-        """The runs of a scenario with further ones, made once, whatever part of its time is looked at."""
+        """The original's runs of a scenario with the further ones for a second look; made once, for its whole time."""
         with self._lock:
             if scenario.name not in self._more:
                 whole = next(each for each, _ in self.cases if each.name == scenario.name)
@@ -209,12 +209,12 @@ class Study:
 
 
 def executed(lines: Sequence[int], text: str, reached: Mapping[str, set[int]], file: str, files: Mapping[str, str]) -> bool:
-    """Whether one of some lines runs in a scenario; a constant or macro does where a line that runs names it.
+    """Whether one of some lines is executed in a scenario; a line of a constant or macro is, if an executed line names it.
 
     Args:
         lines: the lines.
         text: the file's text.
-        reached: what runs, by file.
+        reached: file -> its executed lines.
         file: the file's name.
         files: the texts of all files.
     """

@@ -1,4 +1,4 @@
-"""Other text for parts of a file."""
+"""Replacements of parts of a file."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Edit:
-    """Other text for a part of a file."""
+    """The replacement of a part of a file."""
 
     begin: int
     end: int

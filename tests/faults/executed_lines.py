@@ -1,9 +1,8 @@
-"""Which lines of a sketch's files run: by the addresses of the instructions that an engine has told (avr8js).
+"""Which lines of a sketch's files are executed, found by the instruction addresses that an engine reports (avr8js).
 
-The program that a person gets does not tell it. Its code is made while linking, by a compiler that then keeps for each
-instruction the line where it was written, but not the lines from which functions were called that it put in place: a line
-that does nothing but call such functions would stand for no instruction at all. So the sketch is built once more for that,
-without that step and with all that is known of calls.
+The program as users get it does not tell. It is optimised while linking, and the compiler then keeps for each instruction the
+line where it was written, but not the lines of the calls that were inlined: a line that only calls inlined functions would have
+no instruction at all. So the sketch is built once more without link-time optimisation and with all debug information on calls.
 """
 
 from __future__ import annotations
@@ -31,7 +30,7 @@ _LIMIT_S = 300.0
 
 
 def built_for_lines(out: Path, place: Path) -> CompileReport:
-    """A sketch, built so that its instructions tell all lines that they stand for.
+    """Build a sketch so that its instructions are traced to all lines that they stand for.
 
     Args:
         out: the output folder of a migration.
@@ -47,13 +46,13 @@ def built_for_lines(out: Path, place: Path) -> CompileReport:
 
 
 def run_addresses(report: CompileReport, board: platform.Board, horizon_ms: float, devices: Sequence[DeviceUse]) -> set[int]:
-    """The addresses of the instructions that run in a scenario.
+    """The addresses of the instructions that are executed in a scenario.
 
     Args:
-        report: of `built_for_lines`.
+        report: the result of `built_for_lines`.
         board: the board.
-        horizon_ms: how long the scenario lasts.
-        devices: what is connected to the board in it.
+        horizon_ms: duration of the scenario in milliseconds.
+        devices: the devices that the scenario connects to the board.
     """
     assert report.elf is not None
     assert report.hex is not None
@@ -62,12 +61,12 @@ def run_addresses(report: CompileReport, board: platform.Board, horizon_ms: floa
 
 
 def lines_of(report: CompileReport, addresses: Collection[int], names: Collection[str]) -> dict[str, set[int]]:
-    """The lines of files that some instructions stand for, by the file's name.
+    """The lines that some instructions stand for, by the name of the file.
 
     Args:
-        report: of `built_for_lines`.
-        addresses: of the instructions.
-        names: of the files.
+        report: the result of `built_for_lines`.
+        addresses: the addresses of the instructions.
+        names: the names of the files.
     """
     assert report.elf is not None
     told = subprocess.run(

@@ -1,7 +1,7 @@
-"""Harmless rewritings of migrated programs: changed text that does the same, so that calling it different is a false alarm.
+"""Harmless rewritings of migrated programs: changed text with the same behaviour; calling it different is a false alarm.
 
-Each is a file `rewritings/STUDY/NAME.toml`: `kind`, and one `[[change]]` or more with `file`, `old` (which stands there once) and
-`new`.
+Each is a file `rewritings/STUDY/NAME.toml`: `kind`, and one `[[change]]` or more with `file`, `old` (which the file contains
+once) and `new`.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ class Rewriting:
     changes: tuple[tuple[str, str, str], ...]
 
     def put_into(self, files: Mapping[str, str]) -> dict[str, str]:
-        """The files that it changes, changed."""
+        """The files that the rewriting changes, in their new form."""
         changed: dict[str, str] = {}
         for file, old, new in self.changes:
             text = changed.get(file, files[file])
@@ -39,7 +39,7 @@ class Rewriting:
 
 
 def rewritings(study: str) -> list[Rewriting]:
-    """Those of a case study, by name."""
+    """The rewritings of a case study, by name."""
     found = []
     for path in sorted((HERE / study).glob("*.toml")):
         told = tomllib.loads(path.read_text())

@@ -1,8 +1,8 @@
-"""Faults by kind: places of a migrated program and what would stand there if somebody had made a mistake of that kind.
+"""The faults that can be seeded in a migrated program, by kind: the places, and the text that such a mistake would leave.
 
-Each kind is made so that what it changes is outside of what a verdict allows: a constant is half as large again at least, a wait
-lasts half as long again, a unit is off by a thousand, a number that is known not to fit loses its upper bits. Where a place is
-never executed, or the compiler makes the same machine code of it, there is no fault: that is `campaign`'s to find out.
+Each fault exceeds the tolerances of a verdict: a constant is at least half as large again, a wait lasts half as long again, a
+unit is off by a thousand, a number that is known not to fit loses its upper bits. `campaign` drops faults that are never
+executed, or that give the same machine code.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ class Fault:
 
     Attributes:
         file: the file's name in the sketch's folder.
-        kind: of which kind it is.
-        edits: what is changed, by place.
+        kind: the kind of mistake.
+        edits: the replacements, by place.
         was, now: the changed part of the text, before and after.
-        line: where the first change is, from 1.
-        lines: the lines that have to be executed for the fault to matter, one of them at least.
-        place: which one it is of those of the file that read alike, from 1.
+        line: line of the first change, from 1.
+        lines: the lines of which at least one has to be executed for the fault to matter.
+        place: the number of this place among those of the file with the same text, from 1.
     """
 
     file: str
@@ -46,7 +46,7 @@ class Fault:
 
     @property
     def name(self) -> str:
-        """What tells it from others, whatever line it stands on."""
+        """The name of the fault, which does not depend on line numbers."""
         return f"{self.file}: {self.was} -> {self.now}" + (f" (place {self.place})" if self.place > 1 else "")
 
     def put_into(self, text: str) -> str:
@@ -97,7 +97,7 @@ def _line(text: str, at: int) -> str:
 
 
 def _replaced(pattern: str, other: Callable[[re.Match[str]], str | None] | str) -> Callable[[str], Edits]:
-    """Each match of a pattern replaced: by a text, or what a function makes of it (None for no fault)."""
+    """A function that replaces each match of a pattern by a text, or by the result of a function (None for no fault)."""
 
     def made(code: str) -> Edits:
         for found in re.finditer(pattern, code, re.MULTILINE):
@@ -117,7 +117,7 @@ def _all(*kinds: Callable[[str], Edits]) -> Callable[[str], Edits]:
 
 
 def _swapped(pattern: str) -> Callable[[str], Edits]:
-    """Each two different matches of a pattern's group exchanged."""
+    """A function that exchanges each two different matches of a pattern's group."""
 
     def made(code: str) -> Edits:
         places = [(m.start(1), m.end(1), m[1]) for m in re.finditer(pattern, code, re.MULTILINE)]
@@ -154,7 +154,7 @@ def _longer_wait(found: re.Match[str]) -> str:
 
 
 def _lost_state(code: str) -> Edits:
-    """A variable that keeps its value from one turn of the loop, or one call, to the next begins anew instead."""
+    """A variable loses the value that it keeps between rounds of the loop or calls: it is initialised again each time."""
     for found in re.finditer(r"^[ \t]+static (?!const)(?=[^;()]*;)", code, re.MULTILINE):
         yield (Edit(found.start(), found.end(), found[0].replace("static ", "")),)
     loop = re.search(r"^void loop\(\) \{\n", code, re.MULTILINE)
@@ -169,7 +169,7 @@ def _lost_state(code: str) -> Edits:
 
 
 def _too_narrow(code: str) -> Edits:
-    """A variable of a clock's counts or of a number beyond it gets a type that cannot hold it."""
+    """A variable of clock counts, or of numbers beyond them, gets a type that is too narrow."""
     for found in re.finditer(r"\b(u?)int32_t( \w+ = [^;]*\b(?:CNT|micros\(\)|millis\(\))[^;]*;)", code):
         yield (Edit(found.start(), found.end(), f"{found[1]}int16_t{found[2]}"),)
     for found in re.finditer(r"\(int32_t\)(\((?:CNT|micros\(\)|millis\(\)))", code):

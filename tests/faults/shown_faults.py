@@ -1,8 +1,8 @@
-"""Faults of what a program shows and of what it does beside that: texts, counters, the console's speed, pins, pulses, borders.
+"""Faults of what a program shows and does besides: texts, counters, console speed, pins, pulses, thresholds.
 
-Each is a function of a file's text and of its code, which is the text with blanks for comments, texts and directives. Their
-sizes are beyond what a verdict allows: a width is 13 % off where 1 % is allowed, a border lies 15 % off, or at three times its
-value where the program counts polls, which may be off by half and twice.
+Each is a function of a file's text and of its code, which is the text with comments, strings and directives blanked. The sizes
+exceed the tolerances of a verdict: a width is 13 % off where 1 % is allowed; a threshold is 15 % off, or three times its value
+where the program counts polls, which may differ by half and twice.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _PRINTS = re.compile(r"\b(?:print|printf|printi|sprint|sprinti|sprintf|dprint|wr
 _TEXT = re.compile(r'"(?:\\.|[^"\\\n])*"')
 _SPEEDS = (9600, 57600, 230400)
 _PINS = (2, 5, 6, 13, 15)
-"""Pins of the target, of which those that the program names are not foreign."""
+"""Pins of the target that a fault may drive if the program does not name them."""
 _COUNTER = re.compile(r"^([ \t]*(?:static )?(?:u?int\w*_t|long|int|char) (\w+) = )(\d+)(?=;)", re.MULTILINE)
 _SCALED = re.compile(r"(?<=[\w)\]]) ?(?:<|>|<=|>=) (\d+)(?=L?\s*(?:[);?]|&&|\|\|))")
 _BORDER = re.compile(r"^(const int32_t (\w+)\s*= )(\d+)(?=;)", re.MULTILINE)
@@ -25,7 +25,7 @@ _WIDTH = re.compile(r"\b(pulse_out\([^,;]*, |writeMicroseconds\(|servo_us\([^,;]
 
 
 def _closing(code: str, opened: int) -> int:
-    """Where the parenthesis closes that is opened just before a place."""
+    """The offset of the parenthesis that closes the one just before `opened`."""
     depth = 1
     for at in range(opened, len(code)):
         depth += (code[at] == "(") - (code[at] == ")")
@@ -35,7 +35,7 @@ def _closing(code: str, opened: int) -> int:
 
 
 def _arguments(code: str, opened: int) -> list[tuple[int, int]]:
-    """Begin and end of each argument of a call."""
+    """Start and end offset of each argument of a call."""
     end, depth = _closing(code, opened), 0
     cuts = [opened]
     for at in range(opened, end):
@@ -46,7 +46,7 @@ def _arguments(code: str, opened: int) -> list[tuple[int, int]]:
 
 
 def number_in_text(text: str, code: str) -> Edits:
-    """A digit of a printed text is another, stands where none was, or a number is written with another width or base."""
+    """A digit of a printed text is changed or added, or a number is printed with another width or base."""
     for call in _PRINTS.finditer(code):
         for literal in _TEXT.finditer(text, call.end(), _closing(code, call.end())):
             for found in re.finditer(r"(?<![%\\.\d])\d+(?!\w)|%d|(?<!\\)[A-Za-z](?= |=)", literal[0]):
@@ -65,7 +65,7 @@ def _other_text(was: str) -> Iterator[str]:
 
 
 def offset_of_number(text: str, code: str) -> Edits:
-    """A number that is printed is always one, or ten, more or less."""
+    """A printed number is always 1 or 10 too large or too small."""
     for call in _PRINTS.finditer(code):
         for begin, end in _arguments(code, call.end()):
             argument = text[begin:end].strip()
@@ -79,7 +79,7 @@ def _is_number(name: str, code: str) -> bool:
 
 
 def start_value(text: str, code: str) -> Edits:
-    """A counter begins with another value: one more, and many more."""
+    """A counter starts at another value: one more, or many more."""
     for found in _COUNTER.finditer(code):
         if re.search(rf"\b{found[2]}(?:\+\+|--| [+-]= )", code):
             for more in (1, 30):
@@ -87,14 +87,14 @@ def start_value(text: str, code: str) -> Edits:
 
 
 def console_speed(text: str, code: str) -> Edits:
-    """The console's line has another speed."""
+    """The console has another baud rate."""
     for found in re.finditer(r"\bSerial\.begin\((\d+)\)", code):
         for speed in _SPEEDS:
             yield (Edit(found.start(1), found.end(1), str(speed)),)
 
 
 def foreign_pin(text: str, code: str) -> Edits:
-    """A pin is driven that the program does not have, or that it only reads, from the begin or in each turn."""
+    """A pin is driven that the program does not use or only reads, once at the start or in each round."""
     named = {int(number) for number in re.findall(r"^const int(?:32_t)? \w+ = (\d+);", code, re.MULTILINE)}
     named |= {int(number) for number in re.findall(r"\b(?:high|low|input|get_state|set_\w+|pulse_out|ping\w*)\((\d+)", code)}
     reads = re.findall(r"^const int (\w*Receiver\w*Read\w*) = ", code, re.MULTILINE)
@@ -118,7 +118,7 @@ def pulse_width(text: str, code: str) -> Edits:
 
 
 def lost_direction(text: str, code: str) -> Edits:
-    """A pin keeps the direction that it has, or gets the other one."""
+    """A change of a pin's direction is dropped or reversed."""
     for found in re.finditer(r"^[ \t]+((?:set_directions?|pinMode|io\.drive)\([^;{}]*\));", code, re.MULTILINE):
         yield (Edit(found.start(1), found.end(1), ""),)
     for found in re.finditer(r"\b(set_direction\(\w+, )(0b)?([01])(?=\))", code):
@@ -126,7 +126,7 @@ def lost_direction(text: str, code: str) -> Edits:
 
 
 def moved_border(text: str, code: str) -> Edits:
-    """A value at which the program goes another way is 15 % off, or three times as large or small."""
+    """A threshold of a condition is 15 % off, or three times as large or small."""
     if not re.search(r"^void loop\(\)", code, re.MULTILINE):
         return
     for found in _SCALED.finditer(code):
@@ -144,7 +144,7 @@ def _moved(begin: int, end: int, value: int) -> Edits:
 
 
 def pull_up(text: str, code: str) -> Edits:
-    """A pin that is read gets a pull-up, or loses it."""
+    """A pin that is read gains or loses a pull-up."""
     for found in re.finditer(r"\bput\(out, (false)\)", code):
         yield (Edit(found.start(1), found.end(1), "true"),)
     for found in re.finditer(r"\bINPUT_PULLUP\b", code):

@@ -25,7 +25,7 @@ from tests.fuzz.costs import PATIENCE, SECONDS, Costs, megabytes, spent_by
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = (ROOT / "tests" / "transformations" / "t2m" / "c_source", ROOT / "docs" / "examples")
 ADDRESSES = 3000
-"""Megabytes of addresses that the reading process may have, more than it uses."""
+"""Address space in megabytes of the reading process; more than it uses."""
 _ODD = (
     *(b"", b"(" * 300, b"{" * 300, b"!" * 3000, b"*" * 20, b"\0", b"\xff", b"\xef\xbb\xbf", b"#if 1\n", b"#else\n", b"#endif\n"),
     *(
@@ -100,7 +100,7 @@ def run_one(path: Path) -> str:
 
 
 def worker(connection: Connection) -> None:
-    """Read the paths that come, answer with the state or the traceback."""
+    """Read the inputs whose paths arrive, and answer with the outcome or the traceback."""
     resource.setrlimit(resource.RLIMIT_AS, (ADDRESSES << 20, ADDRESSES << 20))
     while (path := connection.recv()) is not None:
         try:

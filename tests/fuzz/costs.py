@@ -17,24 +17,24 @@ from pathlib import Path
 from types import FrameType
 
 SECONDS = 10.0
-"""Of processor time for one input under 100 kB."""
+"""Limit of processor seconds for one input of under 100 kB."""
 PATIENCE = 12 * SECONDS
-"""Seconds on the clock after which an input is ended."""
+"""Seconds on the clock after which an input is aborted."""
 MEGABYTES = 500
 
 
 class TooLong(BaseException):
-    """An input took longer than the limit. No `Exception`, so that nothing on the way catches it."""
+    """An input exceeded the limit; not an `Exception`, so that no handler on the way catches it."""
 
 
 def spent() -> float:
-    """Seconds of processor time of this process and of those that it has started and that have ended."""
+    """Processor seconds of this process and of its children that have ended."""
     found = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
     return sum(usage.ru_utime + usage.ru_stime for usage in found)
 
 
 def spent_by(process: int) -> float:
-    """Seconds of processor time of another process; 0 where this system does not say it."""
+    """Processor seconds of another process; 0 if this system does not tell."""
     try:
         fields = Path(f"/proc/{process}/stat").read_text().rpartition(") ")[2].split()
     except OSError:
@@ -43,7 +43,7 @@ def spent_by(process: int) -> float:
 
 
 def megabytes() -> int:
-    """The most memory that this process, or one that it has started, has had so far."""
+    """Peak memory in megabytes of this process or of one of its children."""
     return max(resource.getrusage(who).ru_maxrss for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)) // 1024
 
 
@@ -86,12 +86,12 @@ class Costs:
             raise TooLong(f"{took:.1f} s of processor time")
 
     def add(self, seconds: float, clock: float, memory: int = 0) -> None:
-        """Take in what an input has cost elsewhere."""
+        """Add the cost of an input that was measured elsewhere."""
         self.slowest, self.longest = max(self.slowest, seconds), max(self.longest, clock)
         self.memory = max(self.memory, memory)
 
     def over(self) -> bool:
-        """Whether a process has had more memory than it may."""
+        """Whether a process has exceeded the memory limit."""
         return max(self.memory, megabytes()) > MEGABYTES
 
     def __str__(self) -> str:

@@ -77,7 +77,7 @@ def damaged(data: bytes, other: bytes, chance: random.Random) -> bytes:
 
 
 def read_through(path: Path, store: Path | None = None) -> Pins | None:
-    """Read a drawing with all that follows; the pins of its boards, or None where it is refused rightly.
+    """Read a drawing with all later steps; the pins of its boards, or None if it is refused properly.
 
     Args:
         path: the drawing.

@@ -1,8 +1,9 @@
-"""Regenerate sketches and templates' files that persons edit in between, and judge whether an edit was lost without a word.
+"""Regenerates sketches and template files that are edited in between, and judges whether an edit was lost silently.
 
 Usage: python -m tests.fuzz.edits [--runs N] [--seed N]. By hand (`make fuzz`); `tests/chains/test_regenerations.py` has a short
-form. Between two runs a file is edited in one of ten ways, and the program, the drawing or the elements are changed. What was
-made is known from runs into empty folders; `edits_judge` knows nothing of the merge. The same seed gives the same runs.
+form. Between two runs a file is edited in one of ten ways, and the program, the drawing or the elements are changed. The
+generated text is known from runs into empty folders; `edits_judge` knows nothing of the merge. The same seed gives the same
+runs.
 """
 
 from __future__ import annotations
@@ -29,14 +30,14 @@ _WORD = re.compile(r"\b[A-Za-z_]\w{3,}\b")
 
 
 def filled(lines: list[str], chance: random.Random, mark: str) -> list[str]:
-    """A body in place of a placeholder, or text in a region."""
+    """Write a body in place of a placeholder, or text into a region."""
     places = [n for n, line in enumerate(lines) if "TODO" in line or "default of" in line] or [chance.randrange(len(lines) + 1)]
     place = chance.choice(places)
     return [*lines[:place], f"  int {mark} = 1;", f"\tdigitalWrite(13, {mark});  // {mark} body", *lines[place + 1 :]]
 
 
 def renamed(lines: list[str], chance: random.Random, mark: str) -> list[str]:
-    """A name changed wherever it stands."""
+    """Rename something wherever it occurs."""
     words = sorted({word for line in lines for word in _WORD.findall(line) if "region" not in line})
     if not words:
         return lines
@@ -45,7 +46,7 @@ def renamed(lines: list[str], chance: random.Random, mark: str) -> list[str]:
 
 
 def inserted(lines: list[str], chance: random.Random, mark: str) -> list[str]:
-    """A few lines more, sometimes the same ones twice."""
+    """Insert a few lines, sometimes the same ones twice."""
     place = chance.randrange(len(lines) + 1)
     again = "  // EDIT again"
     new = chance.choice(([f"  int {mark} = 2;"], [f"// {mark}", "", f"\tint {mark} = 3;\t"], [again, again]))
@@ -53,7 +54,7 @@ def inserted(lines: list[str], chance: random.Random, mark: str) -> list[str]:
 
 
 def deleted(lines: list[str], chance: random.Random, mark: str) -> list[str]:
-    """A few lines less, or none left."""
+    """Delete a few lines, or all of them."""
     if chance.random() < 0.03:
         return []
     place = chance.randrange(len(lines) + 1)
@@ -61,7 +62,7 @@ def deleted(lines: list[str], chance: random.Random, mark: str) -> list[str]:
 
 
 def moved(lines: list[str], chance: random.Random, mark: str) -> list[str]:
-    """A few lines elsewhere."""
+    """Move a few lines."""
     place = chance.randrange(len(lines) + 1)
     block, rest = lines[place : place + 3], lines[:place] + lines[place + 3 :]
     other = chance.randrange(len(rest) + 1)
@@ -69,7 +70,7 @@ def moved(lines: list[str], chance: random.Random, mark: str) -> list[str]:
 
 
 def reformatted(lines: list[str], chance: random.Random, mark: str) -> list[str]:
-    """Other blanks: of an editor, of a formatter, in a part of the file or everywhere."""
+    """Change white space like an editor or a formatter, in a part of the file or everywhere."""
     first, last = sorted(chance.randrange(len(lines) + 1) for _ in range(2))
     kind = chance.randrange(4)
     part = lines if chance.random() < 0.3 else lines[first:last]
@@ -85,7 +86,7 @@ def reformatted(lines: list[str], chance: random.Random, mark: str) -> list[str]
 
 
 def commented(lines: list[str], chance: random.Random, mark: str) -> list[str]:
-    """A comment behind a line."""
+    """Append a comment to a line."""
     if not lines:
         return lines
     place = chance.randrange(len(lines))
@@ -93,7 +94,7 @@ def commented(lines: list[str], chance: random.Random, mark: str) -> list[str]:
 
 
 def damaged(lines: list[str], chance: random.Random, mark: str) -> list[str]:
-    """A marker of a region, or of a conflict, lost, doubled, crowded, with another id, or off."""
+    """Damage a marker of a region or of a conflict: lost, doubled, crowded, with another id, or off."""
     places = [n for n, line in enumerate(lines) if " region " in line or line[:4] in ("<<<<", "||||", "====", ">>>>")]
     if not places:
         return inserted(lines, chance, mark)
@@ -140,7 +141,7 @@ def _other_ends(data: bytes, chance: random.Random) -> bytes:
 
 
 def decided(data: bytes, chance: random.Random) -> bytes:
-    """The file with its conflicts decided: this side, the other one, or both."""
+    """The file with its conflicts resolved: one side, the other, or both."""
     keep = chance.choice((b"\\1", b"\\2", b"\\1\\2"))
     end = rb"(?:\r\n|\r|\n)"
     conflict = (
@@ -152,7 +153,7 @@ def decided(data: bytes, chance: random.Random) -> bytes:
 
 @dataclass
 class Tally:
-    """What became of all runs."""
+    """The counts of all runs."""
 
     edits: Counter[str] = field(default_factory=Counter)
     outcomes: Counter[str] = field(default_factory=Counter)
@@ -169,7 +170,7 @@ class Tally:
 
 
 def regenerations(arena: Arena, folder: Path, chance: random.Random, runs: int, tally: Tally) -> None:
-    """Make, edit, change, make anew, judge; so many times."""
+    """Generate, edit, change the input, generate again and judge, so many times."""
     arena.make(folder)
     base = arena.fresh()
     for number in range(runs):
@@ -206,7 +207,7 @@ def regenerations(arena: Arena, folder: Path, chance: random.Random, runs: int, 
 
 
 def _reports(folder: Path) -> dict[str, bytes]:
-    """The reports as the run made them: they tell conflicts in this folder, which one made into an empty folder cannot have."""
+    """The reports of the run itself: they tell of conflicts in this folder, which a run into an empty folder cannot have."""
     last = folder / LAST
     return {path.relative_to(last).as_posix(): path.read_bytes() for path in last.rglob(REPORT)}
 
@@ -236,7 +237,7 @@ def _put(folder: Path, texts: Mapping[str, bytes], known: Mapping[str, bytes]) -
 
 
 def _way_out(folder: Path, base: Mapping[str, bytes], said: str) -> None:
-    """What a person does whom a run has stopped: takes the file back to what was made, which always helps."""
+    """Do what a user does whom a run has stopped: restore the generated file, which always helps."""
     named = [name for name in base if name in said]
     for name in named or list(base):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
@@ -271,7 +272,7 @@ def _judged(
 
 
 def run(runs: int, seed: int, *, each: int = 12) -> Tally:
-    """All arenas in turn, a new one after so many regenerations or a fault."""
+    """Use all arenas in turn, and a new one after so many regenerations or after a fault."""
     tally, chance = Tally(), random.Random(seed)
     with tempfile.TemporaryDirectory() as scratch:
         number = 0

@@ -231,4 +231,4 @@ ARENAS: list[Callable[[Path, random.Random], Arena]] = [
     _example("line_follower"), Pages, _program(PROGRAMS[0]), _program(PROGRAMS[1]), Pages,
     _example("environmental_monitoring"), Pages, _program(PROGRAMS[2]), _program(PROGRAMS[3]), Pages,
 ]  # fmt: skip
-"""How each arena is begun, from a folder for its inputs."""
+"""Functions that create the arenas, each from a folder for its inputs."""

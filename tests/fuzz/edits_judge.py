@@ -1,7 +1,7 @@
-"""What must be true of a file after a regeneration, judged by its lines alone: nothing of the merge is used here.
+"""Invariants of a regenerated file, checked by its lines alone: nothing of the merge is used here.
 
-`Round` holds the five texts of one file: what was made last, what is made now (both made into empty folders), the file with a
-person's edits before the run and after it, and the old file kept beside it, with what the run said of it.
+`Round` contains the five texts of one file: generated last, generated now (both into empty folders), the file with the user's
+edits before the run and after it, and the old file kept beside it; and the rules of the run's findings.
 """
 
 from __future__ import annotations
@@ -15,18 +15,18 @@ from msgspec import Struct
 
 BOM = b"\xef\xbb\xbf"
 LEFT = {"RS516", "RS522"}
-"""Findings of files that were left as they are."""
+"""Rules of findings about files that were left unchanged."""
 OLD_KEPT = {"RS511", "RS518"}
-"""Findings of files that have their old text beside them."""
+"""Rules of findings about files whose old text is kept beside them."""
 TOLD = {"RS510", "RS513", "RS519", "RS520", *OLD_KEPT, *LEFT}
-"""Findings that tell a person to look at the file."""
+"""Rules of findings that ask the user to look at the file."""
 _MARKS = ("<<<<<<< yours", "||||||| last generated", "=======", ">>>>>>> generated")
 _WORD = re.compile(r"\w+|[^\w\s]")
 _REGION = re.compile(r"protected region (\S+) (on begin|off begin|end)\b")
 
 
 class Round(Struct):
-    """One file in one run; None where there is no such file."""
+    """The texts of one file in one run; None where there is no such file."""
 
     name: str
     base: bytes | None
@@ -48,7 +48,7 @@ def ends(data: bytes) -> set[bytes]:
 
 
 def outside(found: list[str]) -> Iterator[str]:
-    """The lines that stand in no region and are no marker."""
+    """The lines that are in no region and are no markers."""
     inside = False
     for line in found:
         marker = _REGION.search(line)
@@ -59,7 +59,7 @@ def outside(found: list[str]) -> Iterator[str]:
 
 
 def faults(one: Round) -> Iterator[str]:
-    """What is wrong: an edit that is neither in the file nor reported with the old file beside it, or what is made not there."""
+    """The faults: an edit that is neither in the file nor reported and kept beside it, or generated text that is missing."""
     if one.edited is None:
         if one.after is None and one.made is not None:
             yield "the deleted file was not made again"
@@ -113,12 +113,12 @@ def _lost(one: Round) -> Iterator[str]:
 
 
 def _merged(line: str, one: Round, *, made: bool = False) -> bool:
-    """Whether the words that a person, or the run, put into a line stand in order in a line into which both put some.
+    """Whether the words that an edit added to a line are found, in order, in a line that merges it with another.
 
     Args:
-        line: of the edited file, or of what was made.
+        line: a line of the edited file, or of the generated one.
         one: the round.
-        made: whether it is a line that was made.
+        made: whether it is a line of the generated file.
     """
     base, edited, new, after = (lines(data or b"") for data in (one.base, one.edited, one.made, one.after))
     gone = [each for each in base if each not in (new if made else edited)]
@@ -129,9 +129,9 @@ def _merged(line: str, one: Round, *, made: bool = False) -> bool:
 
 
 def _switched_off(one: Round) -> set[str]:
-    """The marker lines of regions that the file says are off and that have their default text again, which RS518 has said.
+    """The marker lines of regions that the user switched off and that have their default text again, as RS518 reports.
 
-    What a person wrote before or behind such a marker in its line must be there still.
+    What the user wrote before or after such a marker in its line must still be there.
     """
     assert one.edited is not None
     assert one.after is not None
@@ -148,10 +148,10 @@ def _switched_off(one: Round) -> set[str]:
 
 
 def _misplaced(one: Round) -> Iterator[str]:
-    """Lines of a person that stand in another region or function than the one they were written into.
+    """The user's lines that are in another region or function than they were written into.
 
-    A region follows its id: where the function around it has another name now, its text is right there. Where several functions
-    have the same head, nothing but their order tells them apart, and the head says nothing of the place.
+    A region follows its id: where the function around it was renamed, its text is right there. Functions with the same head are
+    told apart by their order only, so their heads say nothing about the place.
     """
     assert one.base is not None
     assert one.edited is not None
@@ -170,13 +170,13 @@ def _misplaced(one: Round) -> Iterator[str]:
 
 
 def _stands(place: str, found: Iterable[str]) -> bool:
-    """Whether a text has a place: a region by its id, a function by its head."""
+    """Whether a text contains a place: a region by its id, a function by its head."""
     ids = {f"region {marker[1]}" for line in found if (marker := _REGION.search(line)) is not None}
     return place in ids or place in found
 
 
 def _functions(found: Iterable[str]) -> dict[str, list[str]]:
-    """Line -> the places it stands in: `region ID` of the region, else the head of the function.
+    """Line -> the places that contain it: `region ID`, or the head of the function.
 
     The head of a function is a line that begins at the margin and ends with a brace.
     """
@@ -217,7 +217,7 @@ def _form(one: Round) -> Iterator[str]:
 
 
 def _own_ends(data: bytes) -> dict[str, bytes]:
-    """The line ends of the lines that stand in a file once."""
+    """The line ends of the lines that occur once in a file."""
     parts = re.split(rb"(\r\n|\r|\n)", data.removeprefix(BOM))
     count = Counter(parts[::2])
     return {
@@ -226,7 +226,7 @@ def _own_ends(data: bytes) -> dict[str, bytes]:
 
 
 def _new(one: Round) -> Iterator[str]:
-    """What is newly made and did not come, outside of regions."""
+    """Newly generated lines outside of regions that are missing after the run."""
     assert one.base is not None
     assert one.edited is not None
     assert one.made is not None

@@ -64,7 +64,7 @@ def readers_of(place: str) -> Iterator[str]:
 
 
 def put(path: Path, kind: str) -> None:
-    """Put something odd where a file is read."""
+    """Put something damaged in the place of a file."""
     path.parent.mkdir(parents=True, exist_ok=True)
     if path.is_dir():
         shutil.rmtree(path)
@@ -90,7 +90,7 @@ def _set(folder: Path, text: str) -> None:
 
 
 def _put(folder: Path, file: str, kind: str) -> None:
-    """Put what is no proper file in a file's place."""
+    """Put something that is no proper file in the place of a file."""
     put(folder / file, kind)
 
 

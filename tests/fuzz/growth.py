@@ -20,14 +20,14 @@ from tests.growing import FAMILIES, Growing
 
 SECONDS, MEGABYTES, SMALL = 10.0, 500, 100_000
 PER_BYTE = 1e-4
-"""Seconds for each byte of input that are suspicious beyond `SMALL`: 10 s for 100 kB."""
+"""Seconds per byte of input that are suspicious for inputs beyond `SMALL`: 10 s for 100 kB."""
 STEEP = 3.2
-"""Times that twice the input may cost where it takes over a second; linear cost has 2, quadratic 4."""
+"""Factor by which the cost may grow for twice the input if it takes over a second; linear cost gives 2, quadratic 4."""
 
 
 @dataclass(frozen=True)
 class Measured:
-    """One run: bytes of input, seconds of processor time, megabytes, exit code and what was said."""
+    """One run: bytes of input, seconds of processor time, megabytes, exit code and output."""
 
     size: int
     seconds: float
@@ -68,7 +68,7 @@ def measured(family: Growing, n: int, limit: float) -> Measured:
 
 
 def judged(family: Growing, limit: float) -> tuple[str, list[Measured]]:
-    """ "ok", or what is wrong with a family; and its runs, the smallest first."""
+    """What is wrong with a family, "ok" for nothing; and its runs, the smallest first."""
     runs: list[Measured] = []
     for n in (family.size // 4, family.size // 2, family.size):
         runs.append(measured(family, n, limit))

@@ -69,7 +69,7 @@ def _changed_xml(data: bytes, chance: random.Random, kind: int) -> bytes:
 
 
 def input_of(sketches: list[bytes], chance: random.Random) -> tuple[str, bytes]:
-    """Ending and bytes of one input: a sketch, or an archive with damage inside or outside."""
+    """File ending and bytes of one input: a sketch, or an archive damaged inside or outside."""
     data = mutated(chance.choice(sketches), chance.choice(sketches), chance)
     if chance.random() < 0.8:
         return ".fz", data

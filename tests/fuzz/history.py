@@ -18,12 +18,12 @@ from typing import Any
 
 @dataclass
 class Outcome:
-    """What became of a round.
+    """The result of a round.
 
     Attributes:
-        kept: how many choices the history has at the end.
-        refused: the messages of those that were refused.
-        slowest: seconds that the slowest record took.
+        kept: how many choices the history contains at the end.
+        refused: the messages of the refused ones.
+        slowest: seconds of the slowest record.
     """
 
     kept: int = 0

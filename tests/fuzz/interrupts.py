@@ -62,7 +62,7 @@ def forked(folder: Path, version: int, hook: Callable[[str, tuple[object, ...]],
 
 
 def counted(folder: Path, version: int) -> int:
-    """How many steps a migration has."""
+    """Number of a migration's steps that Python reports to audit hooks."""
     reading, writing = os.pipe()
 
     def hook(event: str, _: tuple[object, ...]) -> None:
@@ -76,7 +76,7 @@ def counted(folder: Path, version: int) -> int:
 
 
 def interrupting(point: int) -> Callable[[str, tuple[object, ...]], None]:
-    """A hook that raises what Ctrl-C raises, before the n-th step."""
+    """A hook that raises KeyboardInterrupt, as Ctrl-C does, before the n-th step."""
     left = [point]
 
     def hook(event: str, _: tuple[object, ...]) -> None:
@@ -89,7 +89,7 @@ def interrupting(point: int) -> Callable[[str, tuple[object, ...]], None]:
 
 
 def wrong(folder: Path, code: int, said: str, allowed: list[dict[str, str]]) -> str:
-    """What is wrong after an interruption; "" for nothing."""
+    """What is wrong after an interruption; empty for nothing."""
     if code not in (0, 130):
         return f"exit code {code}: {said[-300:]}"
     if any(sign in said for sign in SIGNS):
@@ -135,7 +135,7 @@ _ALONE: dict[Path, dict[str, str]] = {}
 
 
 def alone(root: Path) -> dict[str, str]:
-    """What a first run of version 2 makes."""
+    """The files that a first run of version 2 generates."""
     if root not in _ALONE:
         shutil.rmtree(root / "alone", ignore_errors=True)
         (root / "alone").mkdir()
@@ -174,7 +174,7 @@ def signals(count: int, root: Path) -> Counter[str]:
 
 
 def main() -> int:
-    """The command line; the exit code is 1 when something was left or said that may not be."""
+    """The command line; the exit code is 1 when something was left behind or printed that must not be."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--points", type=int, default=300)
     parser.add_argument("--signals", type=int, default=60)

@@ -22,7 +22,7 @@ from xml.sax.saxutils import quoteattr
 from tests.fuzz.costs import Costs, TooLong
 
 CANARY = "robosmi-was-here"
-"""Name of a file that code of a stranger would make in the current folder."""
+"""Name of a file that a stranger's code would create in the current folder."""
 TEXTS = (
     '"""', "'''", '"', "'", "\\", '\\"""', f'"""\nopen("{CANARY}", "w")\n"""', f"'''\nopen('{CANARY}', 'w')\n'''", "\n", "\r",
     "\t", "\x85", "\u2028", "\u202e", "\ufeff", "#", "# coding: utf-7", "{{ 7*7 }}", "{% raw %}", "a b", "é", "௰", "①", "²", "·",
@@ -101,7 +101,7 @@ def metamodel(seed: int) -> str:
 
 
 def acts(source: bytes) -> Iterator[str]:
-    """What a generated module does beside describing its metamodel."""
+    """What a generated module executes besides describing its metamodel."""
     tree = ast.parse(source)
     loaded = {"__name__"}
     for node in ast.walk(tree):
@@ -150,7 +150,7 @@ def faults(made: dict[str, bytes], folder: Path) -> list[str]:
 
 
 def check(seed: int, folder: Path, costs: Costs | None = None) -> str:
-    """What became of a metamodel: "inert", "refused" with a message, or what is wrong."""
+    """The result for a metamodel: "inert", "refused" with a message, or what is wrong."""
     from robosmi.errors import RobosmiError
     from robosmi.model.codegen import render
 

@@ -65,7 +65,7 @@ def damaged(folder: Path, chance: random.Random) -> Path:
 
 
 def read(program: Path, enough: int) -> object:
-    """The model and the findings, or what the reader says against the program; kept after so many readings."""
+    """The model and the findings, or the reader's error; with precompiled headers after so many readings."""
     precompiled.ENOUGH = enough
     try:
         model, findings = read_program(program, include_dirs=[program.parent / "include"])

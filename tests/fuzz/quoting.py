@@ -25,7 +25,7 @@ MARKUP = {"link_open", "image", "html_block", "html_inline"}
 
 
 def wrong_with(texts: dict[str, str], shape: dict[str, list[str]]) -> str:
-    """What is wrong with the files of a sketch, "" for nothing."""
+    """What is wrong with the files of a sketch; empty for nothing."""
     names = declared_names(texts["line_follower.ino"])
     if shape_of(texts) != shape:
         return "other tokens of code"

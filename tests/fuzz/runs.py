@@ -34,7 +34,7 @@ _PROGRAM = '#include "simpletools.h"\nint main() {{ high({pin}); pause({pause});
 
 
 def forked(work: Callable[[], object]) -> int:
-    """A process that does some work and ends with 0 if it came through."""
+    """Fork a process that does some work and exits with 0 if it succeeds."""
     child = os.fork()
     if child == 0:
         code = 1
@@ -47,7 +47,7 @@ def forked(work: Callable[[], object]) -> int:
 
 
 def ended(child: int) -> int:
-    """How a process ended, once it has."""
+    """Wait for a process and return how it ended."""
     return os.waitpid(child, 0)[1]
 
 
@@ -66,7 +66,7 @@ def programs(root: Path) -> list[Path]:
 
 
 def rounds(count: int, root: Path) -> int:
-    """Migrations at once; the number of rounds that went wrong."""
+    """Run migrations at the same time; returns the number of rounds that went wrong."""
     given = programs(root)
     alone = []
     for number, program in enumerate(given):
@@ -101,7 +101,7 @@ def rounds(count: int, root: Path) -> int:
 
 
 def run(folder: Path, version: int) -> None:
-    """One run: as many files as there are, all of one version."""
+    """One run: it writes all files there are, all of one version."""
     g = Gen(folder, {"t": "{{ body }}"})
 
     def body(n: int) -> dict[str, str]:
@@ -112,7 +112,7 @@ def run(folder: Path, version: int) -> None:
 
 
 def steps(work: Callable[[], object]) -> int:
-    """How many steps of a piece of work Python tells its audit hooks."""
+    """Number of steps of some work that Python reports to audit hooks."""
     reading, writing = os.pipe()
 
     def counted() -> None:
@@ -147,7 +147,7 @@ def killed_at(step: int, work: Callable[[], object]) -> None:
 
 
 def versions(folder: Path) -> set[str]:
-    """The versions that are in a folder; a file that is not whole is `broken`, a file that is missing beside others `missing`."""
+    """The versions present in a folder; an incomplete file counts as `broken`, a missing file as `missing`."""
     files = {path for path in folder.glob("[0-9]/*") if path.is_file()}
     texts = [path.read_text() for path in files]
     found = {text.partition("\n")[0] if text.count("\n") == LINES and text[-1] == "." else "broken" for text in texts}
@@ -163,7 +163,7 @@ def whole(folder: Path, version: int) -> bool:
 
 @contextmanager
 def another_user(root: Path) -> Iterator[None]:
-    """A user who has no record of the runs of the first."""
+    """Act as a user who has no record of the first user's runs."""
     before = os.environ["ROBOSMI_HOME"]
     os.environ["ROBOSMI_HOME"] = str(root / "another-home")
     try:
@@ -173,7 +173,7 @@ def another_user(root: Path) -> Iterator[None]:
 
 
 def stops_or_recovers(folder: Path, version: int) -> bool:
-    """The next run where the one that was killed is not known: with files that wait it changes nothing, else it comes through."""
+    """Whether the next run, by a user who does not know the killed one, changes nothing if files wait, and else succeeds."""
     before = tree(folder)
     left = any((folder / STAGE).glob("*"))
     try:
@@ -184,7 +184,7 @@ def stops_or_recovers(folder: Path, version: int) -> bool:
 
 
 def kills(count: int, root: Path) -> int:
-    """Runs killed; the number of recoveries that went wrong."""
+    """Kill runs; returns the number of recoveries that went wrong."""
     folder, wrong, journals, none = root / "killed", 0, 0, 0
     first = steps(lambda: run(folder, 1))
     shutil.rmtree(folder)

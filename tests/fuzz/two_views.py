@@ -1,4 +1,4 @@
-"""What every query says of a program on demand and of its stored model, and where the two differ.
+"""Compares the answers of every query about a program read on demand and about its stored model.
 
 python -m tests.fuzz.two_views     all C programs of the tests and examples, and those below ROBOSMI_CORPUS
 """
@@ -58,7 +58,7 @@ def at(element: Any) -> tuple[Any, ...]:
 
 
 def answers(program: ccode.Program, path: Path, api: ApiIndex) -> Iterator[tuple[str, Any]]:
-    """What every query, the constraints and the partition say of a program."""
+    """The answers of every query, of the constraints and of the partition about a program."""
     findings: list[Finding] = []
     yield "analysis", analysis(program, findings, api)
     yield "its findings", [f.to_json() for f in findings]

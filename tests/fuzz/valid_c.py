@@ -106,7 +106,7 @@ def _missing(what: str, wanted: list[str], there: Iterable[str]) -> list[str]:
 
 
 def check(made: Program, *, move: bool = True, costs: Costs | None = None) -> str:
-    """What became of a program: "not C" where GCC refuses it, "kept" where all is well, else what is wrong."""
+    """The result for a program: "not C" if GCC refuses it, "kept" if all is well, else what is wrong."""
     with tempfile.TemporaryDirectory() as scratch:
         path = Path(scratch) / "input.c"
         path.write_bytes(made.text)

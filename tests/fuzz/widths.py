@@ -17,7 +17,7 @@ from tests.widths.machines import measured, truth
 
 
 def compared(text: str, folder: Path) -> tuple[dict[str, tuple[int, int]], int, int]:
-    """Cases that differ with both values (source, sketch), how many were compared, and how many have no value."""
+    """Cases that differ with both values (source, sketch), the number compared, and the number without a value."""
     program = folder / "expressions.c"
     program.write_text(text)
     wanted = truth(program, folder)

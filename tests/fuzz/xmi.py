@@ -65,7 +65,7 @@ def mutated(data: bytes, other: bytes, chance: random.Random) -> bytes:
 
 
 def check(path: Path, metamodel: Metamodel) -> str:
-    """Read a file, and if it can be read write it and read it again. What came of it, in a word.
+    """Read a file, and if that works write it and read it again; the outcome in a word.
 
     Raises:
         AssertionError: what was written is not what was read.
