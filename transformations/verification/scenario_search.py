@@ -95,7 +95,7 @@ def search(
     made = _Search(program, ports, set(known), effort)
     inputs = scenario_inputs(ports, texts, types, steps)
     made.horizon = _horizon(program, ports, effort, _HORIZONS_MS + (() if inputs else (_HORIZON_ALONE_MS,)))
-    made.try_signals({})
+    made.try_rest()
     if inputs:
         made.find_probe()
     for each in inputs:
@@ -175,6 +175,16 @@ class _Search:
         """Whether to try again what only racy scenarios have reached: of the source itself, and not for ever."""
         self.retried += any(place[0] not in GOALS for place in places - self.seen)
         return self.retried <= _RETRIES and any(place[0] not in GOALS for place in places - self.seen)
+
+    def try_rest(self) -> None:
+        """Let nothing happen, for a shorter time where the source differs from itself on a longer way."""
+        self.try_signals({})
+        for shorter in reversed([each for each in _HORIZONS_MS if each < self.horizon]):
+            if self.found.scenarios or not self.found.racy or self.effort.is_over():
+                return
+            self.horizon = shorter
+            self.only_racy.clear()
+            self.try_signals({})
 
     def find_probe(self) -> None:
         """Make short runs as long as it takes until the program has come wherever it comes while its inputs rest."""
@@ -274,10 +284,10 @@ def _horizon(
 ) -> float:
     """How long scenarios last: until a program whose inputs rest has come wherever it comes by itself, and as long again.
 
-    One that has not come on at all, or has gone round and shown nothing on any channel, may be in a long wait or on a long way,
-    and goes on behind it. A horizon at which its run is given up is too long, and so is one behind a quarter of the effort.
+    A way may be long: all horizons are looked at, and what a longer one reaches for the first time counts. A horizon at which its
+    run is given up is too long, and so is one behind a quarter of the effort.
     """
-    before: tuple[frozenset[Place], bytes] | None = None
+    before: frozenset[Place] | None = None
     reached, settled = 0.0, 0.0
     for horizon in horizons:
         if before is not None and effort.is_over(0.25):
@@ -288,15 +298,10 @@ def _horizon(
             return settled or reached or horizon
         reached = horizon
         places = places_reached(program, run, ports)
+        settled = (settled or horizon) if places == before else 0.0
         if run.status == "finished":
-            return horizon
-        if before is not None and places == before[0]:
-            settled = settled or horizon
-            if run.counts != before[1] and any(place[0] == "channel" for place in places):
-                return settled
-        else:
-            settled = 0.0
-        before = places, run.counts
+            return settled or horizon
+        before = places
     return settled or reached
 
 

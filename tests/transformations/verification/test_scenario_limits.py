@@ -44,6 +44,7 @@ def test_scenarios_are_no_longer_than_can_be_recorded(monkeypatch: pytest.Monkey
     [
         ("pause(15000);", "high(3); pause(1000); low(3); pause(1000);", 48_000.0),  # nothing is done for long, then something
         ("pause(9000); high(3); pause(30000); low(3);", "pause(100);", 48_000.0),
+        ("for (int n = 0; n < 5; n++) { high(3); pause(1700); low(3); pause(1700); } high(4);", "pause(100);", 48_000.0),
         ("while (!input(3));", "high(4);", 6_000.0),  # it asks again and again
         ("pause(500);", "pause(100);", 6_000.0),
         ("getchar();", "high(3);", 6_000.0),  # nothing comes, however long it is waited for
