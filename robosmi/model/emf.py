@@ -112,7 +112,10 @@ class EmfModel(TypedModel):
             packages = Metamodel.packages_of(file)
             for element in (one for package in packages for one in walk(package)):
                 as_data(element)
-            return cls(packages, Metamodel.ecore(), name or file.stem, file)
+            model = cls(packages, Metamodel.ecore(), name or file.stem, file)
+            if open_files is not None:
+                open_files.add(place, model, documents)
+            return model
         if roots is None:
             roots = first_of(documents.values()).roots
         packages = [*distinct(_outermost(root.eClass.ePackage) for root in roots), *used.epackages]

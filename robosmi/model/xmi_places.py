@@ -73,7 +73,7 @@ class XmiPlaces:
             UnusableId: its id cannot be one.
         """
         file, way = self._known.get(id(target)) or self._way(target)
-        identity = self.identity(target) if file else None
+        identity = self.identity(target) if file and not isinstance(target, type) else None
         return file, way if identity is None or _ODD_ID.search(identity) else identity
 
     def identity(self, element: EObject) -> str | None:
@@ -100,7 +100,9 @@ class XmiPlaces:
         one = target
         while id(one) not in self._known:
             if isinstance(one, (ecore.EModelElement, type)):
-                return "", metamodel_uri(one)
+                package, fragment = metamodel_place(one)
+                file = self.roots.get(id(package), "")  # a metamodel that is one of the models has a file
+                return file, fragment if file else metamodel_uri(one)
             climbed.append(one)
             container = container_of(one)
             if container is None or len(climbed) > 10_000_000:
