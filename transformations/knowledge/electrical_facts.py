@@ -134,7 +134,7 @@ class ElectricalFacts:
         return self._allowed(sorted({number for number, _ in self._words.found(text)}), about)
 
     def _by_family(self, family: str, about: str) -> DeviceFacts | None:
-        numbers = [n for n, e in enumerate(self._entries) if any(fnmatchcase(family, pattern) for pattern in e.families)]
+        numbers = [n for n, e in enumerate(self._entries) if any(_fits(family, pattern) for pattern in e.families)]
         return self._allowed(numbers, about)
 
     def _allowed(self, numbers: Iterable[int], about: str) -> DeviceFacts | None:
@@ -255,6 +255,15 @@ def _facts(device: Mapping[str, Json]) -> DeviceFacts:
     )
 
 
+def _fits(family: str, pattern: str) -> bool:
+    """Whether a family is one that a pattern of file names stands for; most patterns are plain names, and are not compiled."""
+    return family == pattern or (not _PLAIN.issuperset(pattern) and fnmatchcase(family, pattern))
+
+
+_PLAIN = frozenset("abcdefghijklmnopqrstuvwxyz0123456789 -_")
+"""Characters that stand for themselves in patterns of file names."""
+
+
 def _texts(device: Mapping[str, Json], key: str) -> tuple[str, ...]:
     return tuple(as_texts(device.get(key, ())))
 
@@ -291,16 +300,15 @@ def _check_tables(table: Mapping[str, Json], path: str) -> None:
     """Refuse unknown tables and keys, which would be ignored silently."""
     fix = "the head of the built-in parts/electrical.toml says what the keys mean"
     for key, value in table.items():
-        place = Location(path, line_of_key(_text(path), key))
         if key not in _TABLES:
-            told = did_you_mean(key.lower(), _TABLES) or "; each device is a [[device]]"
-            raise PlatformDataError(f"'{key}' is no table of this file{told}", location=place, fix=fix)
-        if not isinstance(value, _TABLES[key]) or (
+            what = f"is no table of this file{did_you_mean(key.lower(), _TABLES) or '; each device is a [[device]]'}"
+        elif not isinstance(value, _TABLES[key]) or (
             isinstance(value, list) and not all(isinstance(entry, dict) for entry in value)
         ):
-            raise PlatformDataError(
-                f"'{key}' is written [[{key}]]" if key == "device" else f"'{key}' is written [{key}]", location=place, fix=fix
-            )
+            what = f"is written [[{key}]]" if key == "device" else f"is written [{key}]"
+        else:
+            continue
+        raise PlatformDataError(f"'{key}' {what}", location=Location(path, line_of_key(_text(path), key)), fix=fix)
     for key, names in as_table(table.get("names", {})).items():
         if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
             raise PlatformDataError(f"'names.{key}' is no list of texts", location=Location(path), fix=fix)

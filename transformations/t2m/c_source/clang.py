@@ -245,8 +245,9 @@ class ClangLibrary:
             function.argtypes = arguments
             function.restype = result
             setattr(self, name, function)
-        if f" {VERSION}." not in (found := self.text(self.getClangVersion())):
-            raise OSError(f"it is {found or 'of an unknown version'}, and this reader needs version {VERSION}")
+        self.version = self.text(self.getClangVersion())
+        if f" {VERSION}." not in self.version:
+            raise OSError(f"it is {self.version or 'of an unknown version'}, and this reader needs version {VERSION}")
         self.index = self.createIndex(0, 0)
         self.own_index = self.createIndex(1, 0)
 
