@@ -1,4 +1,4 @@
-"""Run with files out of reach: a process that may open the code of Python and of the project, and the folders it is given.
+"""Runs the tool in a process that may open nothing but the code of Python and of the project, and given folders.
 
 Usage: python -m tests.alone generate|migrate [INPUT FOLDER OUTPUT]...; INPUT is a plan.xmi or a source file, FOLDER what may be
 read, OUTPUT the output folder, in a folder of its own that may be written. An audit hook refuses to open or list anything else:
@@ -21,19 +21,18 @@ ROOT = Path(__file__).resolve().parents[1]
 PYTHON = tuple({os.path.realpath(path) for path in (sys.prefix, sys.base_prefix, *sys.path) if path} - {str(ROOT)})
 CODE = tuple(str(ROOT / room) for room in ("robosmi", "robosmi.egg-info", "transformations", "metamodels", "templates"))
 NEVER = (".c", ".cpp", ".h", ".toml", ".json", ".fzz", ".sqlite")
-"""Endings of files that are no code of the project, wherever they lie in it."""
+"""File endings that may never be opened, even within the project, since such files are no code."""
 KEPT = (
     *filter(None, [os.environ.get(FOLDER)]),
     *(str(Path(home) / "runs") for home in [os.environ.get("ROBOSMI_HOME")] if home),
     os.path.realpath(cache_dir() / "templates"),
 )
-"""Where a run of the tests records the models that are written, where locks keep runs into one folder apart, and where templates
-are kept compiled."""
+"""Folders that may be used besides: for recorded models, for locks on output folders, and for compiled templates."""
 EVENTS = ("open", "os.listdir", "os.scandir", "sqlite3.connect")
 
 
 def main(words: list[str]) -> int:
-    """Do one job after the other; the exit code."""
+    """Execute one job after the other; returns the exit code."""
     allowed: list[str] = []
     refused: list[str] = []
 

@@ -12,7 +12,7 @@ from collections import Counter
 from pathlib import Path
 
 BOUND = 10_780
-"""The most that there may be in the whole package: what there was when it was counted last, rounded up."""
+"""Upper bound for the whole package: the last count, rounded up."""
 
 
 def counted(configuration: Path) -> Counter[str]:

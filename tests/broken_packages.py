@@ -1,6 +1,6 @@
-"""Packages that robosmi needs, installed in broken ways: missing, without their shared library, of another version, damaged.
+"""Packages that robosmi needs, installed in broken ways: missing, without their shared library, in another version, damaged.
 
-A package of the same name is put before the installed one on Python's path. What a command says then is for `hostile_world`.
+A package of the same name is put before the installed one on Python's path. `hostile_world` checks what a command says then.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def put_package(place: Path, name: str, kind: str) -> None:
 
 
 def put_library(place: Path, kind: str) -> None:
-    """Put a `clang` with a shared library that is none, or is another one."""
+    """Put a `clang` with an invalid or a foreign shared library."""
     native = place / FOLDER / "clang" / "native"
     native.mkdir(parents=True)
     (native.parent / "__init__.py").touch()

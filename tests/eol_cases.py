@@ -120,7 +120,7 @@ def evaluate(form: Any, scope: Scope) -> Any:
 
 
 def step(target: Any, form: dict[str, Any]) -> Any:
-    """One step applied to what came before."""
+    """Apply one step to the previous value."""
     if "get" in form:
         return get(target, form["get"])
     name = form["op"]
@@ -202,7 +202,7 @@ def run(case: dict[str, Any]) -> Any:
 
 
 def load(path: Path, model: dict[str, str], metamodel: Metamodel) -> ModelView:
-    """The model beside the cases, anew for each, since a case may change it."""
+    """Load the model beside the cases, anew for each case, which may change it."""
     return ModelView(EmfModel.load(path.parent / model["file"], metamodel, model["name"]))
 
 

@@ -1,7 +1,8 @@
-"""Commands run as processes in a world that is not as it should be: streams, folders, names, settings, damaged inputs.
+"""Runs commands as processes in a damaged environment: streams, folders, names, settings, damaged inputs.
 
-`wrong` holds a run to the contract: a code of it, never 70, no trace of the interpreter, a cause where the command failed, and
-one document with --json. `tests/cli/test_hostile_world.py` tries some, `tests/fuzz/environments.py` every command in every world.
+`wrong` checks a run against the contract: one of its exit codes, never 70, no Python traceback, a cause where the command
+failed, and one document with --json. `tests/cli/test_hostile_world.py` tries some environments, `tests/fuzz/environments.py`
+every command in every one.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ ROOT = Path(__file__).resolve().parents[1]
 EXAMPLE = ROOT / "docs" / "examples" / "line_follower"
 CODES = frozenset([0, 1, 2, 3, 4, 5, 6, 130])
 SECONDS, PATIENCE = 10.0, 300
-"""Of processor time for an input under 100 kB, and on the clock before a run is ended."""
+"""Limits: processor seconds for an input under 100 kB, and seconds on the clock before a run is ended."""
 
 
 def commands(place: Path) -> dict[str, list[str]]:
@@ -67,13 +68,13 @@ def prepared(place: Path) -> None:
 
 @dataclass(frozen=True)
 class World:
-    """What is odd about a process's world.
+    """A damaged environment of a process.
 
     Attributes:
-        name: what is odd.
+        name: what is damaged.
         shell: how a POSIX shell runs the command `"$@"`.
         changes: environment variables, None where one is to be missing; `{place}` in one is the prepared folder.
-        before: what is done to the prepared folder first.
+        before: a function that changes the prepared folder first.
     """
 
     name: str
@@ -117,12 +118,12 @@ def run(words: list[str], world: World, place: Path) -> Done:
 
 
 def wrong(done: Done, *, as_json: bool = False, told: bool = True) -> str:
-    """What a run does against the contract, or an empty text.
+    """How a run violates the contract, or an empty text.
 
     Args:
         done: the run.
         as_json: whether it was asked for one document, on a standard output that can be read.
-        told: whether standard error can be read, so that a failure has its cause there.
+        told: whether standard error can be read, so that a failure must give its cause there.
     """
     if done.code == 124:
         return "it does not end"
@@ -286,7 +287,7 @@ EXPRESSIONS: tuple[str, ...] = (
 
 
 def worlds() -> Iterator[World]:
-    """All odd worlds of a process, as far as this system has them."""
+    """All damaged environments, as far as this system has them."""
     yield World("plain")
     yield World("no standard input", '"$@" <&-')
     yield World("no standard output", '"$@" >&-')

@@ -1,7 +1,7 @@
-"""The command line as tests run it: in this process, watched for what no command may ever do.
+"""Runs the command line in this process as tests do, and checks every run against the rules that all commands share.
 
-Every run is held against the rules that all commands share: no traceback, never "our own bug", one JSON document on
-stdout with --json and the same keys always.
+There must be no traceback and no message "our own bug"; with --json exactly one JSON document on stdout, always with the same
+keys.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ def run(*words: str | Path) -> Outcome:
 
 
 def check_document(document: Any) -> None:
-    """Hold a document against the part of the contract that all commands share."""
+    """Check a document against the part of the contract that all commands share."""
     assert set(document) >= DOCUMENT_KEYS
     assert document["schema"] == "robosmi/1"
     assert document["timings"]["total_s"] >= 0

@@ -1,8 +1,8 @@
-"""What Microsoft's SARIF Multitool says of SARIF files, by its rules on the format, on consistency, on what helps readers, and on
-what the code scanning of a large service demands.
+"""Runs Microsoft's SARIF Multitool on SARIF files.
 
-It ends with 0 whatever it finds, so what it prints is read. Notes are left out: four of its rules ask for what there is not (a
-page in the web for each rule, an answer of the web, the revision of the user's repository, quotation marks around all messages).
+Its rules are about the format, consistency, help for readers, and the requirements of a large service's code scanning. It exits
+with 0 whatever it finds, so its output is read. Notes are left out: four of its rules ask for what there is not (a page in the
+web for each rule, an answer of the web, the revision of the user's repository, quotation marks around all messages).
 """
 
 from __future__ import annotations

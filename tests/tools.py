@@ -28,7 +28,7 @@ KNOWN_PLACES = {
     / "Sarif.Multitool",
     "wokwi-elements": Path(__file__).parents[1] / ".npm" / "node_modules" / "@wokwi" / "elements" / "package.json",
 }
-"""Things that are no programs: name -> a file that is there if it is installed (of Debian, of `.ci/npm-packages`)."""
+"""Things that are no programs: name -> a file that exists if it is installed (by Debian, or by `.ci/npm-packages`)."""
 
 
 def require_tools(*names: str) -> None:

@@ -35,13 +35,13 @@ TEST = "every written model::real EMF"
 
 @dataclass(frozen=True)
 class Objection:
-    """What EMF has against a model.
+    """An objection of EMF to a model.
 
     Attributes:
         model: the file's name.
         tests: the tests that wrote it.
-        text: what EMF says, or where the bytes part.
-        place: the folder where it lies.
+        text: EMF's message, or where the bytes differ.
+        place: the folder that contains it.
     """
 
     model: str

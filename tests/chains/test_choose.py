@@ -22,14 +22,14 @@ from tests.running import run, tree
 
 @pytest.fixture
 def program(line_follower: Path) -> Path:
-    """The line follower without what an engineer has said of it."""
+    """The line follower without the engineer's choices."""
     (line_follower.parent / "robosmi.toml").write_text('# mine\n[migrate]\nhardware = "line_following_robot.fzz"  # drawn\n')
     return line_follower
 
 
 @pytest.fixture
 def out(program: Path, tmp_path: Path) -> Path:
-    """It, migrated."""
+    """The output folder of its migration."""
     robosmi.migrate([program], tmp_path / "out")
     return tmp_path / "out"
 

@@ -1,4 +1,4 @@
-"""What becomes of a sketch's files that a person, or a tool of theirs, has put into another form or another place."""
+"""What becomes of a sketch's files that the user, or a tool, has reformatted or moved."""
 
 from __future__ import annotations
 

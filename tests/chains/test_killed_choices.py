@@ -35,7 +35,7 @@ def data(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def killed(run: Callable[[], object], at: int) -> bool:
-    """Whether a run in a child, which kills itself at that change of the file system, was killed; else it has ended."""
+    """Run something in a child process that kills itself at the n-th change of the file system; False if it ended before."""
     child = os.fork()
     if child == 0:
         _run(run, at)
@@ -63,7 +63,7 @@ def _run(run: Callable[[], object], at: int) -> NoReturn:
 
 
 def at_each_point(run: Callable[[], object], folders: list[Path], look: Callable[[], None]) -> int:
-    """Kill a run at each of its changes of the file system, look, and put the folders back each time; the number of changes."""
+    """Kill a run at each of its changes of the file system, check, and restore the folders; returns the number of changes."""
     kept = [Path(shutil.copytree(folder, folder.with_name(f"{folder.name}.kept"))) for folder in folders]
     at = 1
     while killed(run, at):
@@ -120,7 +120,7 @@ def test_a_killed_choice_is_whole_or_not_at_all(begun: str, data: Path, robot: P
 
 
 def killed_before_moving(run: Callable[[], object], monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let a run be killed when its journal is there and no file has been moved."""
+    """Kill a run after its journal is written and before a file is moved."""
     with monkeypatch.context() as patched:
         patched.setattr("robosmi.model.commit.finish", lambda _: os.kill(os.getpid(), signal.SIGKILL))
         assert killed(run, 0)

@@ -47,7 +47,7 @@ class Told:
 
 
 def given(**more: Any) -> dict[str, Any]:
-    """What a migration of the monitoring robot is told from outside."""
+    """The inputs of the monitoring robot's migration."""
     names = ("project", "target_name", "source_platform", "history", "adapters", "widths")
     none = {**dict.fromkeys(names), "include_dirs": (), "defines": ()}
     return {**none, "files": PROGRAM, "hardware": DRAWING, "libraries": {}, "bind": {}, **more}

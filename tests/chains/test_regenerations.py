@@ -122,22 +122,22 @@ def test_the_judge_finds_what_is_lost(bad: Round, fault: str) -> None:
 
 
 def _generated_wins(*texts: Any) -> list[Chunk]:
-    """A merge that takes what is made wherever the two differ."""
+    """A wrong merge: the generated text wins wherever the two differ."""
     return [replace(chunk, kind="both" if chunk.kind == "both" else "theirs") for chunk in BETWEEN(*texts)]
 
 
 def _region_made_anew(self: object, piece: str | Region, old: object, before: object) -> str | Region:
-    """A merge that takes the template's text of every region."""
+    """A wrong merge: every region gets the template's text."""
     return piece
 
 
 def _orphans_dropped(self: object, lines: list[Any], orphans: object) -> str:
-    """A merge that drops the regions for which nothing is made."""
+    """A wrong merge: regions that are no longer generated are dropped."""
     return "".join(line.text for line in lines)
 
 
 def _line_feeds(self: object, text: str) -> bytes:
-    """A merge that forgets the form of the file."""
+    """A wrong merge: the file's line ends are lost."""
     return text.encode(errors="surrogateescape")
 
 

@@ -70,7 +70,7 @@ with at_work(out):
 
 @contextmanager
 def living_writer(out: Path, mark: Path) -> Iterator[subprocess.Popen[str]]:
-    """A run of another process that is at work in a folder until it is given a line, and half a second more."""
+    """Another process's run that works in a folder until it receives a line, and half a second longer."""
     words = [sys.executable, "-c", HOLDER, str(out), str(mark)]
     with subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as writer:
         assert writer.stdout is not None

@@ -17,7 +17,7 @@ from tests.running import run, tree
 
 
 def in_plan(robot: Path) -> tuple[str, str]:
-    """What the plan says of the port, and who said so."""
+    """The plan's choice for the port, and who made it."""
     (binding,) = load_models(robot / "out" / "models" / "plan.xmi").plan.portBindings
     return str(binding.choice), str(binding.chosenBy.name)
 

@@ -15,7 +15,7 @@ from tests.running import run, tree
 
 @pytest.fixture
 def changed_repository(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder of data that knows the platforms and boards, each otherwise than the built-in one."""
+    """A data folder that describes the platforms and boards differently from the built-in one."""
     folder = tmp_path / "changed" / "platform_repo"
     built_in = resources.built_in("platform_repo")
     for name in ("propeller", "arduino", "boards", "mcus"):
@@ -55,7 +55,7 @@ def changed_repository(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def said(path: Path) -> list[Any]:
-    """What `check` says of a stored plan."""
+    """The findings of `check` about a stored plan."""
     outcome = run("check", path, "--json")
     assert outcome.code in (0, 1), outcome.err
     return [outcome.result, outcome.document["findings"]]

@@ -15,7 +15,7 @@ UNREADABLE = Path("/proc/self/mem")
 
 
 def check_refused(outcome: Outcome, code: int, *said: str) -> None:
-    """A run that was refused with this code and said this, with advice."""
+    """Check that a run was refused with this exit code and message, and with advice."""
     assert outcome.code == code, outcome.err
     assert outcome.out == ""
     for text in said:

@@ -21,7 +21,7 @@ sys.path[:] = [{root!r}, *(path for path in sys.path if path != {stand_in!r})]
 sys.stdin = io.StringIO(asked)
 runpy.run_module("robosmi.verify.worker", run_name="__main__")
 """
-"""A worker that ends by a signal, as one does in which libsimavr writes where no memory is, and otherwise is the real one."""
+"""A worker process that ends by a signal, as if libsimavr accessed invalid memory, and otherwise is the real one."""
 
 BLINK = "int main() { high(26); pause(100); low(26); while (1) pause(5); }"
 ENDLESS = "int f(int n) { return f(n + 1) + 1; }\nint main() { high(26); return f(1); }"
@@ -39,13 +39,13 @@ def out(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
 
 @pytest.fixture
 def scenario(tmp_path: Path) -> Path:
-    """One in which nothing is given."""
+    """A scenario without inputs."""
     (tmp_path / "s.toml").write_text("horizon_ms = 300\n")
     return tmp_path / "s.toml"
 
 
 def crash(engines: tuple[str, ...], folder: Path, patch: pytest.MonkeyPatch) -> None:
-    """Have the worker of these engines crash."""
+    """Make the workers of these engines crash."""
     place = folder / "stand_in"
     (place / "robosmi" / "verify").mkdir(parents=True)
     text = WORKER.format(crashing=engines, root=simulation._root(), stand_in=str(place))

@@ -25,7 +25,7 @@ from tests.tools import require_tools
 
 @pytest.fixture(autouse=True)
 def handler() -> Iterator[None]:
-    """Ctrl-C means what it meant, after the test."""
+    """Restore the handler of Ctrl-C after the test."""
     before = signal.getsignal(signal.SIGINT)
     yield
     signal.signal(signal.SIGINT, before)

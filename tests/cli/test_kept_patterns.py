@@ -37,7 +37,7 @@ def found():
 """
 SAID = "[('o', 'ne'), ('T', 'wo')]|34|{'first': 1, 'rest': 2}|['3']|"
 FRESH, ONE_FRESH, AGAIN = "5", "3", "1"
-"""Patterns whose text is read: twice for each that a module has and is to be kept, once for that of the function."""
+"""Numbers of patterns that are compiled: twice for each one of a module that is to be cached, once in the function."""
 
 TEXTS = [
     ("a|b(?P<c>d)?", 0),
@@ -46,7 +46,7 @@ TEXTS = [
     (rb"[^\x00-\x7f]+(?=a)(?<!b)", re.DOTALL),
     ("[\ud800\U0001f600-\U0001f64fа-яё]*+(?>a+)", re.IGNORECASE),
 ]
-"""Patterns with what the engine has of codes: names, flags in the text, sets beyond 16 bits, looks ahead and back."""
+"""Patterns with features of the engine's codes: group names, inline flags, sets beyond 16 bits, look-ahead, look-behind."""
 
 
 @pytest.fixture

@@ -34,7 +34,7 @@ Call = Callable[..., Awaitable[dict[str, Any]]]
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
-    """A root folder with a robot, beside which something secret lies."""
+    """A root folder with a robot; beside the folder is a secret file."""
     (tmp_path / "outside").mkdir()
     (tmp_path / "outside" / "secret.h").write_text(f"int {SECRET};\n#error {SECRET}\n")
     return Path(shutil.copytree(ROBOT, tmp_path / "root"))
@@ -48,7 +48,7 @@ def commands(root: Path) -> Iterator[Commands]:
 
 
 def ask(commands: Commands, conversation: Callable[[Call], Awaitable[None]]) -> None:
-    """Have a client in this process talk to the server."""
+    """Run a conversation between a client in this process and the server."""
 
     async def talk() -> None:
         async with Client(make_server(commands)) as client:
@@ -209,7 +209,7 @@ def test_half_a_character_is_refused_in_a_text_that_can_be_sent(arguments: dict[
 
 
 def compiled_thief(commands: Commands) -> str:
-    """All that is said of a sketch that includes the secret."""
+    """The whole output of compiling a sketch that includes the secret file."""
     root = commands.root.path
     (root / "thief").mkdir()
     (root / "thief" / "thief.ino").write_text(f'#include "{root.parent}/outside/secret.h"\nvoid setup() {{}}\nvoid loop() {{}}\n')

@@ -87,7 +87,7 @@ CALLS = {
     "text": ("print", "button.c", 10),
     "lost": ("print", "button.c", 10),
 }
-"""Fault -> the call that a person has to look at, or that shows it."""
+"""Fault -> the call that the verdict names as its cause, or where it shows."""
 
 
 @pytest.mark.parametrize("fault", FAULTS)

@@ -32,7 +32,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def started_by(mark: str) -> list[int]:
-    """The processes that were started with a text in their environment."""
+    """The processes that have this text in their environment."""
     found = []
     for entry in Path("/proc").iterdir():
         try:
@@ -45,7 +45,7 @@ def started_by(mark: str) -> list[int]:
 
 
 def works(mark: str, stage: str) -> bool:
-    """Whether a run has come to a stage: the process that tells it is there."""
+    """Whether a run has reached a stage, recognised by a process that belongs to it."""
     for process in started_by(mark):
         try:
             words = Path(f"/proc/{process}/cmdline").read_bytes().decode(errors="replace")
@@ -57,7 +57,7 @@ def works(mark: str, stage: str) -> bool:
 
 
 def heed_signals() -> None:
-    """Take signals as a shell's foreground commands do: what runs in the background is started with some of them ignored."""
+    """Reset signal handling as in a shell's foreground commands; background ones are started with some signals ignored."""
     for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGTERM):
         signal.signal(number, signal.SIG_DFL)
 

@@ -91,7 +91,7 @@ def steps(body: str) -> list[tuple[str, list[str]]]:
 
 
 def run(command: str, folder: Path, home: Path) -> list[str]:
-    """What a command prints, on either stream."""
+    """The lines that a command prints, on either stream."""
     environment = {**os.environ, "ROBOSMI_HOME": str(home / "home"), "PYTHONPATH": f"{folder}{os.pathsep}{ROOT}", "NO_COLOR": "1"}
     for name in ("ROBOSMI_HISTORY", "ROBOSMI_PATH"):
         environment.pop(name, None)

@@ -88,7 +88,7 @@ def paths(value: Json, path: str = "") -> Iterator[str]:
 
 
 def told_paths(command: str) -> set[str]:
-    """The paths that the page's section of a command tells, and all that they go through."""
+    """The JSON paths in the page's section about a command, with all their prefixes."""
     section = COMMAND_LINE.partition(f"\n### {command}\n")[2]
     found: set[str] = set()
     for row in re.findall(r"^\| (`.*) \|$", re.split(r"\n##", section)[0], re.MULTILINE):
@@ -103,7 +103,7 @@ def told_paths(command: str) -> set[str]:
 
 
 def through(found: Iterable[str]) -> set[str]:
-    """Paths and what they go through: `a[].b` goes through `a[]`."""
+    """JSON paths with all their prefixes: `a[].b` has the prefix `a[]`."""
     return {path[: cut.start()] for path in found for cut in re.finditer(r"(?=\.|$)", path)}
 
 
@@ -132,7 +132,7 @@ def test_the_result_of_compile_has_what_the_page_says_and_nothing_else(tmp_path:
 
 
 def compared(command: str, found: set[str]) -> None:
-    """Hold what was found against the page."""
+    """Compare the paths that were found with those of the page."""
     told = through(told_paths(command))
     ends = {re.sub(r"\[\]$", "", path) for path in told} | told
     assert sorted(path for path in through(found) if path not in ends) == []

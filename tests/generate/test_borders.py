@@ -12,7 +12,7 @@ from tests.quoting import judges
 
 
 def made(text: str, **values: str) -> str:
-    """What a template prints."""
+    """Render a template."""
     return str(Gen(templates={"t": text}).text("t", **values))
 
 

@@ -15,7 +15,7 @@ EVIL = '*/ x";\nint evil; // <b>`|[l](javascript:x)\\'
 
 
 def made(text: str, **values: Any) -> str:
-    """What a template prints."""
+    """Render a template."""
     return str(Gen(templates={"t": text}).text("t", **values))
 
 

@@ -23,7 +23,7 @@ from tests.quoting import judges
 
 
 def made(language: str, text: str, **values: str) -> str:
-    """What a template prints."""
+    """Render a template."""
     return str(Gen(templates={"t": f'{{% quoting "{language}" %}}\n{text}'}).text("t", **values))
 
 
@@ -93,7 +93,7 @@ def filled(wanted: Any, x: str, y: str) -> Any:
 
 
 def whole(text: str) -> str:
-    """A text whose halves of characters are what they are written as: no file can hold them."""
+    """A text whose unpaired surrogates are written as escapes: no file can contain them."""
     return text.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
 
 

@@ -52,7 +52,7 @@ def run(case: Path, folder: Path, step: dict[str, Any]) -> None:
 
 
 def edit(folder: Path, step: dict[str, Any]) -> None:
-    """What a person does."""
+    """Edit a folder as the user of the case does."""
     if "delete" in step:
         (folder / step["delete"]).unlink()
         return

@@ -11,7 +11,7 @@ from robosmi.generate.three_way import by_words, chunks
 
 
 def kinds(base: str, ours: str, theirs: str) -> list[str]:
-    """The stretches of three texts of one letter a line, each as its kind with the three stretches."""
+    """The chunks of a merge of three texts, each character a line: the kind with the three stretches."""
     return [
         f"{c.kind} {base[slice(*c.base)]}|{ours[slice(*c.ours)]}|{theirs[slice(*c.theirs)]}" for c in chunks(base, ours, theirs)
     ]
@@ -37,7 +37,7 @@ def test_stretches(base: str, ours: str, theirs: str, expected: list[str]) -> No
 
 
 def functions(heads: Iterable[str]) -> list[str]:
-    """Functions that differ in nothing but their heads."""
+    """Functions that differ only in their heads."""
     return [line for head in heads for line in (f"void {head}()", "{", "  begin();", "  work();", "  end();", "}", "")]
 
 

@@ -17,7 +17,7 @@ ROOT = Path(__file__).parents[2]
 
 
 def model() -> HostModel:
-    """The Propeller's."""
+    """The host model of the Propeller."""
     return load_host_model("propeller")
 
 
@@ -45,7 +45,7 @@ def run(
 
 
 def ended(text: str, milliseconds: float = 1000.0, devices: Sequence[DeviceUse] = ()) -> PinTrace:
-    """What a program has done that comes to its end."""
+    """The trace of a program that must come to its end."""
     found = run(text, milliseconds, devices)
     assert (found.status, found.cause) == ("finished", "")
     return found.trace
@@ -54,6 +54,6 @@ def ended(text: str, milliseconds: float = 1000.0, devices: Sequence[DeviceUse] 
 def said(
     statements: str, milliseconds: float = 1000.0, devices: Sequence[DeviceUse] = (), before: str = "", headers: str = ""
 ) -> list[str]:
-    """The words that the statements of a main print; the program must come to its end."""
+    """The words that a main with these statements prints; the program must come to its end."""
     includes = "".join(f"#include <{name}>\n" for name in ("simpletools.h", *headers.split()))
     return ended(f"{includes}{before}\nint main() {{ {statements} }}\n", milliseconds, devices).text.split()

@@ -29,7 +29,7 @@ def controller(answers: Mapping[str, Sequence[str]], pin: str = "P12") -> Device
 
 
 def commands(trace: PinTrace) -> list[str]:
-    """What the controller was told, after the greeting."""
+    """The commands sent to the controller after the greeting."""
     assert [event for event in trace.device_events if event.what == "framing"] == []
     found = [str(event.value) for event in trace.device_events if event.what == "command"]
     assert found[:2] == ["", "verb 1"]
@@ -37,7 +37,7 @@ def commands(trace: PinTrace) -> list[str]:
 
 
 def arlo(statements: str, devices: list[DeviceUse], milliseconds: float = 9000) -> PinTrace:
-    """What a main with these statements does."""
+    """Run a main with these statements and the drive's controller."""
     return ended(HEAD.format("arlodrive.h") + f"int main() {{ {statements} cogstop(1); }}", milliseconds, devices)
 
 

@@ -21,7 +21,7 @@ def _tools() -> None:
 
 
 def driven(header: str, statements: str, milliseconds: float, devices: list[DeviceUse] = SERVOS) -> tuple[list[int], PinTrace]:
-    """The numbers that a main with these statements says, and what is seen."""
+    """The numbers that a main with these statements prints, and the trace."""
     text = f"""#include <simpletools.h>
 #include "{header}"
 #define SAY(value) print("%d ", value)

@@ -22,7 +22,7 @@ NOT_MODELLED = {
     **dict.fromkeys(("dirent.h/opendir", "dirent.h/readdir", "dirent.h/closedir", "sys/stat.h/mkdir", "sys/unistd.h/rmdir"),
         "folders are not modelled"),
 }  # fmt: skip
-"""What has an adapter and no model, with the reason; a run that reaches it ends with its name."""
+"""Functions with an adapter and without a model -> the reason; a run that reaches one ends with its name."""
 
 
 @pytest.fixture(autouse=True)

@@ -25,7 +25,7 @@ def _tools() -> None:
 
 
 def ran(source: Path, folder: Path) -> OriginalRun:
-    """What a program does, built in an empty folder."""
+    """Build a program in an empty folder and run it."""
     folder.mkdir()
     return run_original(original_program([source], load_host_model("propeller"), folder), 1e6)
 
@@ -50,7 +50,7 @@ def test_a_model_is_found_wherever_data_is_looked_for(place: str, tmp_path: Path
 
 
 def own_library(folder: Path, monkeypatch: pytest.MonkeyPatch, name: str, text: str) -> Path:
-    """A model of a library in a folder of one's own, which is looked at first."""
+    """A model of a library in a user's folder, which takes precedence."""
     path = folder / HOST / "libraries" / name
     path.parent.mkdir(parents=True)
     path.write_text(text)

@@ -20,7 +20,7 @@ def _tools() -> None:
 
 
 def seen(statements: str, milliseconds: float = 500, devices: tuple[DeviceUse, ...] = (), before: str = "") -> PinTrace:
-    """What a main with these statements does."""
+    """The trace of a main with these statements."""
     found = run(f"#include <simpletools.h>\n{before}\nint main() {{ {statements} while (1) pause(100); }}", milliseconds, devices)
     assert found.status == "running", found.cause
     return found.trace

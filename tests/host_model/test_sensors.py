@@ -96,7 +96,7 @@ def test_voltages_are_converted_to_12_bits_of_5_volts(header: str, name: str) ->
 
 
 def duty(trace: PinTrace, pin: str, at_ms: float) -> float:
-    """The duty of a pin at a time."""
+    """The duty cycle at a pin at a time."""
     return next(wave.duty for wave in reversed(trace.waves) if wave.pin == pin and wave.at_us <= at_ms * 1000)
 
 

@@ -16,7 +16,7 @@ def _tools() -> None:
 
 
 def told(statements: str, typed: str = "", headers: str = "") -> str:
-    """What a main with these statements prints, when that is typed."""
+    """The output of a main with these statements, when this is typed."""
     uses = [DeviceUse("typing", {}, {"points": [[0, typed]]})] if typed else []
     includes = "".join(f"#include <{name}>\n" for name in ("simpletools.h", *headers.split()))
     found = run(f"{includes}int main() {{ {statements} }}", 3000, uses)

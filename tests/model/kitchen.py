@@ -1,4 +1,4 @@
-"""The metamodel with everything that XMI can go wrong with (`tests/emf/kitchen.ecore`), for the tests of reader and writer."""
+"""The metamodel with everything that can go wrong in XMI (`tests/emf/kitchen.ecore`), for the tests of reader and writer."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ BENCH = KITCHEN.with_name("bench.ecore")
 
 @cache
 def kitchen(loader: str = "own", path: Path = KITCHEN) -> Metamodels:
-    """The metamodel, with classes of ours, or with those that pyecore's own resource makes."""
+    """The metamodel, with our own classes or with those that pyecore's own resource makes."""
     if loader == "own":
         return Metamodel.load(path)
     return Metamodels(ResourceSet().get_resource(URI(str(path))).contents)
 
 
 def classes(metamodels: Metamodels) -> dict[str, Any]:
-    """Class name -> what makes its elements, sub-packages included."""
+    """Class name -> the factory of its elements, sub-packages included."""
     found: dict[str, Any] = {}
     for uri in metamodels.uris():
         package: Any = metamodels.get(uri)
@@ -36,13 +36,13 @@ def classes(metamodels: Metamodels) -> dict[str, Any]:
 
 
 def saved(roots: Any, path: Path) -> bytes:
-    """What the writer makes of a model, put into a file."""
+    """Write a model to a file; returns the bytes."""
     data = to_xmi({path.name: roots})[path.name]
     path.write_bytes(data)
     return data
 
 
 def again(path: Path, metamodels: Metamodels) -> bytes:
-    """What the writer makes of what the reader makes of a file."""
+    """Read a file and write it again; returns the bytes."""
     document = next(iter(read_documents(path, metamodels).values()))
     return to_xmi({path.name: document.roots})[path.name]

@@ -47,7 +47,7 @@ PUBLIC = ["DateConversionDelegateAnnotation", "Ecore", "EcoreAnnotation", "Exten
 
 
 def check(path: Path, tmp_path: Path) -> None:
-    """Hold what we write for a metamodel against what EMF writes."""
+    """Compare what we write for a metamodel with what EMF writes."""
     require_emf()
     sources = [package.source for package in load_metamodels([path])]
     packages: dict[str, list[EPackage]] = {}

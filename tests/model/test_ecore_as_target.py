@@ -28,7 +28,7 @@ def new() -> Any:
 
 
 def accepted(*paths: Path) -> None:
-    """Hold metamodels against EMF's own validation."""
+    """Check metamodels by EMF's own validation."""
     require_emf()
     text, ok = ask(*paths)
     assert ok, text

@@ -41,7 +41,7 @@ def shared_folder() -> Iterator[Path]:
 
 
 def as_other(work: Callable[[], object], home: Path) -> str:
-    """Do some work as another account with data of its own; "" if it came through, else its error's class and message."""
+    """Do some work as another account with data of its own; returns an empty text, or the error's class and message."""
     with tempfile.TemporaryDirectory() as warm:  # what is loaded late must be there: the other account may not read it
         commit(Path(warm) / "out", {"a": b"1"})
         commit(Path(warm) / "out", {"a": b"2"})

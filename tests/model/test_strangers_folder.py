@@ -22,7 +22,7 @@ from tests.running import tree
 
 
 def planted(tmp_path: Path, move: dict[str, str], remove: list[str], *, bound: bool) -> Path:
-    """An output folder with a journal of somebody else's making, and a victim beside it."""
+    """An output folder with a journal that a stranger has made, and a file beside it that the journal attacks."""
     folder = tmp_path / "out"
     (folder / STAGE / "new").mkdir(parents=True)
     (folder / STAGE / "new" / "0").write_text("evil")

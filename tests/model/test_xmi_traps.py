@@ -202,7 +202,7 @@ APART = {
     "xsi_prefix_named_differently": "EMF knows the prefix xsi only",
     "forward_and_many_refs_order": "one side of an opposite is given; EMF gives up",
 }
-"""Files of `xmi/good` that EMF does not write as it read them, or does not read."""
+"""Files of `xmi/good` that EMF does not read, or writes differently from how it read them -> the reason."""
 
 
 def good_files() -> list[Any]:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 PATIENCE = 20.0
-"""Seconds that a test waits for what the page is to show, on a machine that does much else."""
+"""Seconds that a test waits for the page, on a busy machine."""
 
 
 @contextmanager
@@ -32,7 +32,7 @@ def chromium() -> Iterator[Any]:
 
 
 def task_seconds(browser: Any) -> float:
-    """The seconds of processor that the page's thread has taken for all of its tasks."""
+    """Processor seconds that the page's thread has spent on all of its tasks."""
     metrics = browser.execute_cdp_cmd("Performance.getMetrics", {})["metrics"]
     return float(next(metric["value"] for metric in metrics if metric["name"] == "TaskDuration"))
 
@@ -63,11 +63,11 @@ class Served:
         return found
 
     def state(self) -> str:
-        """The state that the page says it is in."""
+        """The state that the page shows."""
         return str(self.script("return document.getElementById('status').dataset.state"))
 
     def told(self) -> str:
-        """What the page says of the last step."""
+        """The page's message about the last step."""
         return str(self.script("return document.getElementById('status').textContent"))
 
     def wait_for_another(self, plan: str) -> None:

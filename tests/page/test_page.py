@@ -48,7 +48,7 @@ AS_BUILT = {
         "port:irReceiverRight": "IRReceiver2ReadP1",
     },
 }  # fmt: skip
-"""What the engineers of the case studies have said; what they did not is taken from the front of the list."""
+"""The choices of the case studies' engineers; for the others the first answer is taken."""
 
 
 @pytest.mark.parametrize("name", AS_BUILT)

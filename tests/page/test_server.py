@@ -290,7 +290,7 @@ def test_of_a_section_only_the_pieces_that_changed_are_sent() -> None:
 
 
 def plain(out: Path) -> dict[str, str]:
-    """The files of a folder, without the times in them and what depends on them."""
+    """The files of a folder, without time stamps and what depends on them."""
     times = re.compile(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ")
     return {path.name: times.sub("", path.read_text("utf-8")) for path in (out / "models").iterdir() if path.is_file()} | {
         path.name: path.read_text("utf-8") for path in (out / "blink").iterdir()

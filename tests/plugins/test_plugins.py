@@ -21,7 +21,7 @@ PROGRAM = HERE.parent / "targets" / "program" / "beacon.c"
 
 
 def command(*words: str | Path, path: Path, code: int | None = None, **variables: str) -> dict[str, Any]:
-    """The document of a command in a process that has plug-ins on its path; `code` is its exit code, 0 or 1 if None."""
+    """Run a command in a process with plug-ins on its path; `code` is the expected exit code, 0 or 1 if None."""
     environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(path), str(ROOT)])} | variables
     done = subprocess.run(
         [sys.executable, "-m", "robosmi", *map(str, words), "--json"], capture_output=True, text=True, env=environment, cwd=path
@@ -268,7 +268,7 @@ WRONG_OFFERS = [
     ("drawing reader=pin_table=text", "cannot be called as it has to be: 'str' object is not callable"),
     ("program reader=c_source=gives_nothing", "gives None, not a program and its findings"),
 ]
-"""What the plug-in `wrong` offers, and what is said of it."""
+"""What the plug-in `wrong` offers, and the expected message."""
 
 
 @pytest.mark.parametrize(("offered", "said"), WRONG_OFFERS)

@@ -15,7 +15,7 @@ from tests.library import empty, library
 
 
 def ours(function: Any) -> Any:
-    """The function as if it were one of this package's."""
+    """Disguise a function as one of this package's."""
     made = types.FunctionType(
         function.__code__, function.__globals__, function.__name__, function.__defaults__, function.__closure__
     )

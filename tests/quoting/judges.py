@@ -1,4 +1,4 @@
-"""What others make of our texts: libclang's tokens, a CommonMark parser's text, Python's HTML parser; and hostile texts."""
+"""Independent judges of our texts: libclang's tokens, a CommonMark parser, Python's HTML parser; and hostile texts."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ ATTACKS = (
     "!include /etc/passwd", "}", "@enduml", "]]>", "-->", "x.h>\nint evil;//", "{{ evil }}", "{% evil %}", "${evil}",
     "\ufeff", "\u200b",
 )  # fmt: skip
-"""Texts that were code, markup or commands somewhere."""
+"""Texts that would be code, markup or commands in some language."""
 
 _ALPHABET = "".join(sorted(set("".join(ATTACKS)))) + "aZ09 _ä灯\U0001f600"
 
@@ -58,7 +58,7 @@ def tokens(code: str, name: str = "x.c", *options: str) -> list[str]:
 
 
 def problems(code: str, name: str, *options: str) -> list[str]:
-    """What libclang says of a code, warnings included."""
+    """libclang's diagnostics about a code, warnings included."""
     unit = clang.cindex.Index.create().parse(name, args=["-fsyntax-only", *options], unsaved_files=[(name, code)])
     return [diagnostic.spelling for diagnostic in unit.diagnostics]
 
@@ -79,7 +79,7 @@ def markdown_kinds(text: str) -> list[str]:
 
 
 def markdown_text(text: str) -> str:
-    """What a reader of a Markdown text sees, runs of blanks as one."""
+    """The text that a reader of rendered Markdown sees, with runs of blanks as one."""
     shown = (" " if t.type == "softbreak" else t.content for t in _tokens_of(text) if t.type in _PLAIN and t.type != "inline")
     return " ".join("".join(shown).split())
 
@@ -122,6 +122,6 @@ _WRITING = re.compile(
 
 
 def acts_on_terminal(text: str) -> list[str]:
-    """The characters that a terminal obeys, or that hide or turn what is beside them."""
+    """The characters that a terminal obeys, or that hide or reorder their neighbours."""
     kinds = ("Cc", "Cf", "Cs", "Zl", "Zp")
     return [c for c in text if c not in "\n\t" and unicodedata.category(c) in kinds and not _WRITING.match(c)]

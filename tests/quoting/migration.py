@@ -35,7 +35,7 @@ def plan_with_titles(folder: Path, titles: Sequence[str]) -> Any:
 
 
 def with_texts(models: Any, text: Callable[[], str]) -> None:
-    """Give everything that a stranger's model may say another text, names of the program and of the target left as they are."""
+    """Replace all texts in the models that a stranger could set, except names of the program and of the target."""
     for component in models.circuit.components:
         component.title, component.partTitle = text(), text()
         for connector in component.connectors:

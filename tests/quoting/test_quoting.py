@@ -116,7 +116,7 @@ PLACES: dict[str, tuple[Callable[[str], str], str, list[str]]] = {
 
 
 def seen(one: str, place: str) -> str:
-    """What a reader has to see of a text; blanks at the beginning of a line are none."""
+    """The text that a reader has to see; blanks at the beginning of a line do not count."""
     if place == "in code":
         return quoting.visible(quoting.one_line(one)).replace("`", "'")
     shown = quoting.visible(quoting.one_line(one))

@@ -18,7 +18,7 @@ DATA = Path(__file__).parent / "data"
 
 @pytest.fixture(autouse=True, scope="module")
 def _no_libraries_of_the_user(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """What the person who runs this has imported changes no figure, not in fixtures of a whole module either."""
+    """Hide libraries that the user has imported, also from fixtures of whole modules, so that they change no figure."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("ROBOSMI_HOME", str(tmp_path_factory.mktemp("home")))
         yield

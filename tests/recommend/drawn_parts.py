@@ -20,13 +20,13 @@ LEAST = 0.85
 
 @dataclass(frozen=True)
 class Figures:
-    """What the ranking said: of how many parts, how many of them need a library, and where it was wrong.
+    """The judged answers of the ranking.
 
     Attributes:
-        parts: all parts.
-        needed: those that need a library.
-        wrong: parts whose decision is wrong.
-        missed: parts that need a library and whose first is none of those that would do.
+        parts: number of all parts.
+        needed: number of those that need a library.
+        wrong: parts for which the ranking decides wrongly whether they need one.
+        missed: parts that need a library and whose first candidate is none of the right ones.
     """
 
     parts: int
@@ -41,7 +41,7 @@ class Figures:
 
     @property
     def top_1(self) -> float:
-        """The share of those that need a library whose first one would do."""
+        """The share of those that need a library whose first candidate is right."""
         return 1 - len(self.missed) / self.needed
 
 

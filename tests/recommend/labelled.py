@@ -23,7 +23,7 @@ from robosmi.transformations.knowledge.library_ranking import device_ranker
 FOLDER = Path(__file__).resolve().parents[2].parent / "shared" / "arduino-libraries"
 
 VIEWS = ("as shipped", "model numbers and trade names left out of the lexicon", "no lexicon at all")
-"""What the ranker knows of a part: all; its kind only, as of a part that no table names; nothing but the index."""
+"""Views of a part that the ranker gets: everything; its kind only, as if no table named it; nothing but the index."""
 
 
 @dataclass(frozen=True)

@@ -29,7 +29,7 @@ CHECKED = {"RS712"}
 
 
 def findings_of(rule: str, program: Path, out: Path) -> list[Finding]:
-    """What is said of an example, by the command that has the rule."""
+    """The findings about an example, from the command that has the rule."""
     if rule < "RS200":
         return list(content("chain", "analyse")([program]).findings)
     if rule in MIGRATED | CHECKED:

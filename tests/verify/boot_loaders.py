@@ -44,7 +44,7 @@ class BootLoader:
                 self.answer(self.take(1)[0])
 
     def take(self, count: int) -> bytes:
-        """The next bytes that are sent."""
+        """Read that many bytes from the line."""
         data = b""
         while len(data) < count:
             if self.over.is_set():
@@ -57,11 +57,11 @@ class BootLoader:
         return data
 
     def say(self, data: bytes) -> None:
-        """Answer."""
+        """Send an answer."""
         os.write(self.master, data)
 
     def write(self, data: bytes, step: int = 1) -> None:
-        """Write bytes at the address, which goes on by words of `step` bytes."""
+        """Write bytes to the flash at the address, which advances by words of `step` bytes."""
         for offset, byte in enumerate(data):
             self.flash[self.address * step + offset] = byte ^ (
                 self.spoils is not None and self.address * step + offset == self.spoils
@@ -79,7 +79,7 @@ class BootLoader:
         return bytes(self.flash.get(at, 0xFF) for at in range(max(self.flash, default=-1) + 1))
 
     def answer(self, command: int) -> None:
-        """Do what a command says."""
+        """Execute a command."""
         raise NotImplementedError
 
 
@@ -123,7 +123,7 @@ class Stk500v2(BootLoader):
         self.say(frame + bytes([check]))
 
     def done(self, body: bytes) -> bytes:
-        """The answer to a message."""
+        """Execute a message; returns the answer."""
         ok, count = bytes([body[0], 0]), int.from_bytes(body[1:3], "big")
         if body[0] == 0x01:
             return ok + b"\x08AVRISP_2"

@@ -22,7 +22,7 @@ def trace(
 
 
 def said(seen: PinTrace, sight: Sight | None = None) -> list[tuple[float, str]]:
-    """The events of the pin, in milliseconds."""
+    """The events of the pin: milliseconds and words."""
     return [(round(e.at_us / 1000, 1), str(e)) for e in activity(seen, "D1", sight or Sight())]
 
 
@@ -140,7 +140,7 @@ def test_a_carriers_burst_that_interrupts_stretch_at_its_end_is_no_pause() -> No
 
 
 def stretched_bursts(seed: int, bursts: int, within: float = 0.12) -> list[tuple[float, int]]:
-    """Edges of a carrier in bursts, of which interrupts delay some: the next period is shorter by as much, the last is not."""
+    """Edges of a carrier in bursts, some delayed by interrupts, after which the next period is shorter by as much."""
     chance, at, edges = random.Random(seed), 1000.0, list[tuple[float, int]]()
     for _ in range(bursts):
         owed = 0.0

@@ -48,7 +48,7 @@ def test_it_ends_where_values_differ_and_where_they_do_not_come_in_time() -> Non
 
 
 def marks(*told: int) -> list[ActivityEvent]:
-    """Marks of a way, a second apart; negative ones are those that are barely reached."""
+    """Marks of a device's way, one per second; negative ones are only just reached."""
     return [ActivityEvent(1e6 * at, LINE, (f"at {abs(mark)}",), barely=mark < 0) for at, mark in enumerate(told)]
 
 

@@ -1,4 +1,4 @@
-"""The record beside a compiled program: read as it was written, and refused in its own words where it is damaged."""
+"""The record beside a compiled program: it is read as it was written, and refused with a message where it is damaged."""
 
 from __future__ import annotations
 

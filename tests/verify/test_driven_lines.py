@@ -12,14 +12,14 @@ from robosmi.verify.simulation import PinChange, PinTrace
 
 
 def held(lengths: Iterable[tuple[float, int, float]], until_us: float = 0.0) -> list[tuple[float, int, float]]:
-    """What is seen of a line that is driven at a time, to a level, for so long, and let go: microseconds."""
+    """The trace of a line that is driven to a level at some times, each for so many microseconds, and then released."""
     changes = [c for at, level, us in lengths for c in (PinChange(at, "D4", level), PinChange(at + us, "D4", "z"))]
     trace = PinTrace("e", "running", until_us or changes[-1].at_us + 2_000.0, tuple(changes), (), (), ())
     return [(event.at_us, int(event.value[0]), float(event.value[1])) for event in held_levels(trace, "D4")]
 
 
 def let_go(*changes: tuple[float, int | str]) -> list[str]:
-    """What is seen of a line that the program lets go: microseconds and levels."""
+    """The trace of a line that the program releases: microseconds and levels."""
     trace = PinTrace("e", "running", 9_000_000.0, tuple(PinChange(at, "D4", level) for at, level in changes), (), (), ())
     return [str(event) for event in let_go_levels(trace, "D4")]
 

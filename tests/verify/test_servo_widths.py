@@ -40,7 +40,7 @@ def ramp(*points: tuple[int, float]) -> list[float]:
 
 
 def nearing(width: float, goal: float, part: float, frames: int) -> list[float]:
-    """Widths of which each goes a part of the way to a goal."""
+    """Widths that each cover a part of the remaining distance to a goal."""
     found = []
     for _ in range(frames):
         found.append(float(round(width)))

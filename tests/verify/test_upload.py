@@ -69,7 +69,7 @@ class StandIn:
     folder: Path
 
     def says(self, *runs: tuple[int, str]) -> None:
-        """What its next runs say."""
+        """Set the outputs of the stand-in's next runs."""
         (self.folder / "says").write_text(json.dumps(runs))
 
     def asked(self) -> list[list[str]]:
@@ -80,7 +80,7 @@ class StandIn:
 
 @pytest.fixture
 def stand_in(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> StandIn:
-    """A stand-in that goes before the real tool."""
+    """A stand-in for the uploading tool, found before the real one on PATH."""
     folder = tmp_path / "tools"
     folder.mkdir()
     tool = folder / "avrdude"

@@ -14,7 +14,7 @@ CRASH = FirstDifference(400.0, "program", "the migrated program crashes", None, 
 
 
 def told(verdict: str, *statuses: str, until_ms: float = 1000.0, crash: FirstDifference | None = None) -> ScenarioVerdict:
-    """The verdict of a scenario of one second with such channels."""
+    """The verdict of a scenario of one second with these channels."""
     channels = tuple(ChannelComparison(f"c{number}", status) for number, status in enumerate(statuses))
     return ScenarioVerdict(Scenario("s", 1000.0, {}), verdict, channels, until_ms, crash=crash)
 

@@ -74,10 +74,10 @@ _RETURNED = ["int", "int", "long", "unsigned", "short", "unsigned short", "word_
 
 
 class Programs:
-    """Makes programs.
+    """Generates programs.
 
     Args:
-        seed: of the random numbers.
+        seed: seed of the random numbers.
     """
 
     def __init__(self, seed: int) -> None:

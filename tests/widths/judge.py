@@ -1,7 +1,7 @@
-"""Whether every operator of a program is computed as wide, and with the same signedness, in its sketch: both texts are parsed.
+"""Judges whether every operator of a program is computed with the same width and signedness in its sketch.
 
-The original is parsed for a 32-bit machine with unsigned char, the sketch's text for an AVR; the n-th operator of one is the
-n-th of the other. This judge shares nothing with the rules that it judges but libclang.
+Both texts are parsed: the original for a 32-bit machine with unsigned char, the sketch for an AVR; the n-th operator of one
+corresponds to the n-th of the other. Except for libclang, this judge shares nothing with the rules that it judges.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ _TARGET = ("-target", "avr", "-mmcu=atmega328p", "-x", "c++", "-std=gnu++11")
 
 
 class Failure(NamedTuple):
-    """An operator that is computed otherwise: its line in the sketch, and (bytes, unsigned) on source and target."""
+    """An operator that is computed differently: its line in the sketch, and (bytes, unsigned) on source and target."""
 
     line: int
     operator: str
@@ -119,7 +119,7 @@ def _shape(kind: Any) -> tuple[int, bool] | None:
 
 
 def _computed(cursor: Any) -> tuple[int, bool] | None:
-    """Bytes and signedness of the type that an operator computes in; None where it computes in none."""
+    """Bytes and signedness of the type in which an operator is computed; None if it computes nothing."""
     operator, children = _operator(cursor), list(cursor.get_children())
     if any(child.type.get_canonical().kind in _POINTERS for child in children):
         return None

@@ -1,7 +1,7 @@
-"""What the functions `case_NAME(void)` of a C program give on a 32-bit machine with unsigned char, and in its migrated sketch.
+"""The results of functions `case_NAME(void)` of a C program on a 32-bit machine with unsigned char, and in its sketch.
 
-The first is the truth (gcc for 32 bits), the second is measured: the sketch is compiled for an Uno and runs on a simulator. A
-case that has no meaning in C on the source (an overflow with a sign, a division by zero) has no value.
+The former is the truth (gcc for 32 bits), the latter is measured: the sketch is compiled for an Uno and simulated. A case
+without a meaning in C on the source (signed overflow, division by zero) has no value.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def names(program: Path) -> list[str]:
 
 
 def truth(program: Path, folder: Path) -> dict[str, int]:
-    """What each case gives on a 32-bit machine; cases that end with a signal are left out."""
+    """The result of each case on a 32-bit machine; cases that end with a signal are left out."""
     cases = names(program)
     called = "\n".join(f"static long called_{name}(void) {{ return case_{name}(); }}" for name in cases)
     calls = "\n".join(f'  one("{name}", called_{name});' for name in cases)
@@ -48,7 +48,7 @@ def truth(program: Path, folder: Path) -> dict[str, int]:
 
 
 def measured(program: Path, folder: Path, widths: str = "fix") -> dict[str, int]:
-    """What each case gives in the sketch that the program becomes.
+    """The result of each case in the migrated sketch of the program.
 
     Raises:
         AssertionError: the sketch does not compile, or does not come to its end.

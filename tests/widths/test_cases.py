@@ -42,7 +42,7 @@ def test_random_expressions_have_the_value_of_the_source(tmp_path: Path) -> None
 
 
 def own_text(program: Path, folder: Path) -> str:
-    """What of a sketch is the program's own text."""
+    """The program's own text in a sketch."""
     made = robosmi.migrate([program], folder / "out")
     text = next(Path(made.sketch).glob("*.ino")).read_text()
     return text[text.index('#include "adapters.h"') : text.index("void setup() {")]

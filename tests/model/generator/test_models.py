@@ -28,19 +28,19 @@ CASES = Path(__file__).parent / "cases"
 
 
 def doors(made: Any) -> Any:
-    """Features with names that every element needs for itself."""
+    """An element whose features have names that every element needs for itself."""
     inner = [made.Door(delete_=True), made.Door()]
     return made.Door(delete_=True, notify_="n", self_="s", cls_="c", listeners_=3, eContents_=inner)
 
 
 def paints(made: Any) -> Any:
-    """Literals whose texts are not their names."""
+    """Elements with literals whose texts differ from their names."""
     colours = made.Colour
     return made.Paint(colour=colours.value_, other=colours.mro_, all=[colours.red, colours.value_, colours.name_])
 
 
 def shadows(made: Any) -> Any:
-    """Features named like types."""
+    """An element whose features are named like types."""
     return made.Node(str="a", int=1, second="b", third=2, bool=True, EAttribute="c", Kind=made.Kind.ClassVar)
 
 
@@ -115,7 +115,7 @@ def test_a_generated_package_is_written_as_a_metamodel(case: tuple[Path, Any, Pa
 
 
 def described(metamodel: Metamodel) -> list[tuple[Any, ...]]:
-    """The features of a metamodel with what a model depends on."""
+    """The features of a metamodel with the properties that a model depends on."""
     features = [(path, f) for path, c in metamodel.classifiers() for f in getattr(c, "eStructuralFeatures", ())]
     return [
         (path, f.name, f.eType.name, f.lowerBound, f.upperBound, f.is_attribute and str(default(f, f.eType)))

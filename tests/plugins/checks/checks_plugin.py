@@ -18,7 +18,7 @@ drawings = EVL()
 rule = EVL()
 twice = EVL()
 WRONG: dict[str, Any] = {"gives nothing": None, "gives texts": (hardware.Circuit(name="robot"), ["oops"])}
-"""Value of CHECKS_PLUGIN -> what the reader gives then."""
+"""Value of CHECKS_PLUGIN -> the wrong result that the reader returns then."""
 
 
 def register(registry: Registry) -> None:
@@ -51,7 +51,7 @@ def register(registry: Registry) -> None:
 
 @plans.critique(id="CH001", advice="call it otherwise")
 def is_not_called_beacon(plan: migration.MigrationPlan) -> bool:
-    """A plan that is called beacon."""
+    """A constraint that a plan called beacon violates."""
     if os.environ.get("CHECKS_PLUGIN") == "prints":
         print("checked")
     return bool(plan.name != "beacon")
@@ -65,7 +65,7 @@ def has_our_id(binding: migration.PortBinding) -> bool:
 
 @drawings.context(hardware.Component).critique(id="CH002", advice="draw something else")
 def is_no_button(component: hardware.Component) -> bool:
-    """A push button."""
+    """A constraint that a push button violates."""
     return "button" not in component.partTitle.lower()
 
 
@@ -82,7 +82,7 @@ def has_my_other_id(component: hardware.Component) -> bool:
 
 
 def read_circuit(path: Path, project: Any = None, roles: Any = None, board: Any = None) -> Any:
-    """Ends with an exception whatever it is given, or ends the program."""
+    """Raise an exception whatever is given, or end the program."""
     if os.environ.get("CHECKS_PLUGIN") == "exits":
         sys.exit(0)
     if os.environ.get("CHECKS_PLUGIN") in WRONG:

@@ -82,7 +82,7 @@ def connected(number: int) -> migration.MigrationPlan:
 
 
 def chosen_as(choice: str, text: str) -> migration.MigrationPlan:
-    """A plan whose port is bound to the first pin, says this choice, and whose text has this in the place of its number."""
+    """A plan whose port is bound to the first pin, with this recorded choice and this text in place of its number."""
 
     def binding(plan: migration.MigrationPlan) -> list[migration.PortBinding]:
         change = migration.TextChange(rule="port", replacement=text, endOffset=1)
@@ -92,7 +92,7 @@ def chosen_as(choice: str, text: str) -> migration.MigrationPlan:
 
 
 def beside_the_console(function: str) -> migration.MigrationPlan:
-    """A plan whose port is on a pin of the serial line by a person's word, and whose program calls a function."""
+    """A plan whose port a person put on a pin of the console's serial line, with a program that calls a function."""
     made = a_plan(portBindings=lambda p: [migration.PortBinding(name="n", pin=pins(p)[0], choice="D1")])
     made.portBindings[0].chosenBy = migration.ChosenBy.person
     pins(made)[0].reserved = "serial line"
@@ -105,7 +105,7 @@ def beside_the_console(function: str) -> migration.MigrationPlan:
 
 
 def ranged(*signals: migration.Signal) -> migration.MigrationPlan:
-    """A plan whose port is bound to the first pin, for a function on one wire; its component has so many wires."""
+    """A plan with a distance sensor of one or more wires, whose port is bound for a function that uses one wire."""
     sensor = hardware.Component(elementId="1", title="eye")
 
     def wired(plan: migration.MigrationPlan) -> list[migration.Connection]:
@@ -143,7 +143,7 @@ def expecting(role: str, title: str) -> migration.MigrationPlan:
 
 
 def dimmed(timer: str, taken: str) -> migration.MigrationPlan:
-    """A plan with `dac_ctr` on a pin whose PWM is of a timer, if it has any, beside an adapter that takes a timer."""
+    """A plan with `dac_ctr` on a pin whose PWM uses a timer, if any, beside an adapter that takes a timer."""
     made = a_plan(portBindings=lambda p: [migration.PortBinding(name="n", sourcePin=4)])
     assert made.target is not None
     assert made.board is not None
@@ -164,7 +164,7 @@ def dimmed(timer: str, taken: str) -> migration.MigrationPlan:
 
 
 def driven(encoder: str) -> migration.MigrationPlan:
-    """A plan with `drive_goto`, whose adapter has to have an encoder, and what is chosen for the port of it."""
+    """A plan with `drive_goto`, whose adapter requires an encoder, and with this choice for the encoder's port."""
     made = a_plan(portBindings=lambda p: [migration.PortBinding(name="left_encoder", sourcePin=14, choice=encoder, open=False)])
     assert made.target is not None
     port = platform.ConventionalPort(constant="left", name="left_encoder", componentRole="encoder")
@@ -194,7 +194,7 @@ def flowing(inside: bool) -> migration.MigrationPlan:
 
 
 def recorded(choice: str) -> migration.MigrationPlan:
-    """A plan in which a library is chosen, with what is recorded of that."""
+    """A plan in which a library is chosen, with this recorded choice."""
     return a_plan(libraryChoices=lambda p: [migration.LibraryChoice(chosen=own_library(p), choice=choice)])
 
 

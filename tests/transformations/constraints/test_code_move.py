@@ -30,13 +30,13 @@ Place = tuple[int, str]
 
 
 def found(path: Path) -> list[Finding]:
-    """What the constraints on the move say of a program without a drawing."""
+    """The findings of the constraints about moving a program, without a drawing."""
     models = plan_migration([path], widths="keep")
     return [f for f in said(Q(models.plan.findings), models.places) if f.rule in RULES]
 
 
 def marked(path: Path, rule: str) -> list[Place]:
-    """Line and text of what a program is known for."""
+    """Line and text of each place that a program's comments mark with a rule."""
     lines = path.read_text().splitlines()
     return sorted((n, text or "") for n, line in enumerate(lines, 1) for r, text in MARK.findall(line) if r == rule)
 

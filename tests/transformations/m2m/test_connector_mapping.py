@@ -34,7 +34,7 @@ def report(path: Path) -> tuple[dict[str, Any], list[Finding]]:
 
 
 def mapped(name: str) -> tuple[list[tuple[str, str, list[str]]], list[str]]:
-    """Of a fixture: pin, name and connectors of each mapping; rules of the findings of the mapping."""
+    """Pin, name and connectors of each mapping of a fixture, and the rules of the mapping's findings."""
     circuit, _ = read_circuit(FIXTURES / f"{name}.fz")
     connections, findings = map_connectors(circuit)
     mappings = hardware_report(circuit, connections)["mappings"]

@@ -37,7 +37,7 @@ def planned(name: str) -> Any:
 
 
 def judged(plan: migration.MigrationPlan) -> list[tuple[str, migration.Disposition]]:
-    """Rule and disposition of each link of the trace that leads to one."""
+    """Rule and disposition of each trace link that leads to a disposition."""
     assert plan.trace is not None
     return [(k.rule, d) for k in plan.trace.links for d in k.targets if isinstance(d, migration.Disposition)]
 

@@ -27,7 +27,7 @@ PINS = {0: "D9", 1: "D8", 2: "D7", 3: "D6", 4: "D5", 5: "D4", 6: "D3", 7: "D2", 
 
 
 def rises(levels: list[tuple[float, object]]) -> int:
-    """How often a pin becomes high."""
+    """The number of rising edges."""
     values = [0, *(level for _, level in levels)]
     return sum(after == 1 != before for before, after in pairwise(values))
 

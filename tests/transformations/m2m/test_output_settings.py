@@ -57,7 +57,7 @@ speeds = [[-200, 1300], [0, 1510], [200, 1650]]
 
 
 def migrated(folder: Path, program: str, settings: str, target: str = "uno", head: str = "") -> Path:
-    """The output folder of a program on the wiring above."""
+    """Migrate a program on the wiring above; returns the output folder."""
     (folder / "robot.c").write_text(program)
     (folder / "wiring.csv").write_text(WIRING)
     (folder / "robosmi.toml").write_text(f'{head}[migrate]\nhardware = "wiring.csv"\n{settings}')
@@ -66,7 +66,7 @@ def migrated(folder: Path, program: str, settings: str, target: str = "uno", hea
 
 
 def seen(folder: Path, program: str, settings: str, milliseconds: float, target: str = "uno") -> PinTrace:
-    """What the pins do."""
+    """Migrate and simulate a program."""
     require_tools("avr-gcc", "avr-g++", "arduino-core-avr")
     require_engine("simavr")
     report = compile_sketch(migrated(folder, program, settings, target), keep=folder)
@@ -75,7 +75,7 @@ def seen(folder: Path, program: str, settings: str, milliseconds: float, target:
 
 
 def widths(trace: PinTrace, pin: str) -> list[int]:
-    """The widths of a pin's pulses to 4 us, each run of equal ones once."""
+    """The widths of a pin's pulses, rounded to 4 us, without repetitions."""
     found: list[int] = []
     for _, width in trace.pulses(pin):
         if not found or abs(width - found[-1]) > 6:
@@ -84,7 +84,7 @@ def widths(trace: PinTrace, pin: str) -> list[int]:
 
 
 def near(found: list[int], wanted: list[int]) -> bool:
-    """Whether widths are those that are wanted, to 6 us."""
+    """Whether widths are as expected within 6 us."""
     return len(found) == len(wanted) and all(abs(a - b) <= 6 for a, b in zip(found, wanted, strict=True))
 
 

@@ -113,9 +113,9 @@ def test_it_compiles_in_c_for_every_microcontroller(tmp_path: Path) -> None:
 
 @pytest.fixture(scope="module", params=["uno", "avr-c"])
 def tried(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Any]:
-    """Run the sketch, or the program in C, with devices.
+    """Run the sketch, or the C program, with devices.
 
-    Numbers are sent to it, each with the milliseconds after which a key stops it.
+    Numbers are sent to it, each with the milliseconds after which a key stops the test.
     """
     require_tools(*TOOLS)
     require_engine("simavr")
@@ -173,7 +173,7 @@ def test_steppers_turn_to_each_side_and_no_coil_stays_on(target: str, tmp_path: 
 
 
 def lines(text: str, title: str) -> list[str]:
-    """What was printed between a component's title and the next `done`, with the numbers of pins that C names by their ports."""
+    """The lines printed between a component's title and the next `done`; ports that C prints are replaced by pin numbers."""
     said = re.sub(r"(?<=  pin )P([BCD])(\d)", number_of, text.replace("\r", ""))
     return said.partition(f"\n{title}\n")[2].partition("\ndone")[0].splitlines()
 

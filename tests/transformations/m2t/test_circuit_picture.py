@@ -43,7 +43,7 @@ _EXACT = 0.02
 
 
 class Span(NamedTuple):
-    """Where a text lies."""
+    """The area of a text."""
 
     left: float
     top: float
@@ -53,7 +53,7 @@ class Span(NamedTuple):
 
 
 def spans(picture: str) -> list[Span]:
-    """Where the texts of a picture lie."""
+    """The areas of a picture's texts."""
     found = []
     for element in etree.fromstring(picture.encode()).iter(f"{SVG}text"):
         text, size = "".join(map(str, element.itertext())), float(element.get("font-size", "12"))
@@ -65,7 +65,7 @@ def spans(picture: str) -> list[Span]:
 
 
 def overlapping(texts: list[Span]) -> list[tuple[str, str]]:
-    """The pairs of texts that lie over one another."""
+    """The pairs of texts that overlap."""
     listed = sorted(texts, key=lambda span: span.top)
     found = []
     for place, one in enumerate(listed):
@@ -103,7 +103,7 @@ def loose_ends(picture: str) -> list[str]:
 
 
 def crossed(picture: str) -> list[str]:
-    """The wires round the columns of a picture that pass through a box."""
+    """The wires that run around columns and still cross a box."""
     root = etree.fromstring(picture.encode())
     boxes = [
         tuple(float(r.get(key, "0")) for key in ("x", "y", "width", "height"))
@@ -127,7 +127,7 @@ def crossed(picture: str) -> list[str]:
 
 
 def outside(picture: str) -> list[str]:
-    """The texts that are not wholly in the picture."""
+    """The texts that are not completely inside the picture."""
     root = etree.fromstring(picture.encode())
     width, height = (float(root.get(key, "0")) for key in ("width", "height"))
     return [s.text for s in spans(picture) if not (s.left >= 0 and s.top >= 0 and s.right <= width and s.bottom <= height)]

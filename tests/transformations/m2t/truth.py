@@ -1,4 +1,4 @@
-"""Checks that a plan tells the whole truth: one verdict for each element, changes of text that do not cross, sums that add up."""
+"""Checks the consistency of a plan: one verdict for each element, changes of text that do not cross, sums that add up."""
 
 from __future__ import annotations
 
@@ -46,11 +46,11 @@ def overlaps(plan: migration.MigrationPlan) -> list[str]:
 
 
 def report_faults(plan: migration.MigrationPlan, said: Mapping[str, Any], report: str) -> list[str]:
-    """What does not add up in the numbers of a plan, of its JSON and of its report: each construct once, sums equal.
+    """The numbers of a plan, of its JSON and of its report that do not add up.
 
     Args:
         plan: the plan.
-        said: the contract's `plan`.
+        said: the JSON of the contract's `plan`.
         report: the text of MIGRATION.md.
     """
     work, verdicts, rows = said["work"], said["verdicts"], said["constructs"]

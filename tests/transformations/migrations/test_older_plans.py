@@ -87,7 +87,7 @@ def registered(step: ModelMigration, monkeypatch: pytest.MonkeyPatch) -> ModelMi
 
 
 def summary(plan: migration.MigrationPlan) -> list[Any]:
-    """What counts of a plan."""
+    """The facts of a plan that must survive the migration."""
     return [
         [(b.name, b.sourcePin, round(b.confidence, 9)) for b in plan.portBindings],
         [(b.connection and b.connection.name, b.pin and b.pin.label) for b in plan.portBindings],

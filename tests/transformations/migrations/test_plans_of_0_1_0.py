@@ -27,7 +27,7 @@ FOUND = {
     "line_follower": ["RS240", "RS250", "RS261", "RS310", "RS320", "RS322", "RS706"],
     "conventions": ["RS240", "RS250", "RS310", "RS322", "RS706"],
 }
-"""What `check` of 0.1.0 found in these plans."""
+"""Rules of the findings of version 0.1.0's `check` for these plans."""
 ACTIONS = {"retain", "adapt", "drop", "hoist", "rewrite", "unsupported"}
 PLANS = sorted(path.name for path in FOLDER.iterdir())
 

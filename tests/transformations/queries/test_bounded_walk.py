@@ -13,7 +13,7 @@ from robosmi.transformations.queries.bounded_walk import DEEPEST, BoundedWalk
 
 
 def pins(source: str, folder: Path) -> set[int | None]:
-    """The pins that a program uses, unknown ones as None; a process of its own, since a time limit ends it."""
+    """The pins that a program uses, None for unknown ones; computed in its own process, which a time limit can end."""
     path = folder / "robot.c"
     path.write_text(f'#include "simpletools.h"\n{source}int main(){{f0(1);}}\n')
     done = subprocess.run(
@@ -56,7 +56,7 @@ def test_short_circles_keep_the_values_that_come_from_outside(tmp_path: Path) ->
 
 
 def reach(calls: dict[int, list[int]], walk: BoundedWalk[frozenset[int]], node: int) -> frozenset[int]:
-    """Which nodes of a graph are reached; counted so that each way is walked."""
+    """The nodes of a graph that are reachable from one, found by a bounded walk."""
 
     def answer() -> frozenset[int]:
         return frozenset({node}).union(*(reach(calls, walk, other) for other in calls[node]))

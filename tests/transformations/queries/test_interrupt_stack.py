@@ -1,4 +1,4 @@
-"""How interrupts come upon each other on the stack."""
+"""The stack that nested interrupt handlers take together."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ PROGRAMS = sorted((Path(__file__).parent / "loops").glob("*.c"))
 
 
 def said(program: Path) -> tuple[float, float]:
-    """What the first line of a program says."""
+    """The least and the greatest time that a program's first line gives."""
     low, high = program.read_text().splitlines()[0].removeprefix("// ").split(" to ")
     return float(low), float(high)
 

@@ -1,4 +1,4 @@
-"""How much code runs beside main at once: what is started again behind its end counts once, what is never come to not at all."""
+"""How many coroutines run beside main at once: one restarted after its end counts once, one never reached does not count."""
 
 from __future__ import annotations
 

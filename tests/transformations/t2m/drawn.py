@@ -1,4 +1,4 @@
-"""What is read of a small drawing, whatever tool drew it."""
+"""Helpers that read a small drawing of any tool."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def pins(path: Path) -> dict[str, str]:
 
 
 def said(findings: list[Finding], rule: str) -> list[str]:
-    """What the findings of a rule say; each has a fix."""
+    """The messages of a rule's findings; each finding must have a fix."""
     found = [f for f in findings if f.rule == rule]
     assert all(f.fix for f in found)
     return [f.message for f in found]

@@ -33,7 +33,7 @@ SPOILT = {
         "print", 10, "console", "'prezzez 1' instead of",
     ),
 }  # fmt: skip
-"""What is spoilt -> old text, new text, function and line of the call named, the channel, a pattern of what is said."""
+"""Name of a fault -> old text, new text, function and line of the call to name, channel, pattern of the message."""
 
 
 @pytest.fixture(scope="module")

@@ -78,32 +78,32 @@ def test_a_wheel_turns_as_its_pulses_say(job_of: Run, engine: str) -> None:
 
 
 class Quiet(Bench):
-    """A bench on which no time passes and nothing is at the pins."""
+    """A bench on which no time passes and no level changes."""
 
     cycle = 0
 
     def wake_at(self, cycle: int) -> None:
-        """Nothing comes later."""
+        """Ignore the request."""
 
     def set_level(self, pin: str, level: int | None) -> None:
-        """Nobody looks."""
+        """Ignore the level."""
 
     def set_voltage(self, pin: str, millivolts: float) -> None:
-        """Nobody looks."""
+        """Ignore the voltage."""
 
     def send(self, data: bytes) -> None:
-        """Nobody listens."""
+        """Ignore the data."""
 
 
 class Watched(Quiet):
-    """A bench that keeps the levels of one pin."""
+    """A bench that records the levels of one pin."""
 
     def __init__(self) -> None:
         super().__init__(["D9", "A0"], 16_000_000)
         self.levels: list[int | None] = []
 
     def set_level(self, pin: str, level: int | None) -> None:
-        """Keep it."""
+        """Record the level."""
         self.levels.append(level)
 
 
@@ -154,7 +154,7 @@ def test_a_servo_notes_the_marks_that_it_passes(way: list[float], marks: list[in
 
 
 def stood(marks: WayMarks, place: float, begin_s: float, end_s: float) -> None:
-    """Stand at a place from one time to another."""
+    """Keep a device at a place from one time to another."""
     for number in range(round(begin_s * 100), round(end_s * 100)):
         marks.moved(place, number * 10_000.0)
 
@@ -181,14 +181,14 @@ def test_a_slow_device_passes_its_marks_all_the_same() -> None:
 
 
 class Clocked(Quiet):
-    """A bench whose time goes from one action to the next, and which notes when a pin is made high."""
+    """A bench whose time jumps from one action to the next, and which records rising edges of a pin."""
 
     def __init__(self, pins: list[str], clock_hz: int) -> None:
         super().__init__(pins, clock_hz)
         self.rises: dict[str, list[float]] = {pin: [] for pin in pins}
 
     def set_level(self, pin: str, level: int | None) -> None:
-        """Note it."""
+        """Record a rising edge."""
         if level == 1:
             self.rises[pin].append(self.now)
 

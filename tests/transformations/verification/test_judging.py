@@ -17,7 +17,7 @@ SCENARIO = Scenario("s", 1000.0)
 
 
 def printed(*lines: tuple[float, str]) -> PinTrace:
-    """A run that prints these lines, a millisecond for each letter, from these milliseconds on."""
+    """A run that prints these lines, one character per millisecond, each from its start time on."""
     letters = [
         ConsoleByte(1000 * (at_ms + number), ord(letter)) for at_ms, text in lines for number, letter in enumerate(text + "\n")
     ]
@@ -25,7 +25,7 @@ def printed(*lines: tuple[float, str]) -> PinTrace:
 
 
 def original(trace: PinTrace, mixed_us: tuple[float, ...] = (), status: str = "running", cause: str = "") -> SourceRuns:
-    """Its runs: the nominal one, and one that does the same."""
+    """The original's runs: the nominal one, and one that does the same."""
     run = OriginalRun(trace, status, cause, b"", mixed_text_us=mixed_us)
     events = channel_events(trace, [], target=False)
     return SourceRuns(run, (run,), {name: [[events[name][0]] * 2] for name in events})

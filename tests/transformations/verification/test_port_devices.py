@@ -28,7 +28,7 @@ EXAMPLES = Path(__file__).resolve().parents[3] / "docs" / "examples"
 
 
 def ports(name: str) -> dict[str, BoundPort]:
-    """The ports of a case study by their pin on the source."""
+    """The bound ports of a case study by their pin on the source."""
     return {port.source: port for port in bound_ports(robosmi.plan_migration([EXAMPLES / name / f"{name}.c"]).plan)}
 
 
@@ -131,7 +131,7 @@ def test_two_ports_of_the_target_that_are_one_pin_of_the_source_are_not_compared
 
 
 def bodied(tmp_path: Path, body: str) -> dict[str, tuple[str, str, bool]]:
-    """Port -> the device there, what it calls the port, and whether what the program does there is compared all the same."""
+    """Port -> the device there, the device's name for it, and whether the program's actions there are compared as well."""
     source = tmp_path / "robot.c"
     source.write_text(f'#include "simpletools.h"\n{body}\n')
     plan = robosmi.plan_migration([source], bind={f"P{n}": f"D{n}" for n in (3, 4, 5, 6) if f"({n}" in body}).plan

@@ -55,7 +55,7 @@ def test_no_further_runs_are_made_where_nothing_differs() -> None:
 
 
 def with_run(runs: SourceRuns, trace: PinTrace) -> SourceRuns:
-    """The runs with one more."""
+    """The runs with a further one."""
     seen = channel_events(trace, [], target=False)
     return replaced(
         runs, channels={name: [[*each, seen[name][at]] for at, each in enumerate(its)] for name, its in runs.channels.items()}

@@ -90,7 +90,7 @@ def character_value(text: str) -> int:
 
 
 def evaluated(context: UnitContext, node: Node) -> int | None:
-    """libclang's value of a constant expression, None if it is not constant."""
+    """libclang's value of an integer constant expression, None for any other expression."""
     result = context.lib.Cursor_Evaluate(node.cursor)
     if not result:
         return None

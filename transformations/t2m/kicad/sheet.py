@@ -19,7 +19,7 @@ _NO_NUMBER = ("", "~")
 """How files write the number of a pin without a number."""
 
 LOCAL, GLOBAL, UPWARD = "local", "global", "upward"
-"""Scopes of labels: the sheet, the whole drawing, and the sheet symbol's pin that leads to the sheet above."""
+"""Kinds of labels: of the sheet, of the whole drawing, and hierarchical ones, joined with a pin of the sheet's symbol above."""
 
 
 class Point(NamedTuple):

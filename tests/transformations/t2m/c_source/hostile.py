@@ -67,7 +67,7 @@ CASES: dict[str, Callable[[], str]] = {
     "constants.cpp": lambda: f"constexpr int f(int n) {{ return n ? f(n - 1) + f(n - 1) : 1; }}\nconstexpr int x = f(50);{TAIL}",
 }  # fmt: skip
 REFUSED = {"doubling macros": "macros", "one line": "larger than", "tokens": "tokens"}
-"""Cases that are refused, and a word of the reason; all others are read, with what stands behind the trap."""
+"""Cases that are refused -> a word of the reason; all others are read, with what follows the trap."""
 NO_TAIL = {"open braces", "open parentheses", "quotes", "open comment"}
 MEGABYTES, SECONDS = 1500, 60
 

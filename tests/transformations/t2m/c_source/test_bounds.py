@@ -28,7 +28,7 @@ ROOT = Path(__file__).resolve().parents[4]
 
 @pytest.fixture(scope="module")
 def rows(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, Any]]:
-    """What became of each case; the reading process has bounded memory."""
+    """The result of each case; the reading process has bounded memory."""
     folder = tmp_path_factory.mktemp("hostile")
     command = [sys.executable, "-m", "tests.transformations.t2m.c_source.hostile", str(folder)]
     environment = os.environ | {"PYTHONPATH": str(ROOT)}
@@ -106,7 +106,7 @@ def test_a_header_beside_the_file_is_no_trap_either(tmp_path: Path) -> None:
 
 
 def declared(path: Path, *folders: Path) -> str:
-    """What the reader finds declared in a file, asked in a process of its own, which may die or hang."""
+    """The declarations that the reader finds in a file, in a process of its own, which may crash or hang."""
     script = (
         "import sys; from robosmi.transformations.t2m.c_source import read_program;"
         "program, _ = read_program(sys.argv[1], include_dirs=sys.argv[2:]);"

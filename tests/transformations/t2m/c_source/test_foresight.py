@@ -1,4 +1,4 @@
-"""Names that a text uses and nothing declares are told from its tokens alone, or not at all."""
+"""Undeclared names are predicted from a text's tokens alone, or not at all."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ PROGRAMS = [
 
 
 def undeclared(text: str, *known: str) -> list[str] | None:
-    """What is foreseen of a text."""
+    """The predicted undeclared names of a text."""
     found = foresee(tokens(text.encode()), lambda name: name in known)
     return None if found is None else found.undeclared
 

@@ -76,7 +76,7 @@ def test_offsets_of_a_copy_lead_back(data: bytes, changes: list[Edit]) -> None:
 
 
 LEAST = {";": 0.995, ")": 0.995, "(": 0.9, "}": 0.98, "{": 0.96, ",": 0.99}
-"""Of the calls of real programs with one such token left out, the part that must be in the model."""
+"""Share of the calls that must be in the model when one token of this kind is left out of real programs."""
 
 
 def test_real_programs_with_a_token_left_out(tmp_path: Path) -> None:

@@ -36,12 +36,12 @@ def built() -> Counter[str]:
 
 
 def grown(before: Counter[str]) -> set[str]:
-    """The classes of which there are more now."""
+    """The classes of which more elements exist now than before."""
     return {name for name, number in built().items() if number > before[name]}
 
 
 def looked_at(model: OnDemandProgram) -> ccode.Program:
-    """The program, after every feature of every element was read."""
+    """The program, after reading every feature of every element."""
     for element in list(model.all_contents()):
         for name in feature_names(element.eClass):
             getattr(element, name)

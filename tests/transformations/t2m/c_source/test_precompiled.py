@@ -1,4 +1,4 @@
-"""A precompiled header is never noticed but by the time: the model is the same, whatever the files say and become."""
+"""Precompiled headers change nothing but the time: the model is the same, whatever the files contain and become."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ CORPUS = os.environ.get("ROBOSMI_CORPUS", "")
 
 @pytest.fixture(autouse=True)
 def early(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Keep small headers too, from the second file on."""
+    """Precompile small headers too, from the second file on."""
     monkeypatch.setattr(precompiled, "LEAST", 0)
     monkeypatch.setattr(precompiled, "ENOUGH", 2)
 
@@ -44,7 +44,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def kept(path: Path, *folders: Path) -> precompiled.Beginning | None:
-    """What is kept for a file."""
+    """The precompiled header that is used for a file, None if there is none."""
     api, source, names = ApiIndex.load("propeller"), read_source(path), list(map(str, folders))
     return precompiled.beginning(source, api, arguments(api, source.language, names, ()), Folders(names))
 

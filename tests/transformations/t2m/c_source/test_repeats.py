@@ -10,7 +10,7 @@ from robosmi.transformations.t2m.c_source.repeats import MOST_DECLARED, repeats
 
 
 def left(text: str) -> str:
-    """The text that the parser gets."""
+    """The text that libclang gets."""
     data = text.encode()
     plain = [token for token in tokens(data) if token[0] not in ("comment", "directive")]
     return Scratch(data, repeats(plain)).data.decode()

@@ -49,7 +49,7 @@ def unknown(robot: Path) -> Path:
 
 
 def pins(path: Path) -> dict[str, list[Any]]:
-    """What hangs on each pin: component, name of its connector, role, signal, parts on the way."""
+    """The components on each pin: component, name of its connector, role, signal, parts in between."""
     return {
         m["pin"]: [m["component"], _named(m["connectors"][0]["name"]), m["role"], m["signal"], [v["title"] for v in m["via"]]]
         for m in hardware(path).result["mappings"]
