@@ -1,8 +1,8 @@
-"""Models: strict elements, metamodels, XMI in and out, whole-or-nothing files.
+"""Models: strict elements, metamodels, reading and writing XMI, atomic writing of files.
 
-`load_model` and `save_model` are the simple way in for XMI, `open_model` for models of any technology; `Metamodel`, `EmfModel`
-and `Repository` are what researchers work with, `Model` is what a driver implements. The modules beneath do one thing each and
-are imported when first used. Nothing here knows what the models are about.
+`load_model` and `save_model` are the simple functions for XMI, `open_model` opens models of any technology; `Metamodel`,
+`EmfModel` and `Repository` are for working with models, `Model` is the interface that a driver implements. The other modules
+each have one task and are imported when first used. Nothing here knows what the models are about.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""Features of elements read by their names, whatever the technology of their model.
+"""Reads features of elements by name, independently of the model's technology.
 
-Which features an element has is told by `driver`; many values of EMF's are `feature_values`'s collections.
+`driver` lists the features of an element; many-valued features of EMF elements are collections of `feature_values`.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from robosmi.typed import dynamic_attribute
 
 
 def feature_value(element: Node, name: str) -> Held:
-    """What a feature of an element holds, by its name."""
+    """The value of an element's feature, given by name."""
     value: Held = dynamic_attribute(element, name)
     return value
 
 
 def feature_values(element: Node, name: str) -> Sequence[Item]:
-    """What a feature of an element holds as several: nothing, the one value, or all of them."""
+    """The values of an element's feature as a list: none, the single value, or all of them."""
     value = feature_value(element, name)
     if value is None:
         return ()

@@ -1,9 +1,9 @@
-"""`Recording`: what is changed in EMF models while it is open can be undone.
+"""`Recording`: undoes the changes made to EMF models while it is open.
 
-Before the first change of a value, the value is kept, with the container and back links of the elements concerned; undoing puts
-all of it back, in the old order. It costs as much as is changed, whatever the size of the models. pyecore reports changes when
-it is too late to know the old order, so its changing methods are wrapped while a recording is open, for the thread that opened
-it. Models that are no EMF models offer `recording()` of their own, or cannot be undone.
+Before a value is first changed, it is saved together with the container and back links of the elements concerned; undoing
+restores all of them in the old order. The cost is proportional to the changes, not to the size of the models. pyecore's
+notifications come too late to know the old order, so its changing methods are wrapped while a recording is open, for the thread
+that opened it. Models of other technologies have their own `recording()`, or cannot be undone.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ _CHANGING: tuple[tuple[type, tuple[str, ...]], ...] = (
 )
 """pyecore's methods that change a value or a collection."""
 _OWN = {ASSIGN, "append", "add", "insert", "remove", "discard"}
-"""Those that concern only what they are given and a value that they replace."""
+"""Those that affect only their argument and the value that it replaces."""
 
 
 class Recording:
@@ -118,7 +118,7 @@ class Recording:
                 self._values[id(holder)] = (holder, list(holder))
 
     def undo(self) -> None:
-        """Put everything back as it was when the recording was opened; elements made since are in no model any more."""
+        """Restore the state at the time when the recording was opened; elements made since then are in no model any more."""
         self.__exit__()
         for holder, value in self._values.values():
             if isinstance(holder, EValue):

@@ -37,7 +37,7 @@ MIXINS = "mixins.py"
 
 
 class PackageRun(Struct, dict=True):
-    """What one run of the generator works on: the packages with everything that holds for all of them."""
+    """The input of one run of the generator: the packages, and the facts that apply to all of them."""
 
     packages: list[Package]
     mixins: Mixins
@@ -55,7 +55,7 @@ class PackageRun(Struct, dict=True):
             yield from root.walk()
 
     def view(self, package: Package) -> PackageView:
-        """What the template shows of a package."""
+        """The data that the template uses for a package."""
         return view_of(package, self.names, self.bases, self.cycles, self.mixins, self.notes)
 
 
@@ -103,12 +103,12 @@ class PackageGenerator(pyecoregen.EcoreGenerator, _Sandboxed):
 
 
 class Rendered(Struct, frozen=True):
-    """What was generated.
+    """The result of a generation.
 
     Attributes:
         files: relative path -> bytes.
         sources: relative path -> the .ecore file.
-        findings: what was left out, renamed or could not be said.
+        findings: what was left out, renamed or could not be expressed.
         classes: number of classes.
     """
 
@@ -177,7 +177,7 @@ def _mixins(folder: Path, module: str) -> dict[str, frozenset[str]]:
 
 
 def generate_built_in() -> None:
-    """Write our own packages anew."""
+    """Generate the built-in packages again."""
     folder = resources.built_in("metamodels")
     update(folder, render(sorted(folder.glob("*.ecore"))).files)
 

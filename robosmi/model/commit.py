@@ -1,10 +1,10 @@
-"""Files of a folder written together or not at all, also when the process is killed in the middle.
+"""Writes the files of a folder atomically, even if the process is killed in the middle.
 
-All new contents are put beside their places first, then a journal says what goes where, then they are moved; what was begun is
-finished (or thrown away, if there was no journal yet) by `recovery`, which every run calls first. So each file is the old or
-the new one, whole, at any time, and after the next run all are of one kind. A folder that is new appears in one step. Files
-outside of the folder may belong to a commit (`elsewhere`).
-This holds when a process is killed; nothing is promised for a machine that loses power.
+First all new contents are written beside their destinations, then a journal lists the moves, then the files are moved. An
+interrupted commit is completed (or discarded, if it had no journal yet) by `recovery`, which every run calls first. So each
+file is at any time either the old or the new one, and after the next run all are of the same version. A new folder appears in a
+single step. Files outside of the folder may be part of a commit (`elsewhere`). This protects against a killed process, not
+against power failure.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from robosmi.model.recovery import JOURNAL, STAGE, at_work, beside_of, finish, u
 from robosmi.model.runs import alone, bind, forget, own_stage
 
 Seen = Mapping[str, bytes | None]
-"""What a run has read in a folder before it decided: relative path -> bytes, None where no file was."""
+"""What a run has read in a folder before its decisions: relative path -> bytes, None for a missing file."""
 
 _RUNS = 5
 _Given = ParamSpec("_Given")
@@ -35,9 +35,9 @@ _Made = TypeVar("_Made")
 
 
 def again_when_changed(run: Callable[_Given, _Made]) -> Callable[_Given, _Made]:
-    """A run that begins anew, up to five times in all, when a file that it has read was changed while it was at work.
+    """Decorator: restart a run, up to five times in all, if a file that it has read was changed meanwhile.
 
-    So two runs into one folder at once end as if they came one after the other.
+    So two concurrent runs into one folder end as if they had run one after the other.
     """
 
     @functools.wraps(run)
@@ -122,7 +122,7 @@ def commit(
 
 
 def _appear(folder: Path, contents: Mapping[str, bytes], elsewhere: Elsewhere) -> None:
-    """A new folder: made beside its place, moved there in one step; a journal in it says what files elsewhere wait for that."""
+    """Create a new folder: written beside its destination and moved in one step; its journal lists the files elsewhere."""
     beside = beside_of(folder)
     _no_file_is_a_folder(folder, contents)
     with OpenFolder(folder.parent) as above:

@@ -1,9 +1,9 @@
-"""Fast construction of model elements: values go straight into pyecore's slots.
+"""Fast construction of model elements, which stores values directly in pyecore's slots.
 
-pyecore's own setters build a notification and walk to the root of the model for every value, 60 to 120 microseconds an
-object. A new element has no listener and no container, so nobody can notice: here the checks are kept and the rest is
-left out (research: five times faster). Most references with an opposite are among the fast ones; the rest and
-elements that already live elsewhere take pyecore's way. Nothing here is called by anything but `Element`.
+pyecore's own setters create a notification and walk to the root of the model for every value: 60 to 120 microseconds an object.
+A new element has no listener and no container, so the notifications have no effect; here only the checks remain (measured: five
+times faster). Most references with an opposite are supported; the others, and elements that are already contained elsewhere,
+use pyecore's setters. Only `Element` uses this module.
 """
 
 from __future__ import annotations
@@ -30,15 +30,18 @@ if TYPE_CHECKING:
 
 
 Entry = tuple[Any, str, Any, Any, Any]
-"""How one feature is set: the class of the values that are stored without a holder (or None); the key of the feature's slot; the
-feature; the function that stores any other value (or None: pyecore's setter); what that function needs to know of the feature."""
+"""How one feature is set.
+
+(class of the values stored without a holder, or None; key of the feature's slot; the feature; function that stores any other
+value, or None for pyecore's setter; that function's facts about the feature)
+"""
 
 
 class Plan(dict[str, Entry]):
     """How the features of a class are set, by name.
 
     Attributes:
-        bare: class of the values that go in bare, for those whose slot has the feature's name.
+        bare: feature whose slot has its name -> class of the values that are stored there without a holder.
     """
 
     def __init__(self) -> None:
@@ -102,15 +105,15 @@ def connect(element: EObject, name: str, value: Any) -> None:
 
 
 class _Known:
-    """What putting values into a reference needs to know of it: asking pyecore each time costs more than all the rest.
+    """Cached facts about a reference, since asking pyecore each time would take longer than everything else.
 
     Attributes:
-        kind: of the values.
-        classes: that are of this kind.
-        holder: of a single value.
+        kind: the type of its values.
+        classes: classes known to conform to this type.
+        holder: the class of the holder of a single value.
         contains: whether it is a containment.
         back: its opposite, if it has one.
-        back_key: the slot of the opposite.
+        back_key: the key of the opposite's slot.
     """
 
     __slots__ = ("back", "back_key", "classes", "contains", "holder", "kind")
@@ -193,7 +196,7 @@ def _put_literal(element: EObject, slots: Slots, name: str, feature: EStructural
 
 
 def _adopt(element: EObject, feature: EStructuralFeature, known: _Known, value: Any, birth: Any) -> bool:
-    """Whether the value may be referred to without pyecore's bookkeeping of moves; if so the back links are made."""
+    """Whether a value can be stored without moving it out of another container; if so, its back links are set."""
     if value.__class__ not in known.classes and not known.takes(value):
         return False
     if not known.contains:
@@ -240,7 +243,7 @@ def _put_many(
 def _put_parts(
     element: EObject, slots: Slots, name: str, feature: EStructuralFeature, known: _Known, values: Iterable[Any]
 ) -> bool:
-    """Containment of many with a single-valued opposite: the parts know their container under its name."""
+    """Store a many-valued containment whose opposite is single-valued: sets the container reference of the parts."""
     many = slots[name] = collection(element, feature)
     items, positions = many.items, many.map
     back, key = known.back, known.back_key
@@ -262,7 +265,7 @@ def _put_parts(
 
 
 def _put_one_of_many(element: EObject, slots: Slots, name: str, feature: EStructuralFeature, known: _Known, value: Any) -> bool:
-    """A single reference whose opposite collects many: the element joins the collection of what it refers to."""
+    """Store a single-valued reference whose opposite is many-valued: adds the element to the target's collection."""
     if value.__class__ not in known.classes and not known.takes(value):
         return False
     own = value.__dict__
@@ -277,6 +280,6 @@ def _put_one_of_many(element: EObject, slots: Slots, name: str, feature: EStruct
 
 
 def _set(slots: Slots, feature: EStructuralFeature) -> None:
-    """Note that a feature was set, where it is not read off the slots when somebody asks."""
+    """Record that a feature was set, unless the set features are computed on demand."""
     if SET_FEATURES in slots:
         slots[SET_FEATURES][feature] = None

@@ -1,8 +1,8 @@
-"""Attribute values to text and back, as Eclipse EMF converts them (EcoreFactoryImpl, Java's own number formats).
+"""Converts attribute values to text and back like Eclipse EMF (EcoreFactoryImpl and Java's number formats).
 
-One pair of functions for each Ecore data type, chosen by its name or by the Java class that a data type of a user's
-metamodel stands for. Reading refuses what EMF refuses; writing refuses what EMF could not read again. What Python holds
-for a type is what pyecore demands of it. No element and no file here.
+There is a pair of functions for each Ecore data type, selected by its name or by the Java class of a user's data type. Reading
+refuses what EMF refuses; writing refuses what EMF could not read again. The Python types are those that pyecore requires. This
+module handles neither elements nor files.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _DATE = re.compile(
 
 
 class _Remembered(dict[str, Any]):
-    """Text -> value; what was converted once is looked up. Refused texts are not kept."""
+    """A cache from text to converted value; refused texts are not cached."""
 
     LIMIT = 1 << 16
 
@@ -258,7 +258,7 @@ FEATURE_MAP = "EFeatureMapEntry"
 
 
 def real(value: T) -> T:
-    """What a pyecore proxy stands for; anything else as it is, a proxy that nothing here resolves included."""
+    """The element that a pyecore proxy resolves to; any other value, and an unresolvable proxy, unchanged."""
     if not isinstance(value, EProxy):
         return value
     path, resource = proxy_place(value)
@@ -277,7 +277,7 @@ def real(value: T) -> T:
 
 
 def _key(datatype: EDataType) -> str:
-    """The name under which a data type stands in the tables: its own if it is Ecore's, else that of its Java class."""
+    """The name of a data type in the tables: its own if it is Ecore's, else that of its Java class."""
     package = datatype.ePackage
     if package is None or package.nsURI == ECORE_URI:
         return str(datatype.name)
@@ -366,7 +366,7 @@ def default(feature: EStructuralFeature, datatype: EDataType) -> Any:
 
 
 def is_primitive(datatype: EDataType) -> bool:
-    """Whether the type has no "nothing" in EMF, as int has none."""
+    """Whether the type has no null value in EMF, like Java's int."""
     return _key(datatype) in _DEFAULTS
 
 

@@ -96,7 +96,7 @@ class Model(ABC):
 
     @abstractmethod
     def types(self) -> Iterator[tuple[str, Type]]:
-        """All types that can be named, as (qualified name, type); where there is no metamodel those that occur."""
+        """All types that can be named, as (qualified name, type); without a metamodel, those that occur."""
 
     def find_type(self, name: str) -> Type | None:
         """The type of that name, simple or qualified (`library::Book`), or None."""
@@ -191,7 +191,7 @@ class Model(ABC):
         self._refuse("create an element")
 
     def delete(self, element: Node) -> None:
-        """Take an element with all it contains out of this model, and out of what refers to it where the technology knows.
+        """Remove an element with all its contents from this model, and from references to it if the technology supports that.
 
         Raises:
             ReadOnlyError: the model cannot be changed.
@@ -240,7 +240,7 @@ class Model(ABC):
         return self[name]
 
     def _collected(self, items: Sequence[Node]) -> Any:
-        """How a type handle gives many elements; layers above give collections of their own."""
+        """How a type handle returns several elements; layers above return collections of their own."""
         return items
 
     def __repr__(self) -> str:
@@ -328,7 +328,7 @@ def read_only(what: str, name: str) -> ReadOnlyError:
 
 
 def is_element(value: Any) -> TypeGuard[DynamicNode]:
-    """Whether the value is an element of a model; an enumeration literal is none."""
+    """Whether the value is an element of a model; enumeration literals are not."""
     return isinstance(value, ModelElement) or (isinstance(value, EObject) and not isinstance(value, EEnumLiteral))
 
 
@@ -385,7 +385,7 @@ LABELS = ("name", "title", "label", "id", "a_id", "a_name", "a_title", "elementI
 
 
 def label(element: Node) -> str:
-    """An element in a few words: its type, and what it is called."""
+    """A short description of an element: its type and its name."""
     kind = name_of(type_of(element))
     known = set(features_of(element))
     for feature in LABELS:

@@ -1,6 +1,6 @@
-"""The type of what queries, rules and chains give whatever it is; for type checkers alone, import it under `TYPE_CHECKING`.
+"""The type of values whose class depends on the user's model, for type checkers only; import it under `TYPE_CHECKING`.
 
-Elements of which only the metamodel knows the features are `ecore.DynamicEObject` and `driver.ModelElement`.
+Elements whose features only the metamodel knows are `ecore.DynamicEObject` and `driver.ModelElement`.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Ecore as pyecore has it, with types: what the rest of this package knows of pyecore's classes, stated once.
+"""Types for pyecore's classes: declares once what this package uses of them.
 
-pyecore has no annotations, so that to a type checker each of its classes is `Any`. Here the classes are declared for type
-checkers with the features and methods that RoboSMi uses; at run time they are pyecore's own, under the same names. Private
-names of pyecore's are `pyecore_internals`' business, the base class of generated elements is `strict`'s.
+pyecore has no annotations, so a type checker treats each of its classes as `Any`. Here they are declared for type checkers with
+the features and methods that RoboSMi uses; at run time they are pyecore's own classes under the same names. Private names of
+pyecore are in `pyecore_internals`, the base class of generated elements is in `strict`.
 """
 # ruff: noqa: D102  the methods are Ecore's, and only declared here
 
@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, TypeAlias, T
 
 
 class Listener(Protocol):
-    """What is told of changes of an element or a resource."""
+    """An observer that is notified of changes of an element or a resource."""
 
     def notifyChanged(self, notification: Notification, /) -> None:
         """Called after each change."""
@@ -32,7 +32,7 @@ class Notification:
 
 
 class Decoder(Protocol):
-    """What finds elements of other resources by their URI."""
+    """Finds elements of other resources by their URI."""
 
     def can_resolve(self, path: str, from_resource: Resource, /) -> bool:
         """Whether it knows URIs of that form."""
@@ -317,7 +317,7 @@ if TYPE_CHECKING:
         def eAllOperations(self) -> Iterable[EOperation]: ...
 
     class EProxy(EObject):
-        """Stands for an element of a resource that was not read yet."""
+        """A placeholder for an element of a resource that has not been loaded yet."""
 
         resolved: bool
 

@@ -78,7 +78,7 @@ class DynamicClass(type(ecore.EObject)):  # type: ignore[misc]
         return super().__call__(*args, **features)
 
     def mro(cls) -> list[type]:
-        """Python's order where there is one, else any with each class before its supertypes."""
+        """Python's method resolution order if there is one, else any order with each class before its supertypes."""
         try:
             return type.mro(cls)
         except TypeError:
@@ -160,7 +160,7 @@ class PackageMaker:
         return None if classifier is None else self._classifier(classifier)
 
     def _classifier(self, classifier: Classifier) -> EClassifier:
-        """What was made for a classifier, or pyecore's own for one of Ecore's."""
+        """The object made for a described classifier, or pyecore's own for one of Ecore's."""
         found = self.made.get(classifier)
         if found is None:
             found = self.made[classifier] = _known(classifier)
@@ -223,7 +223,7 @@ def _datatype(described: Classifier) -> EDataType:
 
 
 def _plain(name: str, java: str) -> EDataType:
-    """A data type that stands for a Java class; pyecore's own table would make an object for every default."""
+    """A data type for a Java class; pyecore's own table would create an object for every default value."""
     made = ecore.EDataType(name, instanceClassName=java or "java.lang.Object")
     if java not in _PRIMITIVE:
         made.type_as_factory = False

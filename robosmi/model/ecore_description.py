@@ -22,10 +22,10 @@ if TYPE_CHECKING:
 
 
 class _Described(Struct, eq=False, kw_only=True):
-    """What a description tells of, which constructors take by its name alone.
+    """The constructor arguments common to all descriptions, which are passed by name.
 
     Attributes:
-        node: what stands in the file there; None for Ecore's own.
+        node: the XML node in the file; None for Ecore's own elements.
     """
 
     node: EcoreNode | None = None
@@ -43,7 +43,7 @@ class DescribedElement(_Described):
 
 
 def _nothing(node: EcoreNode, feature: str) -> list[DescribedElement]:
-    """What a node of a package refers to that no file describes."""
+    """The default of `Package.find`: no node refers to anything."""
     return []
 
 

@@ -1,9 +1,9 @@
-"""What an .ecore file says that no model needs, given to the dynamic packages so that nothing is lost when these are written.
+"""Adds to dynamic packages the parts of an .ecore file that models do not need, so that writing them again loses nothing.
 
-Annotations, generic types and their parameters, keys, exceptions, bounds of operations, flags that are on unless switched off.
-pyecore has a place for all of it (`eKeys` aside) but would change its classes when it hears of generic supertypes; so those are
-put in without its notifications. What an element is for models is `ecore_classes`' business. What else an annotation contains
-than texts and references (elements of other metamodels) is not kept.
+These are annotations, generic types and their parameters, keys, exceptions, bounds of operations, and flags that are on unless
+switched off. pyecore can store all of it (except `eKeys`), but would modify its classes when notified of generic supertypes; so
+these are stored without notification. What affects models is made by `ecore_classes`. Contents of annotations other than texts
+and references (elements of other metamodels) are not kept.
 """
 
 from __future__ import annotations
@@ -31,15 +31,15 @@ from robosmi.model.pyecore_internals import add_silently, contain, key_of, set_f
 from robosmi.typed import dynamic_attribute, paired
 
 Pair: TypeAlias = "tuple[DescribedElement, ecore.EModelElement]"
-"""A description, and what was made for it."""
+"""A description, and the object made for it."""
 
 
 class Details:
-    """Completes what was made for the packages of one run.
+    """Completes the objects made for the packages of one run.
 
     Args:
         packages: the outermost packages.
-        made: what was made for a description, or pyecore's own for one of Ecore's; None where there is nothing.
+        made: a function from a description to the object made for it (pyecore's own for one of Ecore's), or None.
     """
 
     def __init__(self, packages: Iterable[Package], made: Callable[[DescribedElement], ecore.EModelElement | None]) -> None:
@@ -76,7 +76,7 @@ class Details:
         return found
 
     def _made(self, one: DescribedElement) -> ecore.EModelElement:
-        """What was made for an element of the packages themselves, which is always there."""
+        """The object made for an element of the packages themselves, which always exists."""
         made = self.made(one)
         assert made is not None
         return made
@@ -90,7 +90,7 @@ class Details:
                 made.eTypeParameters.append(declared)
 
     def complete(self, package: Package, one: DescribedElement, made: ecore.EModelElement) -> None:
-        """All that the file says of an element besides."""
+        """Add the remaining details of an element."""
         node = _node_of(one)
         self.annotations(package, one, made)
         for parameter in _parameters_of(one):
@@ -111,7 +111,7 @@ class Details:
                     _put(made, pyecore_ecore.EClass.eGenericSuperTypes, supertype)
 
     def typed(self, package: Package, one: Typed, made: ecore.ETypedElement) -> None:
-        """Generic type, bounds, and what references and operations have besides."""
+        """Add generic type and bounds, and the details of references and operations."""
         node = _node_of(one)
         for child in node.tagged("eGenericType"):
             generic = self.generic(package, child)
@@ -137,7 +137,7 @@ class Details:
 
     @staticmethod
     def names(node: EcoreNode, made: ecore.EClassifier) -> None:
-        """The Java classes that the file names, as it names them."""
+        """The Java class names in the file, as written."""
         if "<" in (text := node.get("instanceTypeName")):
             made.instanceTypeName, text = text, ""
         text = text or node.get("instanceClassName")
@@ -188,7 +188,7 @@ class Details:
 
 
 def _node_of(one: DescribedElement) -> EcoreNode:
-    """What stands in the file there; Ecore's own elements, which are in no file, do not come here."""
+    """The XML node of a description; never called for Ecore's own elements, which are in no file."""
     assert one.node is not None
     return one.node
 
@@ -203,7 +203,7 @@ def _says_more(generic: ecore.EGenericType) -> bool:
 
 
 def _put(owner: EObject, feature: EStructuralFeature, part: EObject) -> None:
-    """Put a part into a feature that holds many, and tell nobody."""
+    """Add a value to a many-valued feature without notification."""
     contain(part, owner, feature)
     add_silently(dynamic_attribute(owner, key_of(feature)), part)
     set_features_of(owner).add(feature)

@@ -91,7 +91,7 @@ def load_metamodels(paths: Iterable[Path]) -> list[Package]:
 
 
 class MetamodelReader:
-    """Reads .ecore files one after the other; what was read before is not made again, so that later files refer to it."""
+    """Reads .ecore files one after the other; files read before are reused, so that later files can refer to them."""
 
     def __init__(self) -> None:
         self.files = EcoreFiles()

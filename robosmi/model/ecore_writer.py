@@ -128,7 +128,7 @@ class EcoreText:
                 self.add(f"{'  ' * depth}</{tag}>\n")
 
     def of(self, element: DynamicEObject) -> tuple[list[tuple[str, str]], list[Item]]:
-        """The attributes of an element, and what is written inside of it."""
+        """The attributes of an element, and its content."""
         attributes: list[tuple[str, str]] = []
         parts: list[Item] = []
         for name, form, extra in FEATURES[kind_of(element)]:

@@ -1,8 +1,9 @@
-"""Files outside of an output folder that a run writes in the same commit: the project file beside a program, the way back.
+"""Files outside of an output folder that a run writes in the same commit, such as the project file beside a program.
 
-Their new contents wait beside them under a hidden name. What is to go where is kept in the user's data and not in the output
-folder, since nothing that comes with a folder may name a file elsewhere. `commit` lets them wait; `recovery` lets them take their
-places with the files of the folder, or go. A file that somebody has changed in between stays as it is.
+Their new contents wait beside them under a hidden name. The list of destinations is kept in the user's data and not in the
+output folder, since a folder that comes from elsewhere must not be able to name files outside of it. `commit` writes the
+waiting files; `recovery` moves them to their destinations together with the folder's files, or removes them. A file that
+somebody changed meanwhile is left alone.
 """
 
 from __future__ import annotations
@@ -22,11 +23,11 @@ from robosmi.model.runs import ELSEWHERE, keep, kept, unkeep
 from robosmi.typed import paired
 
 Elsewhere = Mapping[Path, tuple[bytes | None, bytes | None]]
-"""Files outside of an output folder that belong to its commit: what each holds, and what it is to hold; None for no file."""
+"""Files outside of an output folder that belong to its commit: the old and the new content of each; None for no file."""
 
 
 class _Waiting(NamedTuple):
-    """A file, the name that its new content waits under beside it, and the digests of what it holds and is to hold."""
+    """A file, the hidden name of its new content beside it, and the digests of its old and new content."""
 
     path: str
     beside: str
@@ -35,12 +36,12 @@ class _Waiting(NamedTuple):
 
 
 def changes(files: Elsewhere) -> Elsewhere:
-    """Those of the files that are to hold something else than they do, by absolute paths."""
+    """The files whose content changes, by absolute path."""
     return {Path(os.path.abspath(path)): pair for path, pair in files.items() if pair[0] != pair[1]}
 
 
 def wait(folder: Path, run: str, files: Elsewhere) -> None:
-    """Put new contents beside their places.
+    """Write new contents beside their destinations.
 
     Args:
         folder: the output folder, in which the place for waiting files is there already.
@@ -89,7 +90,7 @@ def take_places(folder: Path, run: object) -> None:
 
 
 def drop(folder: Path) -> None:
-    """Throw away what waits elsewhere for a run into an output folder, and what is known of it."""
+    """Discard what waits elsewhere for a commit into an output folder, and the record of it."""
     for one in _recorded(folder):
         path = Path(one.path)
         with suppress(OSError), OpenFolder(path.parent) as around:
@@ -98,7 +99,7 @@ def drop(folder: Path) -> None:
 
 
 def _recorded(folder: Path, run: object = None) -> Iterator[_Waiting]:
-    """What the record of an output folder says; where a run is named, only if it is of that run."""
+    """The record of an output folder; if a run is named, only if the record is of that run."""
     try:
         known = as_table(json_of(kept(folder, ELSEWHERE)))
         if run is None or known["run"] == run:
@@ -115,7 +116,7 @@ def _waiting(entry: list[Json]) -> _Waiting:
 
 
 def _found(around: OpenFolder, name: str) -> str | None:
-    """The digest of a file, None where there is none; empty where it cannot be told, so that the file is left alone."""
+    """The digest of a file, None if there is none; empty if it cannot be determined, so that the file is left alone."""
     try:
         return digest(around.read(name, OUTPUT))
     except FileNotFoundError:

@@ -51,7 +51,7 @@ def value_refused(owner: str, name: str, value: object, error: TypeError) -> Fea
 
 
 def is_another_load(kind: ecore.EClassifier | None, expected: ecore.EClassifier | None) -> bool:
-    """Whether two types that are not the same have the same name in packages of one namespace."""
+    """Whether two different types have the same name in packages with the same namespace."""
     if kind is None or expected is None or kind is expected or kind.name != expected.name:
         return False
     return (kind.ePackage.nsURI if kind.ePackage else None) == (expected.ePackage.nsURI if expected.ePackage else None)
@@ -65,7 +65,7 @@ _CACHE: dict[type, dict[str, Any]] = {}
 
 
 def declared_features(cls: type) -> dict[str, Any]:
-    """Feature name -> its enumeration, or None where it is of another type."""
+    """Feature name -> its enumeration, or None if it is of another type."""
     known = _CACHE.get(cls)
     if known is None:
         known = {}

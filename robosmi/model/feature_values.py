@@ -1,8 +1,9 @@
-"""What a many-valued feature of an element holds: pyecore's collections, which take the operations of queries, too.
+"""The collections of many-valued features: pyecore's, extended by the operations of queries.
 
-`book.authors.select(...)` is asked of a collection that queries make of the values (`robosmi.query.collections.collection`); this
-room does not know queries, so that they say how at their import (`queried_by`). Methods of pyecore's collections stay as they are
-(`append`, `remove`, `index`), but for `select`, `reject` and `count`, which there give plain lists or take no function.
+`book.authors.select(...)` is delegated to a collection that the query package makes from the values
+(`robosmi.query.collections.collection`). This package does not depend on queries, so they register themselves when imported
+(`queried_by`). Methods of pyecore's collections keep their meaning (`append`, `remove`, `index`), except for `select`, `reject`
+and `count`, which return plain lists or take no function there.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ _query: Callable[[Any], Any] | None = None
 
 
 def queried_by(view: Callable[[Any], Any]) -> None:
-    """Say what makes a collection of queries of the values of a feature."""
+    """Register the function that makes a query collection from the values of a feature."""
     global _query
     _query = view
 

@@ -83,7 +83,7 @@ def is_abstract(eclass: EClass) -> bool:
 
 
 def is_off(element: EObject, name: str) -> bool:
-    """Whether a flag that is on by default was switched off; pyecore says False of what was never set as well."""
+    """Whether a flag that is on by default was switched off; pyecore returns False also for one that was never set."""
     feature = type(element).__dict__.get(name) or dynamic_attribute(type(element), name)
     return feature in set_features_of(element) and not dynamic_attribute(element, name)
 

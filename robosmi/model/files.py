@@ -1,6 +1,6 @@
-"""A file on disk, whole or not at all, and what inputs and relative paths are. Folders of files are in `commit`.
+"""Writes single files atomically, and checks inputs and relative paths.
 
-A reader never sees half a file, and a run that fails leaves what was there. No model, no template here.
+Folders of files are written by `commit`. A reader never sees a partial file, and a failing run keeps the old one.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
 
 ANOTHER_NAME = "give the result another name, or move that file away"
-"""What to do where something stands in a result's place."""
+"""The advice if something blocks the path of a result."""
 
 
 def digest(data: bytes) -> str:
@@ -75,7 +75,7 @@ def write_atomic(path: Path, data: bytes) -> None:
 
 
 def refuse_link(path: Path) -> None:
-    """Make sure that no link stands where a result is to be written: it would be replaced, or written through.
+    """Make sure that the path of a result is not a link, which would be replaced, or written through.
 
     Raises:
         StoppedError: it is a link, wherever it leads.

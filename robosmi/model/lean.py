@@ -72,15 +72,15 @@ _new = object.__new__
 _NOTHING: Any = object()
 
 REFUSAL = "_refusal"
-"""Key in the `__dict__` of a read-only element: a function of it and a feature's name that makes the error of a change."""
+"""Key in the `__dict__` of a read-only element: a function of the element and a feature's name that makes the error."""
 BARE: frozenset[type[int | str | float | EEnumLiteral]] = frozenset([int, str, bool, float, EEnumLiteral])
-"""Classes of the values that lie bare in an element, by their exact class."""
+"""Exact classes of the values that are stored in an element without a holder."""
 
 
 _HOLDS_ONE = frozenset({EValue, AttributeValue, ReferenceValue, ContainedValue})
-"""Classes of holders that give what they hold and do nothing else when they are read, by their exact class."""
+"""Exact classes of holders whose value can be read without side effects."""
 _HOLDS_MANY = frozenset({FeatureOrderedSet, FeatureList})
-"""Classes of collections that are themselves what is read."""
+"""Exact classes of collections that are returned as they are when a feature is read."""
 
 
 def _value_of(self: EAttribute, instance: EObject, owner: type | None = None) -> Any:
@@ -128,13 +128,13 @@ _QuickReference: type = _Quiet(EReference.__name__, (EReference,), {"__get__": _
 
 
 def quick(feature: EStructuralFeature) -> None:
-    """Let a reference be read the short way; one that is computed stays pyecore's."""
+    """Let a reference be read without pyecore's extra calls, unless it is derived."""
     if feature.__class__ is EReference and not (feature.derived or feature.volatile):
         feature.__class__ = _QuickReference
 
 
 def bare(feature: EStructuralFeature) -> bool:
-    """Whether values of the feature may lie bare in elements from now on, which is for attributes of one value alone."""
+    """Let values of a feature be stored without a holder from now on; returns whether it is a single-valued attribute."""
     if feature.__class__ is EAttribute and not (feature.many or feature.derived or feature.volatile):
         feature.__class__ = _BareAttribute
     return feature.__class__ is _BareAttribute
@@ -188,7 +188,7 @@ def plain_value(slot: Any) -> Any:
 
 
 class _Made:
-    """A container that is made when it is first asked for, and then is an ordinary attribute."""
+    """Descriptor of a container that is created on first access and then is an ordinary attribute."""
 
     def __init__(self, name: str, make: Callable[[EObject], Any]) -> None:
         self.name = name
@@ -202,7 +202,7 @@ class _Made:
 
 
 def _set_features(element: EObject) -> Any:
-    """The features that were given a value: bare ones, those with a holder or collection of ours, collections with something."""
+    """The features that have been set, determined from the slots."""
     found = FeatureSet()
     cls = element.__class__
     for name, value in element.__dict__.items():
@@ -219,7 +219,7 @@ def _set_features(element: EObject) -> Any:
 
 
 def _back_links(element: EObject) -> Any:
-    """Who refers to the element by references without opposite, as `note_link` and containers noted it."""
+    """The elements that refer to this one by references without opposite, as recorded by `note_link` and containers."""
     slots = element.__dict__
     found = set(slots.pop("_linked", ()))
     if (birth := slots.pop("_birth", None)) is not None:
@@ -228,11 +228,11 @@ def _back_links(element: EObject) -> Any:
 
 
 def note_link(target: EObject, link: tuple[EObject, EStructuralFeature]) -> None:
-    """Let an element know who refers to it by a reference without opposite.
+    """Record on an element that another one refers to it by a reference without opposite.
 
     Args:
         target: the element.
-        link: who refers, and by which feature.
+        link: the referring element and its feature.
     """
     slots = target.__dict__
     if INVERSE_REFERENCES in slots:
@@ -246,7 +246,7 @@ def note_link(target: EObject, link: tuple[EObject, EStructuralFeature]) -> None
 
 
 class _Own:
-    """Says one thing of an element and another of its class, as pyecore does with a field of the same name in both."""
+    """Descriptor with one value for the class and another for its elements, like pyecore's fields of the same name in both."""
 
     def __init__(self, of_class: Any, of_element: Any) -> None:
         self.of_class = of_class
@@ -306,7 +306,7 @@ def _literal_of(enum: EEnum) -> Callable[[str], EEnumLiteral | None]:
 
 @contextmanager
 def collector_at_rest() -> Iterator[None]:
-    """Cyclic garbage collection rests meanwhile: elements are full of cycles, and none of them is garbage yet."""
+    """Context manager: suspends cyclic garbage collection, since elements form many cycles that are no garbage yet."""
     was_on = gc.isenabled()
     gc.disable()
     try:

@@ -1,4 +1,4 @@
-"""EMF elements made and taken apart outside of any model: `new` and `unlink`. Extents are `emf`'s business."""
+"""Creates and removes EMF elements outside of any model: `new` and `unlink`. Extents are handled by `emf`."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def of_ecore(cls: type) -> Any:
 
 
 def as_data(classifier: EObject) -> None:
-    """Let what is said of a class or enumeration of a metamodel that is a model have no effect on Python's classes."""
+    """Keep changes of a class or enumeration of a metamodel that is edited as a model from affecting Python's classes."""
     if isinstance(classifier, (ecore.EClass, ecore.EEnum)) and classifier in first_listeners_of(classifier):
         first_listeners_of(classifier).remove(classifier)
 

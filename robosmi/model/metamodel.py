@@ -80,7 +80,7 @@ class Metamodel(Metamodels):
 
     @classmethod
     def of(cls, packages: Packages) -> Metamodel:
-        """A metamodel of what is given: a `Metamodel` as it is, `Metamodels`, packages, or one package."""
+        """Make a metamodel of the argument: a `Metamodel` (returned as it is), `Metamodels`, packages, or one package."""
         if isinstance(packages, Metamodel):
             return packages
         if isinstance(packages, Metamodels):

@@ -1,8 +1,8 @@
-"""EMF elements that are built when somebody asks for them, and that nobody can change.
+"""Read-only EMF elements whose parts are built on demand.
 
-A driver builds an element with stand-ins in the place of parts that are not wanted yet (`stand_in`); `settle` turns these into
-promises, which pyecore's own attribute access keeps at the first look, once. Every slot is then read-only, with a clear error.
-Which parts can wait, and how they are built, is the driver's business.
+A driver builds an element with stand-ins for parts that are not needed yet (`stand_in`); `settle` turns these into promises,
+which are fulfilled when pyecore's attribute access first reads them. After that every slot is read-only, with a clear error.
+The driver decides which parts can wait and how they are built.
 """
 
 from __future__ import annotations
@@ -43,13 +43,13 @@ def refused(element: EObject, name: str) -> ReadOnlyError:
 
 
 class Promise(Slot):
-    """A slot whose value is made when it is asked for.
+    """A slot whose value is made when it is first read.
 
     Args:
-        element: whose slot it is.
-        feature: of that element.
-        make: gives the value; for a feature of many an iterable.
-        hint: whatever the driver needs to decide whether it must be kept.
+        element: the element that has the slot.
+        feature: its feature.
+        make: makes the value; for a many-valued feature an iterable.
+        hint: data by which the driver decides whether to fulfil it.
     """
 
     __slots__ = ("element", "feature", "hint", "make")
@@ -62,11 +62,11 @@ class Promise(Slot):
         element.__dict__[key_of(feature)] = self
 
     def value(self) -> Any:
-        """The value, made now."""
+        """Make the value."""
         return self.make()
 
     def read(self) -> Any:
-        """The value, which lies in the slot from now on."""
+        """The value, which is stored in the slot from now on."""
         try:
             value = self.value()
         except AttributeError as error:  # pyecore would take the promise itself for the value
@@ -78,25 +78,25 @@ class Promise(Slot):
         return held if held.__class__ in BARE else read(held)
 
     def assign(self, value: Any) -> None:
-        """Refused."""
+        """Raise the error for a change."""
         raise refused(self.element, key_of(self.feature))
 
 
 class OnDemandLink(Promise):
-    """A promise whose value is found by the element and the feature alone, so that many can share how (`make`)."""
+    """A promise whose value is determined by the element and the feature, so that many can share one function (`make`)."""
 
     __slots__ = ()
 
     def value(self) -> Any:
-        """The value, found now."""
+        """Find the value."""
         return self.make(self.element, self.feature)
 
 
 class ReadOnlyValue(GuardedValue):
-    """A holder of one value that nobody can change."""
+    """An immutable holder of one value."""
 
     def assign(self, value: Held) -> None:
-        """Refused."""
+        """Raise the error for a change."""
         raise refused(self.owner, key_of(self.feature))
 
 
@@ -124,7 +124,7 @@ def _collection(owner: EObject, feature: EStructuralFeature, values: Iterable[An
 
 
 def fill(element: EObject, feature: EStructuralFeature, value: Any) -> None:
-    """Put a value into a slot for good; contained elements learn of their container."""
+    """Store a value permanently in a slot, and set the container of contained elements."""
     values = list(value) if feature.many else [] if value is None else [value]
     if feature.is_reference and feature.containment:
         for child in values:
@@ -145,7 +145,7 @@ def fill(element: EObject, feature: EStructuralFeature, value: Any) -> None:
 
 @kept
 def _stand_ins(cls: Any) -> Any:
-    """A class whose elements stand for parts that are built later; `cls` is a class that every place for such a part takes."""
+    """The class of stand-ins for elements of a class; being a subclass, they are accepted wherever it is."""
     quiet: Any = type("Quiet", (cls.__class__,), {"__init__": type.__init__})  # it becomes part of no metamodel
     made = quiet(f"Later{cls.__name__}", (cls,), {})
     prepare(made)
@@ -153,7 +153,13 @@ def _stand_ins(cls: Any) -> Any:
 
 
 def stand_in(cls: type, make: Callable[[], Any], hint: Any) -> Any:
-    """A stand-in for a part."""
+    """Make a stand-in for an element that is built later.
+
+    Args:
+        cls: the class of the element.
+        make: builds it.
+        hint: data for the driver, see `Promise`.
+    """
     made = object.__new__(_stand_ins(cls))
     slots = made.__dict__
     slots["_make"], slots["_hint"] = make, hint
@@ -161,11 +167,11 @@ def stand_in(cls: type, make: Callable[[], Any], hint: Any) -> Any:
 
 
 def settle(element: EObject, links: Callable[[Any, Any], Any] | None = None) -> Any:
-    """Make an element that was just built, with all it contains already, read-only, its stand-ins into promises.
+    """Make a newly built element and its contents read-only, and turn its stand-ins into promises.
 
     Args:
         element: the element.
-        links: finds the value of a cross reference, given the element and the feature; None if they have their values.
+        links: finds the value of a cross reference, given the element and the feature; None if they are set already.
 
     Returns:
         The element.
@@ -201,9 +207,9 @@ _READ_ONLY = (Promise, ReadOnlyValue, ReadOnlySet, ReadOnlyList)
 
 @kept
 def _held(cls: Any) -> list[tuple[Any, str, bool, bool]]:
-    """The features of a class whose slots must be made read-only one by one; that metamodel does not change any more.
+    """The features of a class whose slots must be made read-only individually; cached, so its metamodel must not change.
 
-    Each with its slot, whether it is a cross reference, whether it contains elements.
+    Each with the key of its slot, whether it is a cross reference, and whether it is a containment.
     """
     features = [f for f in all_features(cls.eClass) if f.is_reference or not bare(f)]
     return [(f, key_of(f), _is_link(f), bool(f.is_reference and f.containment)) for f in features]
@@ -216,14 +222,14 @@ def _is_link(feature: EStructuralFeature) -> bool:
 
 
 def _parts(slot: Any, feature: EStructuralFeature) -> list[Any]:
-    """The elements that a slot of containment contains already."""
+    """The already built elements in a containment slot."""
     if isinstance(slot, Promise):
         return []
     return list(slot) if feature.many else [] if target_in(slot) is None else [target_in(slot)]
 
 
 def _promised(element: EObject, feature: EStructuralFeature, slot: Any) -> list[Any] | None:
-    """Turn a slot with stand-ins into a promise; the elements in it that are built already, or None if there was no stand-in."""
+    """Turn a slot with stand-ins into a promise; returns its already built elements, or None if it has no stand-in."""
     parts: list[Any] = list(slot) if feature.many else [target_in(slot)]
     if not any(part is not None and "_make" in part.__dict__ for part in parts):
         return None
@@ -239,12 +245,12 @@ def _promised(element: EObject, feature: EStructuralFeature, slot: Any) -> list[
 
 @kept
 def _empty(cls: Any, name: str, feature: EStructuralFeature) -> Any:
-    """The slot of a feature without a value; all elements of a class share it."""
+    """The slot of a feature without a value, shared by all elements of a class."""
     if feature.many:
         return _collection(_Anyone(cls), feature, ())
     return ReadOnlyValue(_Anyone(cls), feature)
 
 
 def _Anyone(cls: type) -> Any:
-    """Stands for the owner of shared slots in messages."""
+    """A dummy owner of shared slots, whose class name appears in messages."""
     return object.__new__(type(cls.__name__, (), {}))

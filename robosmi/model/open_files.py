@@ -1,7 +1,7 @@
-"""The model files that belong together in a session: a reference to one of them leads to the elements that are there already.
+"""The open model files of a session: a reference to one of them resolves to the elements that are loaded already.
 
-What EMF's resource set does by loading each file once. Which file finds which driver is `opening`'s business, and how a reference
-is resolved `xmi_links`'.
+EMF's resource set has the same effect by loading each file once. `opening` selects drivers, and `xmi_links` resolves
+references.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class OpenFiles:
         return Document(path, model.roots, ids)
 
     def _document(self, path: Path) -> Document | None:
-        """What was read of a file, as long as the file is the same."""
+        """The document read from a file, if the file is unchanged since."""
         document, digest = self._read.get(path, (None, ""))
         return document if document is not None and _digest(path) == digest else None
 
@@ -85,7 +85,7 @@ class OpenDocuments:
         return self._found[path]
 
     def leave(self, paths: Iterable[Path]) -> None:
-        """Let files be read anew: of those that are to be contained, since an element of an open model stays where it is."""
+        """Read these files again instead of using open models, whose elements cannot be moved into another container."""
         self._found |= dict.fromkeys(paths)
 
 

@@ -1,9 +1,9 @@
-"""A folder that is held open while a run writes in it: files below it are reached from there, and no link is followed.
+"""A folder that is kept open while a run writes in it: its files are accessed relative to it, without following links.
 
-A path is looked up anew each time it is used, so who may write in the folder can put a link in the place of a folder between a
-look at it and the writing. Here each folder on the way is opened from the one before it, without following links. A link that
-was there before, and stays inside, is resolved first. Where a system cannot open folders, paths are looked at and then used.
-What is written in which order is told by `commit` and `recovery`.
+A path is resolved anew each time it is used, so somebody with write access could replace a folder by a link between a check and
+the write. Here each folder on the path is opened from its parent, without following links. Links that existed before and stay
+inside are resolved first. On systems where folders cannot be opened, paths are checked and then used. `commit` and `recovery`
+decide what is written in which order.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _HELD = {os.open, os.mkdir, os.rename, os.unlink, os.stat, os.rmdir} <= os.suppo
 _FOLDER = os.O_RDONLY | inputs.flags("O_DIRECTORY", "O_NOFOLLOW", "O_CLOEXEC")
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | inputs.flags("O_NOFOLLOW", "O_CLOEXEC")
 _KEPT = 4
-"""How many folders below it are kept open at most: a process may have few open files."""
+"""Limit on the subfolders kept open, since a process may open few files."""
 _ODD = {stat.S_IFDIR: "a folder", stat.S_IFLNK: "a link"}
 
 
@@ -58,7 +58,7 @@ class OpenFolder:
     # --- looking
 
     def look(self, name: str) -> os.stat_result | None:
-        """What the system says of a file, folder or link; None where there is none.
+        """The system's status of a file, folder or link; None if there is none.
 
         Raises:
             SourceError: a link leads out of the folder.

@@ -1,7 +1,7 @@
-"""Order in graphs whose ways may be long or lead in circles: what comes before what.
+"""Orders the nodes of graphs that may be deep or have cycles, without recursion.
 
-Nothing recurses, and nothing is known of models: inheritance, inclusion and use are walked here for metamodels, rules, modules
-and macros alike. The order of a chain's steps, which is to be shown as a graph too, is networkx's.
+Used for inheritance, inclusion and use, in metamodels, rules, modules and macros. The order of a chain's steps, whose graph is
+also shown, is computed with networkx.
 """
 
 from __future__ import annotations
@@ -15,13 +15,12 @@ T = TypeVar("T")
 def post_order(
     starts: Iterable[T], following: Callable[[T], Sequence[T]], on_circle: Callable[[list[T]], object] | None = None
 ) -> Iterator[T]:
-    """All that can be reached, each once, behind what it leads to.
+    """All reachable nodes without duplicates, each after its successors.
 
     Args:
         starts: where to begin, in order.
-        following: what one leads to, in the order in which it is to come.
-        on_circle: is told of a way that comes back to where it began, from there to there, and may raise; such a way is not
-            followed any further.
+        following: the successors of a node, in order.
+        on_circle: called with each cycle that is found, from a node to the same node; it may raise. The cycle is not followed.
     """
     done: set[T] = set()
     way: dict[T, None] = {}  # those that are begun, each led to by the one before

@@ -1,8 +1,8 @@
-"""Which packages must wait for each other: circles of imports among the packages of a run.
+"""Finds import cycles among the packages of a run, which decide what packages have to wait for.
 
-A module imports its supertypes and data types while it defines its classes, and the types of its references afterwards. Where
-packages form a circle, references are linked when the last of them is defined; where they even inherit in a circle, supertypes
-are set then too. Only who waits for whom is decided here; how, is `strict_package`'s business.
+A module imports its supertypes and data types while its classes are defined, and the types of its references afterwards. In a
+cycle of packages, references are linked when the last package is defined; in a cycle of inheritance, supertypes are set then,
+too. `strict_package` implements the waiting.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from robosmi.model.ecore_description import Class, Package, is_known
 
 
 class Cycles:
-    """The circles among the packages.
+    """The import cycles among the packages.
 
     Args:
         packages: the outermost packages of the run.
@@ -29,15 +29,15 @@ class Cycles:
         self._all = _components(everything, linking)
 
     def waits_for(self, package: Package) -> list[Package]:
-        """The other packages of its circle, in the order of their names; empty where there is no circle."""
+        """The other packages of a package's cycle, sorted by name; empty if it is in no cycle."""
         return sorted((p for p in self._all[package] if p is not package), key=lambda p: p.path)
 
     def supertype_is_late(self, package: Package, of: Package) -> bool:
-        """Whether a supertype in another package cannot be there when the classes are defined."""
+        """Whether a supertype in another package may be undefined when the package's classes are defined."""
         return of is not package and of in self._inheritance[package]
 
     def data_type_is_late(self, package: Package, of: Package) -> bool:
-        """Whether a data type in another package cannot be there when the classes are defined."""
+        """Whether a data type in another package may be undefined when the package's classes are defined."""
         return of is not package and of in self._definition[package]
 
 

@@ -79,7 +79,7 @@ class Links:
             self._operations.append(call(self._scope.symbol(PARTS, "operations", "link"), [own, *made], self._indent))
 
     def _late(self, base: Class) -> str:
-        """A base class by a path of its own, since its name stands for something else at the top of the module."""
+        """An expression for a base class by its full path, since its plain name is used for something else in the module."""
         if base.package is self._package:
             return self._names[base]
         module = self._scope.relative(base.package)

@@ -32,7 +32,7 @@ from robosmi.typed import dynamic_attribute
 _FLAGS = {"ordered": True, "unique": True, "changeable": True} | dict.fromkeys(
     ("derived", "transient", "volatile", "unsettable"), False
 )
-"""Flag of a feature -> what Ecore has where nothing is said."""
+"""Flag of a feature -> its default in Ecore."""
 
 
 class FeatureText(Struct):
@@ -176,7 +176,7 @@ class ClassMembers:
 
 
 def _keys(cls: Class, names: PackageNames) -> dict[str, set[Hashable]]:
-    """Python name -> what the ancestors declare under it."""
+    """Python name -> the declarations of the ancestors under that name."""
     found: dict[str, set[Hashable]] = {}
     for base in cls.ancestors():
         for feature in base.features:
@@ -187,7 +187,7 @@ def _keys(cls: Class, names: PackageNames) -> dict[str, set[Hashable]]:
 
 
 def _key(typed: Typed) -> Hashable:
-    """Equal for members that type checkers take for the same."""
+    """A key that is equal for members that a type checker considers the same."""
     own = (typed.classifier, typed.many, may_be_none(typed, typed.default if isinstance(typed, Feature) else None))
     if isinstance(typed, Operation):
         return ("operation", *own, *((p.name, _key(p)) for p in typed.parameters))

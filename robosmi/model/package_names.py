@@ -1,7 +1,7 @@
-"""Which Python name everything of a run of the generator has: packages, classifiers, features, operations, literals.
+"""The Python names of everything in a run of the generator: packages, classifiers, features, operations, literals.
 
-`PackageNames` is for the whole run, `Scope` for one generated module: it decides under which name the module knows what it
-imports, so that a class called `Element` or a feature called `str` hides nothing. The escape rule itself is `python_names`'.
+`PackageNames` is for the whole run, `Scope` for one generated module: it chooses local names for imports, so that a class
+called `Element` or a feature called `str` hides nothing. The escape rule itself is in `python_names`.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ class PackageNames:
         return names[::-1]
 
     def _give(self, elements: Sequence[DescribedElement], reserved: Collection[str], taken: Collection[str] = ()) -> None:
-        """Give each of these its name; those that can keep theirs come first."""
+        """Assign a name to each element; those that can keep their own are handled first."""
         used = set(taken)
         for keep in (True, False):
             for element in elements:
@@ -56,7 +56,7 @@ class PackageNames:
                     used.add(name)
 
     def _members(self, cls: Class) -> None:
-        """Features first, then operations; what redefines an inherited one has its name."""
+        """Name features, then operations; a redefined member has the name of the inherited one."""
         features = {f.name: self[f] for base in cls.ancestors() for f in base.features}
         operations = {o.name: self[o] for base in cls.ancestors() for o in base.operations}
         self._names |= {f: features[f.name] for f in cls.features if f.name in features}

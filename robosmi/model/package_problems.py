@@ -1,6 +1,6 @@
-"""Why no Python package can be made of a metamodel: reasons beside those of reading it, all with place and remedy.
+"""The reasons why no Python package can be made of a valid metamodel, each with place and remedy.
 
-What can be made otherwise (an escaped name, a feature left out) is no reason; it becomes a note of the generator.
+What can be made differently (an escaped name, a feature left out) is no reason but a note of the generator.
 """
 
 from __future__ import annotations

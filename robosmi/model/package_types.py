@@ -1,6 +1,6 @@
-"""Ecore's types as Python's: annotations, the objects that pyecore wants as `eType`, and default values.
+"""Maps Ecore's types to Python: annotations, the objects that pyecore needs as `eType`, and default values.
 
-Tables and small functions over descriptions. What cannot be said gives a note, never a guess; the notes go to the report.
+Tables and small functions over descriptions. What cannot be expressed leads to a note in the report, never to a guess.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Texts packed with gzip, read line by line within bounds. What a line means is told by who reads it."""
+"""Reads gzip-compressed text line by line with size limits. The caller interprets the lines."""
 
 from __future__ import annotations
 

@@ -67,7 +67,7 @@ class XmlElement(ModelElement):
         return [*attributes, *_PLAIN, *tags]
 
     def appendChild(self, child: XmlElement) -> XmlElement:
-        """Put an element behind the children of this one, wherever it was before.
+        """Append an element to this one's children, removing it from its previous parent.
 
         Raises:
             ModelError: it is no element of this model, or contains this one.
@@ -193,7 +193,7 @@ class XmlModel(Model):
         return model
 
     def save(self, path: str | Path | None = None) -> None:
-        """Write the document as it stands, elements that are in no other left out; see `Model.save`."""
+        """Write the current document, without elements that have no parent; see `Model.save`."""
         from robosmi.model.files import write_atomic
 
         write_atomic(self._target(path), self.to_bytes())

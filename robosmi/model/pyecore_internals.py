@@ -53,7 +53,7 @@ if TYPE_CHECKING:
         """Features in the order in which they were added."""
 
         def add(self, feature: EStructuralFeature) -> None:
-            """Put a feature behind the others, unless it is there."""
+            """Append a feature, unless it is present."""
 
 
 CONTAINER = "_container"
@@ -69,7 +69,7 @@ SET_FEATURES = "_isset"
 INVERSE_REFERENCES = "_inverse_rels"
 """Field of an element: pairs of an element and its feature that refer to this one and have no opposite."""
 FIRST_LISTENERS = "_eternal_listener"
-"""Field of elements and resources: who is told of changes before the `listeners`."""
+"""Field of elements and resources: the listeners notified before `listeners`."""
 IS_STATIC = "_staticEClass"
 """Field of a class: whether it was generated, and is not changed when its EClass is."""
 FIELDS = frozenset(
@@ -84,7 +84,7 @@ ASSIGN = "_set"
 
 
 def _reader(field: str) -> Callable[[Any], Any]:
-    """A function that reads a field, without a step in Python; what it gives is said where it is named."""
+    """A function, implemented in C, that reads a field; its result is documented where it is used."""
     return attrgetter(field)
 
 
@@ -101,9 +101,9 @@ set_features_of: Callable[[EObject], Features] = _reader(SET_FEATURES)
 inverse_references_of: Callable[[EObject], set[tuple[EObject, EStructuralFeature]]] = _reader(INVERSE_REFERENCES)
 """The pairs of an element and its feature without opposite that refer to an element."""
 first_listeners_of: Callable[[EObject], list[Listener | EObject]] = _reader(FIRST_LISTENERS)
-"""Who is told of changes of an element first."""
+"""The listeners of an element that are notified first."""
 key_of: Callable[[EStructuralFeature], str] = _reader("_name")
-"""The key of a feature's slot: the feature's name, or another one where that name is taken."""
+"""The key of a feature's slot: the feature's name, or another one if that is taken."""
 declared_type_of: Callable[[EStructuralFeature], EClassifier | None] = _reader("_eType")
 """The `eType` of a feature as it was declared, a proxy unresolved; None if it has a generic type."""
 value_in: Callable[[EValue], Scalar] = _reader("_value")
@@ -113,7 +113,7 @@ target_in: Callable[[EValue], EObject | None] = _reader("_value")
 read: Callable[[Any], Any] = methodcaller("_get")
 """The value of a slot, or the collection in it."""
 proxied: Callable[[EObject], Any] = _reader("_wrapped")
-"""What a resolved proxy stands for."""
+"""The element that a resolved proxy stands for."""
 proxy_place: Callable[[EObject], tuple[str, ReadResource | None]] = attrgetter("_proxy_path", "_proxy_resource")
 """The URI of a proxy, and the resource that resolves it."""
 
@@ -137,24 +137,24 @@ def is_static(cls: type) -> bool:
 
 
 def hold(holder: EValue, value: Argument) -> None:
-    """Put a value into an `EValue`, without a check and a notification."""
+    """Store a value in an `EValue` without check and notification."""
     held: Any = holder
     held._value = value
 
 
 def contain(element: Any, container: EObject, feature: EStructuralFeature) -> None:
-    """Let an element say where it is contained, without a word to its container."""
+    """Set the container of an element without changing the container."""
     element._container = container
     element._containment_feature = feature
 
 
 def set_key(feature: Any, key: str) -> None:
-    """Let a feature have another slot than that of its name."""
+    """Give a feature's slot another key than its name."""
     feature._name = key
 
 
 def set_own_resource(element: Any, resource: Any) -> None:
-    """Let an element be a root of a resource, or of none."""
+    """Make an element a root of a resource, or of none."""
     element._eresource = resource
 
 
@@ -164,7 +164,7 @@ def set_xmi_id(element: Any, identity: str | None) -> None:
 
 
 def set_first_listeners(element: Any, listeners: list[Any]) -> None:
-    """Say who is told of changes of an element first."""
+    """Set the listeners of an element that are notified first."""
     element._eternal_listener = listeners
 
 
@@ -192,7 +192,7 @@ def add_silently(collection: Any, value: Scalar) -> bool:
 
 
 def fill_silently(collection: Any, values: Sequence[Scalar]) -> None:
-    """Let a collection hold exactly these values, without check, opposite and notification."""
+    """Set the content of a collection without check, opposite and notification."""
     if isinstance(collection, list):
         list.clear(collection)
         list.extend(collection, values)
@@ -270,7 +270,7 @@ _FIELDS = {"name": "_name", "eType": "_eType", "upperBound": "_many_cache"}
 
 
 def _follow(feature: EObject, key: str, value: Argument) -> None:
-    """Let what follows an attribute of a feature follow: its field, and the back reference of its type."""
+    """Update what depends on an attribute of a feature: its field, and the back reference of its type."""
     if key in _FIELDS:
         setattr(feature, _FIELDS[key], not 0 <= value <= 1 if isinstance(value, int) else value)
     if isinstance(value, EClassifier):
@@ -278,7 +278,7 @@ def _follow(feature: EObject, key: str, value: Argument) -> None:
 
 
 def _is_own(name: str) -> bool:
-    """Whether a field of an element is its own, and not to be copied to another."""
+    """Whether a field belongs to one element only and must not be copied to another."""
     return name in FIELDS or name in ("listeners", "dyn_inst")
 
 
@@ -322,13 +322,13 @@ def promote(cls: type[EObject], root: type) -> None:
 
 
 def _are_all(features: dict[str, EStructuralFeature], names: list[str]) -> bool:
-    """Whether a class has these features alone, which no class has yet, beside what Python itself gives each class."""
+    """Whether a class consists of exactly these features, none of which another class has, besides Python's own attributes."""
     new = all(feature.__class__ in (EAttribute, EReference) and container_of(feature) is None for feature in features.values())
     return new and all(key in features or key[:2] == "__" for key in names)
 
 
 def _slot(owner: EObject, feature: EStructuralFeature, is_ref: bool, is_cont: bool, value: Argument) -> EValue:
-    """A holder as its constructor makes it, with a value."""
+    """A holder with a value, as its constructor makes it."""
     slot = object.__new__(EValue)
     slot.owner, slot.feature, slot.is_ref, slot.is_cont, slot.generic_type = owner, feature, is_ref, is_cont, None
     hold(slot, value)
@@ -336,14 +336,14 @@ def _slot(owner: EObject, feature: EStructuralFeature, is_ref: bool, is_cont: bo
 
 
 def _put(element: EObject, feature: EStructuralFeature, value: Value) -> None:
-    """Put a value into an element that nobody listens to, without a check; what a reference leads to is not told."""
+    """Store a value in an element without listeners, without a check and without updating the target of a reference."""
     is_ref = feature.is_reference
     element.__dict__[key_of(feature)] = _slot(element, feature, is_ref, is_ref and feature.containment, value)
     set_features_of(element).add(feature)
 
 
 def _collect(element: EObject, feature: EStructuralFeature) -> ECollection[EObject]:
-    """Give an element an empty collection for a feature, as set."""
+    """Give an element an empty collection for a feature, marked as set."""
     made: ECollection[EObject] = ECollection.create(element, feature)
     element.__dict__[key_of(feature)] = made
     set_features_of(element).add(feature)
@@ -371,7 +371,7 @@ class Slot:
 
 
 class GuardedValue(EValue):
-    """A holder of one value that says itself what assigning does."""
+    """A holder of one value with an assignment method of its own."""
 
     def _set(self, value: Any, update_opposite: bool = True) -> None:
         self.assign(value)
@@ -382,7 +382,7 @@ class GuardedValue(EValue):
 
 
 class ListenedTo:
-    """What pyecore's notifications ask of a resource: who listens."""
+    """The attribute that pyecore's notifications need of a resource: its listeners."""
 
     def __init__(self, listeners: list[Any]) -> None:
         self.listeners = listeners

@@ -1,8 +1,8 @@
-"""What a text of a stranger may look at: which attributes of elements, collections, models and types read and change nothing.
+"""Which attributes of elements, collections, models and types an untrusted template or query may read: those without effects.
 
-Templates and queries ask here before they read an attribute. Of elements there are the features and operations of their class,
-and what a package's own code adds; of what the classes of pyecore and of this framework define only what is listed. What either
-language may do beyond (paths, texts, functions) is its own affair: `robosmi.generate.sandbox`, `robosmi.query.reachable`.
+Templates and queries call this before they read an attribute. Of elements, the features and operations of their class and
+additions of a package's own code are allowed; of what the classes of pyecore and of this framework define, only the listed
+names. Further rules of each language (paths, texts, functions) are in `robosmi.generate.sandbox` and `robosmi.query.reachable`.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ OF_ELEMENTS = frozenset(
      "eReferences", "findEOperation", "findEStructuralFeature", "getEAnnotation",
      "children", "line", "namespaceURI", "parentNode", "tagName", "text"]
 )  # fmt: skip
-"""What is not a feature of an element and reads: EMF's names of elements and of metamodels, then those of plain XML."""
+"""Readable attributes of elements that are not features: EMF's names for elements and metamodels, then those of plain XML."""
 OF_COLLECTIONS = frozenset(
     ["copy", "count", "difference", "index", "intersection", "isdisjoint", "issubset", "issuperset", "symmetric_difference",
      "union", "select", "reject"]
@@ -29,18 +29,18 @@ OF_COLLECTIONS = frozenset(
 _NOT_OF_COLLECTIONS = frozenset(
     ["owner", "feature", "is_ref", "is_cont", "generic_type", "birth", "items", "map", "add_all", "remove_all", "remove_at"]
 )
-"""What pyecore's collections keep for themselves, and operations of queries that change a collection."""
+"""Internal attributes of pyecore's collections, and query operations that change a collection."""
 OF_MODELS = frozenset(
     ["all", "all_contents", "all_of_kind", "all_of_type", "element", "find_type", "id_of", "literal", "name", "owns", "path",
      "roots", "type_names", "types"]
 )  # fmt: skip
 OF_TYPES = frozenset(["all", "all_instances", "all_of_kind", "all_of_type", "has", "name"])
 _BASES = ("pyecore.", "robosmi.model.")
-"""The modules whose classes elements inherit from. What they define changes and stores elements, too."""
+"""The modules whose classes elements inherit from, and whose members may also change and store elements."""
 
 
 _MADE = frozenset({"dyn_inst", "listeners", "python_class"})
-"""What pyecore puts into the classes that it makes."""
+"""Members that pyecore adds to the classes that it makes."""
 
 
 def of_models(obj: Any, attribute: str) -> bool | None:
@@ -67,13 +67,13 @@ def of_models(obj: Any, attribute: str) -> bool | None:
 
 
 def is_resource(obj: Any) -> bool:
-    """Whether an object is one of pyecore's resources: there are none before their module is imported, which takes long."""
+    """Whether an object is a pyecore resource; false before the module of resources is imported, which takes long."""
     module = sys.modules.get("pyecore.resources")
     return module is not None and isinstance(obj, (module.Resource, module.ResourceSet))
 
 
 def _is_own(element: EObject | ModelElement, name: str) -> bool:
-    """Whether a name is the element's own: of its metamodel or of its package's code, or, so that this is told, of nobody."""
+    """Whether a name belongs to the element's metamodel or its package's code, or is unknown, which is reported later."""
     if not isinstance(element, EObject):  # plain XML and tables have no metamodel, and features that no class defines
         return not hasattr(element.__class__, name) or name in element._features()
     kind = element.eClass

@@ -1,8 +1,8 @@
-"""What a run that writes begins with: it is alone in its output folder, and what a killed run had begun there is ended.
+"""The start of every writing run: gets exclusive access to the output folder, and completes what a killed run had begun there.
 
-New files wait in a folder of their own until a journal says what goes where (`commit`); what was begun is finished, or thrown
-away if there was no journal yet. A journal that no run of this user made for this folder (see `runs`) is reported and not
-carried out.
+New files wait in a folder of their own until a journal lists the moves (`commit`). An interrupted commit is completed, or
+discarded if there was no journal yet. A journal that no run of this user made for this folder (see `runs`) is reported and not
+executed.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ from robosmi.model.open_folder import OpenFolder, in_the_way
 from robosmi.model.runs import alone, forget, is_bound, is_own_stage, release
 
 STAGE = ".robosmi-commit"
-"""Folder with what is about to be moved into place; in the output folder, or beside one that is new (with its name behind)."""
+"""Name of the folder of files waiting to be moved: in the output folder, or beside a new one (with its name appended)."""
 JOURNAL = f"{STAGE}/journal.json"
 _FIX = "give another output folder, or check its permissions and the space on the disk"
 
 
 @contextmanager
 def at_work(folder: Path) -> Iterator[None]:
-    """From the recovery of an output folder to the end of a run: no other run of this user gets in between. May be nested.
+    """Context manager of a run, from recovery to its end: excludes other runs of this user. May be nested.
 
     Raises:
         StoppedError: another run is at work, or an interrupted one must be looked at (see `recover`).
@@ -43,7 +43,7 @@ def at_work(folder: Path) -> Iterator[None]:
 
 
 def recover(folder: Path) -> None:
-    """Finish what a killed run had begun to write, or throw it away where it had not begun.
+    """Complete a killed run's commit, or discard it if it had not begun to move files.
 
     Raises:
         StoppedError: that run is still at work, or its journal is not of this user, or was made for another folder.
@@ -63,7 +63,7 @@ def recover(folder: Path) -> None:
 
 @contextmanager
 def writing(folder: Path) -> Iterator[None]:
-    """Tell what the system says against writing into a folder as a fault of the place.
+    """Context manager: report system errors of writing into a folder as `SourceError`.
 
     Raises:
         SourceError: the system refused something.
@@ -78,7 +78,7 @@ def writing(folder: Path) -> Iterator[None]:
 
 @contextmanager
 def uninterrupted() -> Iterator[None]:
-    """Let interruptions by a person (and by the system's wish to end) wait until all files are in their places."""
+    """Context manager: delay interruptions by a person, and requests to terminate, until all files are in place."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
@@ -90,7 +90,7 @@ def uninterrupted() -> Iterator[None]:
 
 
 def look_only(folder: Path) -> None:
-    """Make sure that nothing is to be finished in a folder that is only read, as in a dry run, which finishes nothing.
+    """Make sure that no commit is pending in a folder that is only read, as in a dry run, which completes none.
 
     Raises:
         StoppedError: a run was interrupted there, or is at work.
@@ -103,17 +103,17 @@ def look_only(folder: Path) -> None:
 
 
 def interrupted(folder: Path) -> bool:
-    """Whether a killed run has left something to finish."""
+    """Whether a killed run has left a commit to complete."""
     return (folder / JOURNAL).is_file()
 
 
 def beside_of(folder: Path) -> Path:
-    """Where the files of a new folder wait until it is moved to its place."""
+    """The path where the files of a new folder wait until it is moved to its destination."""
     return folder.parent / f"{STAGE}-{folder.name}"
 
 
 def finish(held: OpenFolder) -> None:
-    """Move what the journal of a folder says; throw away what has no journal.
+    """Perform the moves in a folder's journal, or discard the waiting files if there is no journal.
 
     Raises:
         StoppedError: the journal is not of this user, or was made for another folder.

@@ -1,6 +1,6 @@
-"""What stands in the place of a pyecore resource for the roots of a model, so that pyecore's notifications reach it.
+"""Replaces pyecore's resource for the roots of a model, so that pyecore's notifications reach the model.
 
-`Home` is asked by pyecore for listeners and roots; `Watch` listens, also in pyecore's own resources. Neither knows the model.
+pyecore asks `Home` for listeners and roots; `Watch` is a listener, also in pyecore's own resources. Neither knows the model.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from robosmi.model.pyecore_internals import ListenedTo, set_own_resource
 
 
 class Watch:
-    """Hears of changes: `touched` says whether there was one, `changed` whether one was about containment."""
+    """A listener that records changes: `touched` for any change, `changed` for a change of containment."""
 
     __slots__ = ("changed", "touched")
 
@@ -29,7 +29,7 @@ class Watch:
 
 
 class Home(ListenedTo):
-    """What pyecore asks of a resource: who listens, and what its roots are."""
+    """The attributes that pyecore needs of a resource: listeners and roots."""
 
     def __init__(self, watch: Watch) -> None:
         super().__init__([watch])
@@ -45,7 +45,7 @@ class Home(ListenedTo):
 
 
 class _Roots:
-    """The roots of a home, in order; asking for one does not search."""
+    """The roots of a home, in order, with constant-time membership test."""
 
     def __init__(self) -> None:
         self._items: dict[int, Any] = {}
@@ -64,7 +64,7 @@ class _Roots:
         return list(self._items).index(id(root))
 
     def append(self, root: EObject) -> None:
-        """A new root."""
+        """Add a root."""
         self._items[id(root)] = root
 
     def remove(self, root: EObject) -> None:

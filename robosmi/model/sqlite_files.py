@@ -1,6 +1,6 @@
-"""SQLite files that are written once and then only read, with bytes that depend on their content alone.
+"""SQLite files that are written once and then only read; their bytes depend on the content alone.
 
-What is in them, and how it is looked up, is said by who writes and reads them (`recommend.index`, the catalogue of parts).
+The modules that write and read them (`recommend.index`, the catalogue of parts) define their content.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ def writing(target: Path, schema: str, application: int, number: int) -> Iterato
 
 
 def _forget_the_writer(path: Path) -> None:
-    """Level what depends on the writing program, not on the content: change counters and SQLite's own version."""
+    """Reset what depends on the writing program instead of the content: change counters and SQLite's own version."""
     with path.open("r+b") as file:
         file.seek(24)
         file.write(struct.pack(">I", 1))  # SQLite file format, section 1.3: file change counter

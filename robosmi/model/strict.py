@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from robosmi.model.xmi_plan import ClassPlan
 
     class _Base(ecore.EObject):
-        """What of pyecore's EObject the typed code uses; what contains an element and what it contains is strict, too."""
+        """The members of pyecore's EObject that typed code uses; containers and contents are strict elements, too."""
 
         _robosmi_plan: ClassVar[ClassPlan]
         _robosmi_layout: ClassVar[tuple[bool, list[Column]]]

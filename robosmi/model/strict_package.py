@@ -176,7 +176,7 @@ def interface(cls: _Type) -> _Type:
 
 
 def named(name: str) -> Callable[[_Type], _Type]:
-    """Class decorator: the EClass's name where it is no Python name."""
+    """Class decorator: the EClass's name, if it is not a valid Python name."""
 
     def rename(cls: _Type) -> _Type:
         classifiers = sys.modules[cls.__module__].eClassifiers
@@ -312,7 +312,7 @@ def operations(cls: Any, *made: Any) -> None:
 
 
 class Later:
-    """Stands for a base class of a package that is not there yet: the two inherit from each other."""
+    """Placeholder for a base class in a package that is not defined yet, because the two inherit from each other."""
 
     def __mro_entries__(self, bases: tuple[Any, ...]) -> tuple[type, ...]:
         real = any(not isinstance(base, Later) for base in bases)
@@ -320,13 +320,13 @@ class Later:
 
 
 def inherit(cls: Any, *bases: Any) -> None:
-    """Give a class its bases, now that they are there."""
+    """Set the base classes of a class, now that they are defined."""
     cls.__bases__ = bases
     _inherit(cls, bases)
 
 
 def _is_defined(module: str) -> bool:
-    """Whether the classes of a module are there, be it still importing."""
+    """Whether the classes of a module are defined, even if it is still being imported."""
     return attribute_of(sys.modules.get(module), "_defined", bool) or False
 
 

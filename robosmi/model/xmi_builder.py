@@ -1,7 +1,7 @@
-"""The rarer things that happen while an XMI file is read: named types, ids, values in elements, what is wrong with them.
+"""The rarer cases of reading an XMI file: named types, ids, values in elements, and errors in these.
 
-`Builder` is what `xmi_parser` calls when its straight way through a file ends; it knows plans and documents, and nothing of
-how expat hands out a file but the current line.
+`xmi_parser` calls `Builder` for everything off its fast path; it uses plans and documents, and of the parser only the current
+line.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ XMI_NAMESPACES = re.compile(r"http://(www\.omg\.org/XMI|(schema|www)\.omg\.org/s
 
 
 class Builder:
-    """What a pass over one file knows, and how it deals with what is rare.
+    """The state of reading one file, and the handling of rare cases.
 
     Args:
         path: the file.

@@ -1,6 +1,6 @@
-"""What the parts of the XMI reader hand to each other: documents, and why a file is no document.
+"""The data that the parts of the XMI reader share: documents, and the reasons why a file is no document.
 
-A document holds the elements of one file and what is still to be done about them. Nothing is read or resolved here.
+A document contains the elements of one file and the list of what is still unresolved. Nothing is read or resolved here.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from robosmi.model.ecore import DynamicEObject, EObject, Package
 from robosmi.model.xmi_plan import ClassPlan, FeatureEntry
 
 NO_MODEL = "give a model in XMI"
-"""What to do about a file that is no model."""
+"""The advice for a file that is no model."""
 Problem = Callable[[int, str], None]
 PackageOf: TypeAlias = "Callable[[str], Package | None]"
 """Namespace URI -> EPackage or generated module, or None."""

@@ -32,7 +32,7 @@ Root: TypeAlias = "EObject | ModuleType | Sequence[EObject | ModuleType]"
 """What a file of models is written from: a root element or several; a generated package stands for its EPackage."""
 Append: TypeAlias = "Callable[[str], None]"
 Piece: TypeAlias = "str | tuple[str, str, EObject]"
-"""What is written inside of an element: a text, or an element with the beginning of its start tag and its tag."""
+"""The content of an element: a text, or an element as (beginning of its start tag, tag)."""
 
 
 class Column:

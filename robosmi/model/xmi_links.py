@@ -193,7 +193,7 @@ class XmiLinker:
 
 
 def _move(many: Any, place: int) -> None:
-    """Put the last of a collection at its place."""
+    """Move the last value of a collection to its index."""
     items = list(many)
     items.insert(place, items.pop())
     fill_silently(many, items)

@@ -1,8 +1,8 @@
-"""Where elements are, as files say it: fragments (`//@units.0`), ids, hrefs to other files and to metamodels.
+"""The addresses of elements in files: fragments (`//@units.0`), ids, hrefs to other files and to metamodels.
 
-Follows EMF's rules: an xmi:id or the value of the ID attribute where there is one, else the way from the root. An id that
-EMF could not read back in a reference (it holds a space, `#` or `:`, or begins with `/`) is passed over for the way. Elements in
-no file are told apart here; what is done about them is the writer's part.
+It follows EMF's rules: an xmi:id or the value of the ID attribute if there is one, else the path from the root. An id that EMF
+could not read back in a reference (with a space, `#` or `:`, or beginning with `/`) is not used. Elements in no file are
+reported to the writer.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _SAFE = "/!$&'()*+,;=@~-._:"
 
 
 class Unplaced(Exception):
-    """An element that is in no file that is written, or not where its container says."""
+    """An element that is in none of the written files, or not where its container says."""
 
 
 class UnusableId(ValueError):
@@ -61,7 +61,7 @@ class XmiPlaces:
                 self._known[id(root)] = (name, f"/{index}" if len(roots) > 1 else "/")
 
     def keep(self, files: Collection[str]) -> None:
-        """Forget the places in all files but these, whose elements have not moved when the models are written again."""
+        """Forget the addresses in all files except these, whose elements have not moved when the models are written again."""
         roots = {key: place for key, place in self._known.items() if key in self.roots}
         self._known = roots | {key: place for key, place in self._known.items() if place[0] in files}
 
@@ -95,7 +95,7 @@ class XmiPlaces:
         return identity
 
     def _way(self, target: EObject) -> tuple[str, str]:
-        """Climb to the nearest element whose place is known, and note the places of all on the way down again."""
+        """Climb to the nearest element with a known address, and store the addresses of all elements on the way back."""
         climbed: list[EObject] = []
         one = target
         while id(one) not in self._known:
@@ -150,7 +150,7 @@ def _identity_of(eclass: EClass) -> _Identity | None:
 
 
 class _Step:
-    """How a containment feature stands in a fragment: `/@units.` before the index."""
+    """How a containment feature appears in a fragment: `/@units.` before the index."""
 
     __slots__ = ("is_plain", "key", "keys", "many", "text")
 
@@ -173,7 +173,7 @@ def shown(element: EObject | None) -> str:
 
 
 def _rest(step: _Step, slot: EValue | Sequence[EObject] | None, child: EObject) -> str:
-    """What follows the feature's name in a fragment, where it is no index of an ordered set."""
+    """The part of a fragment after the feature's name, if it is not an index of an ordered set."""
     if not step.many:
         if slot is None or not is_value(slot) or value_in(slot) is not child:
             raise Unplaced

@@ -37,10 +37,10 @@ def _marked(text: str, pattern: re.Pattern[str]) -> str:
 
 
 def refuse_forbidden(text: str) -> str:
-    """The text itself.
+    """Return the text unchanged if XML can represent it.
 
     Raises:
-        ValueError: it has a character that XML cannot hold; the message says which and where.
+        ValueError: it has a character that XML cannot represent; the message says which and where.
     """
     if bad := _BAD.search(text):
         raise ValueError(f"holds U+{ord(bad.group()):04X} at {bad.start()}, which XML cannot hold")
@@ -58,5 +58,5 @@ def restored(text: str) -> str:
 
 
 def may_hold_escapes(data: bytes) -> bool:
-    """Whether an XML document can hold an escape. Documents in UTF-8 without its symbol cannot, which spares asking each text."""
+    """Whether an XML document may contain an escape; a fast check in UTF-8 that avoids examining each text."""
     return data[:2] in (b"\xff\xfe", b"\xfe\xff") or _POSSIBLE.search(data) is not None

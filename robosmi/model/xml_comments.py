@@ -1,4 +1,4 @@
-"""The comments and processing instructions of an XML file, which no model holds; who writes a file anew may tell of them."""
+"""The comments and processing instructions of an XML file, which a model does not contain; needed when a file is overwritten."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ def comments(data: bytes) -> list[tuple[int, str]]:
 
 
 def comments_lost(old: bytes, new: bytes) -> list[int]:
-    """The lines of a file with comments and processing instructions that the new one has no more."""
+    """The lines of a file with comments and processing instructions that the new file lacks."""
     staying = {text for _, text in comments(new)}
     return [line for line, text in comments(old) if text not in staying]
 
 
 def told(lost: list[int], kept: str) -> str:
-    """What a finding says of comments that were lost.
+    """The message of a finding about comments that were lost.
 
     Args:
         lost: their lines.

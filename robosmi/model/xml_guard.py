@@ -1,7 +1,7 @@
-"""What lxml leaves open in reading any XML file: entities that grow without bounds, and documents that are too deep for it.
+"""Protects lxml from XML files that expand entities without limit, and supports documents that are nested too deeply for it.
 
-Entities can expand to any size, also inside attributes, where lxml expands them whatever its options say; so the head of a file
-is looked at first. Nothing here says what an element means.
+Entities can expand to any size, even inside attributes, where lxml expands them regardless of its options; so the beginning of
+a file is examined first. Nothing here interprets elements.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from robosmi.errors import SourceError
 
 
 class _Found(Exception):
-    """The root element was reached."""
+    """Raised when the root element has been reached."""
 
 
 def root_offset(data: bytes, place: str) -> int:

@@ -1,8 +1,8 @@
-"""ZIP archives of unknown origin, unpacked in memory within bounds that hold while they are unpacked, for every method.
+"""Unpacks ZIP archives of unknown origin in memory, with limits that are enforced during decompression for every method.
 
-What the head of an archive says about sizes is never believed: each method's own decompressor is asked for no more bytes than
-there may be. Names in an archive are texts here, never paths, and an archive in an archive is a file like any other. What the
-entries mean is told by who asks for them.
+The sizes in an archive's header are never trusted: each method's decompressor is asked for at most the allowed number of bytes.
+Names in an archive are treated as texts, never as paths, and an archive inside an archive is an ordinary file. The caller
+interprets the entries.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 
 MOST_RATIO = 200
-"""Unpacked bytes for each packed one, in an entry of more than `FREE_BYTES`; text of programs and drawings reaches 40."""
+"""Limit on the compression ratio of an entry above `FREE_BYTES`; programs and drawings reach 40."""
 FREE_BYTES = 1024 * 1024
-"""Unpacked bytes of an entry up to which its ratio does not matter."""
+"""Uncompressed size in bytes up to which the compression ratio of an entry does not matter."""
 
 _METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED, zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA}
 _CENTRAL, _LOCAL = b"PK\x01\x02", b"PK\x03\x04"  # what an entry of the list and the head of an entry begin with
@@ -103,7 +103,7 @@ def _packed(data: bytes, entry: zipfile.ZipInfo) -> bytes:
 
 
 def _unpack(packed: bytes, method: int, most: int) -> bytes:
-    """At most that many of the bytes that are packed."""
+    """At most the given number of decompressed bytes."""
     if method == zipfile.ZIP_STORED:
         return packed[:most]
     if method == zipfile.ZIP_DEFLATED:
@@ -115,9 +115,9 @@ def _unpack(packed: bytes, method: int, most: int) -> bytes:
 
 
 def _lzma(packed: bytes, most: int) -> tuple[lzma.LZMADecompressor, bytes]:
-    """The decompressor that the head of packed bytes asks for (APPNOTE 5.8.8), and what is behind the head.
+    """The decompressor for the LZMA properties at the beginning (APPNOTE 5.8.8), and the data after them.
 
-    The size of the dictionary, which is taken from memory at once, is what may be unpacked at most: no byte refers further back.
+    The dictionary, which is allocated at once, is limited to the allowed uncompressed size: no byte refers further back.
     """
     if len(packed) < 9 or struct.unpack_from("<H", packed, 2)[0] != 5:
         raise ValueError("the head of LZMA is damaged")
