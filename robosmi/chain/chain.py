@@ -44,7 +44,7 @@ V = TypeVar("V")
 Names = str | Sequence[str]
 Paths = str | Path | Sequence[str | Path]
 ECORE = "ecore"
-"""What stands in the place of .ecore files where a step makes a metamodel."""
+"""The value for `metamodel` of a step that makes a metamodel, in place of .ecore files."""
 
 
 class Chain:
@@ -356,7 +356,7 @@ class Chain:
 
 
 def _source_of(function: Function) -> str | None:
-    """The file that a function or class is written in; None where nobody knows it, as of a class whose file is no module."""
+    """The file with the source of a function or class; None if unknown, as for a class whose file is not a module."""
     try:
         return inspect.getsourcefile(function)
     except TypeError:

@@ -1,4 +1,4 @@
-"""What depends on what in a chain: steps, models and files as a directed graph, and the order in which steps are done."""
+"""The dependencies of a chain (steps, models and files) as a directed graph, and the order in which steps are done."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from robosmi.errors import SourceError, did_you_mean
 
 
 class Dependencies:
-    """A directed graph: what is read -> step -> what is made.
+    """A directed graph from inputs to steps to outputs.
 
     Attributes:
-        kinds: `step NAME`, `model NAME` or `file PATH` -> `step`, `model` or `file`; in the order of first mention.
-        before: the same names -> what they depend on, each with whether it only holds them back (a validation).
+        kinds: `step NAME`, `model NAME` or `file PATH` -> `step`, `model` or `file`, in the order of first mention.
+        before: the same names -> their dependencies, each with whether it is a gate: a validation that only delays the step.
     """
 
     def __init__(self) -> None:
@@ -24,24 +24,24 @@ class Dependencies:
         self.before: dict[str, dict[str, bool]] = {}
 
     def node(self, name: str) -> None:
-        """Add `step NAME`, `model NAME` or `file PATH`; nothing changes where it is there."""
+        """Add the node `step NAME`, `model NAME` or `file PATH`, unless it exists."""
         self.kinds.setdefault(name, name.partition(" ")[0])
         self.before.setdefault(name, {})
 
     def edge(self, first: str, then: str, *, gate: bool = False) -> None:
-        """Say that one depends on the other."""
+        """Add a dependency of `then` on `first`."""
         self.node(first)
         self.node(then)
         self.before[then][first] = gate
 
     def edges(self) -> Iterator[tuple[str, str, bool]]:
-        """From, to, and whether it only holds back."""
+        """The edges, as (from, to, whether it is a gate)."""
         for then, firsts in self.before.items():
             for first, gate in firsts.items():
                 yield first, then, gate
 
     def needed(self, names: Iterable[str]) -> set[str]:
-        """These and all that they depend on."""
+        """The given nodes and all their direct and indirect dependencies."""
         found: set[str] = set()
         left = list(names)
         while left:
@@ -102,7 +102,7 @@ def _file(path: Path, folder: Path | None) -> str:
 
 
 def _gates(steps: Sequence[Step]) -> Iterable[tuple[Step, Step]]:
-    """A validation and the later steps that use one of its models."""
+    """Pairs of a validation and a later step that uses one of its models."""
     for number, gate in enumerate(steps):
         if gate.kind == "validate":
             for step in steps[number + 1 :]:
@@ -111,7 +111,7 @@ def _gates(steps: Sequence[Step]) -> Iterable[tuple[Step, Step]]:
 
 
 def in_order(steps: Sequence[Step], graph: Dependencies, place: Location | None = None) -> list[Step]:
-    """The steps, each behind those it depends on, else as they are declared.
+    """The steps in topological order; independent ones in the order of declaration.
 
     Raises:
         SourceError: they depend on each other in a circle.
@@ -152,7 +152,7 @@ def _circle(before: Mapping[str, Iterable[str]]) -> list[str]:
 
 
 def missing(steps: Sequence[Step], graph: Dependencies, folder: Path | None) -> list[tuple[Step, Path]]:
-    """Files and folders that a step reads, that are not there and that no step makes."""
+    """Files and folders that a step reads, that do not exist and that no step makes."""
     return [
         (step, path)
         for step in steps

@@ -159,7 +159,7 @@ def _mend(result: StepResult, found: Validation, doing: Doing, fix: Choice) -> l
 
 
 def _store(model: Model, doing: Doing) -> list[Finding]:
-    """Write a person's model anew; a file with comments, which no model holds, is kept beside it, and that is said."""
+    """Write a person's model again; an old file with comments, which a model does not contain, is kept and reported."""
     path = Path(str(model.path))
     old = inputs.read_bytes(path, inputs.MODEL) if path.is_file() else b""
     lost = comments_lost(old, _stored(model))
@@ -177,7 +177,7 @@ def _store(model: Model, doing: Doing) -> list[Finding]:
 
 
 def _stored(model: Model) -> bytes:
-    """What the model's file would hold."""
+    """The bytes that the model's file would contain."""
     with TemporaryDirectory() as folder:
         copy = Path(folder) / Path(str(model.path)).name
         model.save(copy)

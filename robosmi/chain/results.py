@@ -1,6 +1,6 @@
-"""Whether a value is of the kind that a function says it returns: what is put in a step's place is held against the step.
+"""Checks whether a value has the type that a function's annotation promises, for functions that replace a step.
 
-A look at the outside and at the members of tuples and unions; what lists and mappings hold is not looked at.
+Only the type itself and the members of tuples and unions are checked, not the contents of lists and mappings.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def unlike(value: Any, function: Function) -> str:
-    """In words, the type that a function promises to return, where a value is not of it; an empty text where it is.
+    """The type that a function promises to return, in words, if a value does not have it; else an empty text.
 
     Args:
         value: what was made.
@@ -54,7 +54,7 @@ def named(expected: Any) -> str:
 
 
 def described(value: Any) -> str:
-    """A value by its type: `None`, `a tuple of 2 (list, str)`, `an int`."""
+    """A value described by its type: `None`, `a tuple of 2 (list, str)`, `an int`."""
     if value is None:
         return "None"
     name = class_name(value)

@@ -1,6 +1,6 @@
-"""What a chain remembers between runs: for each step the digest of what it read, the digests of what it made, and what it said.
+"""The memory of a chain between runs: for each step the digests of its inputs and outputs, and its findings.
 
-The state lies in `.robosmi/chains` beside the chain. It can be removed at any time; then every step is done again.
+The state is stored in `.robosmi/chains` beside the chain. It can be deleted at any time; then every step is done again.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ class State:
                 ) from error
 
     def save(self) -> None:
-        """Write it, whole or not at all; nothing where nothing changed, or where nothing is to be remembered."""
+        """Write the state atomically, unless nothing changed or nothing is to be remembered."""
         if self.path is None:
             return
         steps = {name: asdict(entry) for name, entry in self.steps.items()}
@@ -75,7 +75,7 @@ def _step_from(entry: dict[str, Json]) -> StepState:
 
 
 def digest_of(path: Path) -> str:
-    """The digest of a file, or of all files of a folder with their names; "" where there is nothing."""
+    """The digest of a file, or of a folder's files and their names; "" if there is nothing."""
     if path.is_file():
         return digest(inputs.read_bytes(path, inputs.OUTPUT))
     if not path.is_dir():
@@ -91,12 +91,12 @@ def digest_of(path: Path) -> str:
 
 
 def digest_of_all(parts: Iterable[tuple[str, str]]) -> str:
-    """One digest of named digests."""
+    """A single digest of named digests."""
     return digest("\n".join(f"{name}\0{value}" for name, value in parts).encode())
 
 
 def finding_from(data: dict[str, Json]) -> Finding:
-    """A finding as it was remembered."""
+    """A finding restored from the state."""
 
     def text(key: str) -> str | None:
         return None if data[key] is None else as_text(data[key])

@@ -1,6 +1,7 @@
-"""What the chains behind the commands answer, as far as a command reads it; for type checkers, import it under `TYPE_CHECKING`.
+"""The results of the chains behind the commands, as far as a command reads them.
 
-A command knows a chain by its name alone. What `robosmi` itself offers answers with is stated in `robosmi.api`.
+For type checkers only; import it under `TYPE_CHECKING`. A command knows a chain by its name alone. The results of `robosmi`'s
+own functions are declared in `robosmi.api`.
 """
 
 from __future__ import annotations

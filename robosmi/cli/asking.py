@@ -21,7 +21,7 @@ NONE = "none"
 
 
 def may_ask(*, yes: bool, as_json: bool) -> bool:
-    """Whether there is somebody to ask: a terminal on both sides, and neither --yes nor --json."""
+    """Whether a person can be asked: input and output are a terminal, and neither --yes nor --json is given."""
     return not yes and not as_json and sys.stdin.isatty() and sys.stdout.isatty()
 
 
@@ -148,7 +148,7 @@ class Answers:
 
 
 def _named(text: str, names: Sequence[str]) -> str:
-    """The option behind a number of the list, or a name."""
+    """The option with this number or name in the list."""
     if not text.isdecimal():
         return text
     return names[int(text) - 1] if int(text) else NONE

@@ -53,7 +53,7 @@ def pairs(texts: list[str], option: str) -> dict[str, str]:
 
 
 HEAD = 2048
-"""Bytes by which a file's kind is told."""
+"""The number of bytes that identify a file's kind."""
 
 
 def check_replaced(path: Path | None, mark: bytes, what: str) -> None:

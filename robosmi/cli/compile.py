@@ -43,7 +43,7 @@ def run(arguments: _Arguments) -> Report:
 
 
 def _stack(stack: StackBound) -> str:
-    """The stack in words; what nobody can tell beforehand is named."""
+    """The stack bound in words, with the functions for which it is unknown."""
     said = f"at most {stack.bytes} bytes, {stack.interrupts} of them for interrupts"
     if stack.certain:
         return said

@@ -1,7 +1,7 @@
-"""What may end a command although no code of ours raised it on purpose, as an error with a cause and what to do.
+"""Turns system failures that end a command into errors with a cause and advice.
 
-The world does such things: a full disk, no memory, a text nested deeper than Python reads, a package that is half installed, a
-folder that was removed. What is left after that is a bug of ours.
+Examples are a full disk, no memory, too deeply nested text, an incomplete installation, and a removed folder. Any other
+unexpected exception is a bug of ours.
 """
 
 from __future__ import annotations

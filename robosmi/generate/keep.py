@@ -72,7 +72,7 @@ def keep(
 
 
 def _ended(text: str) -> str:
-    """The text with a line break behind its last line."""
+    """The text with a line break at its end."""
     return text if not text or text.endswith("\n") else f"{text}\n"
 
 
@@ -263,9 +263,9 @@ def _common(ours: list[str], theirs: list[str]) -> list[Chunk]:
 
 
 def _open_conflict(text: str, *made: str) -> int | None:
-    """The line of the first mark of a conflict that is in the text and in none that was made, or None.
+    """The line of the first conflict mark that is in the file and in no generated text, or None.
 
-    One mark is enough, wherever an editor has put it: somebody has not yet decided.
+    A single mark suffices, wherever an editor has moved it: the conflict is not resolved yet.
     """
     if not any(mark.strip() in text for mark in (YOURS, BASE, GENERATED)):
         return None
@@ -278,10 +278,10 @@ _BLOCK_COMMENT = re.compile(r"/\*.*?\*/|<!--.*?-->", re.DOTALL)
 
 
 def _divider_left(text: str, others: Sequence[str]) -> int | None:
-    """The line of the mark between the two sides of a conflict where it alone is left, or None.
+    """The line of a conflict's divider if only that is left, or None.
 
-    Seven equality signs may also underline a title. So they count only where more of them are there than in each of the texts
-    that the file came from, and they stand in no block comment.
+    Seven equality signs may also underline a title. So they count only if the text has more of them than each of the texts it
+    came from, and not in a block comment.
     """
     mark = MIDDLE.strip()
     if mark not in text:
@@ -293,13 +293,13 @@ def _divider_left(text: str, others: Sequence[str]) -> int | None:
 
 
 def _behind(parts: Parts) -> dict[str, str]:
-    """Id of a region -> what stands behind its last marker in the same line."""
+    """Id of a region -> the text after its last marker on the same line."""
     pairs = pairwise(parts.pieces)
     return {one.identity: next_.partition("\n")[0] for one, next_ in pairs if isinstance(one, Region) and isinstance(next_, str)}
 
 
 def _ahead(parts: Parts) -> dict[str, str]:
-    """Id of a region -> what stands before its first marker in the same line, where no other region does."""
+    """Id of a region -> the text before its first marker on the same line, if no other region is there."""
     found: dict[str, str] = {}
     text = "\n"
     for piece in parts.pieces:

@@ -122,10 +122,10 @@ _NOT_TEXT_IN = {
     "script": ("src", "href", "xlink:href"),
     "base": ("href",),
 } | dict.fromkeys(("animate", "set", "animatetransform", "animatemotion"), ("to", "from", "by", "values", "attributename"))
-"""Attributes whose text is a list of addresses, or runs."""
+"""Attributes whose value is a list of addresses, or is executed."""
 _RAW = ("script", "style")
 _NAMED = "+"
-"""Behind the name of a `meta` that has a name, so that it does nothing."""
+"""Suffix for the name of a `meta` tag that has a name, so that its content is not executed."""
 
 
 def _html(state: tuple[str, str], text: str) -> tuple[str, str]:
@@ -153,7 +153,7 @@ def _html(state: tuple[str, str], text: str) -> tuple[str, str]:
 
 
 def _known(tag: str, attribute: str) -> str:
-    """The name of a tag; of a `meta` with what says whether its content is a text that nobody acts on."""
+    """The name of a tag; for `meta` with a suffix that tells whether its content is plain text."""
     if tag.lower() == "meta" and attribute in ("name", "property", "itemprop"):
         return f"{tag}{_NAMED}"
     return tag.removesuffix(_NAMED) + "!" if attribute == "http-equiv" else tag

@@ -27,12 +27,12 @@ SCHEMA = "robosmi-manifest/1"
 
 
 class Guarded(Struct):
-    """What a run finds in its output folder and may go on with.
+    """The result of checking an output folder, if a run may continue.
 
     Attributes:
         obsolete: files of the last run that this one no longer makes and nobody changed.
-        deleted: files of the last run that this one makes again.
-        reformed: files whose line ends or byte order mark were changed, and nothing else; they are made anew as they were.
+        deleted: files of the last run that were deleted and are made again.
+        reformed: files of which only line ends or byte order mark were changed; they are made anew in their original form.
     """
 
     obsolete: set[str] = set()

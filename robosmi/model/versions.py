@@ -100,7 +100,7 @@ def _steps(metamodels: Metamodels) -> dict[str, Migration]:
 
 
 def _current(roots: dict[Path, DynamicEObject], steps: dict[str, Migration]) -> tuple[dict[Path, DynamicEObject], list[EObject]]:
-    """The roots in their current versions, and those that were replaced. Each namespace is migrated once."""
+    """The roots in their current versions, and those that were replaced; models of one namespace are migrated together."""
     current = dict(roots)
     replaced: list[EObject] = []
     seen: set[str] = set()

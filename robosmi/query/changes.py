@@ -15,7 +15,7 @@ T = TypeVar("T")
 
 
 def several(values: Any) -> Iterable[Any]:
-    """Values that an operation wants a collection of; a text is none.
+    """The argument of an operation that needs a collection; a text is refused.
 
     Raises:
         OperandError: it is no collection.

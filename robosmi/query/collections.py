@@ -61,13 +61,13 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
 
     @classmethod
     def _of(cls, items: builtins.list[Any]) -> Self:
-        """A collection around a list that nobody else holds, of unique items where the kind wants that."""
+        """Make a collection from a list that it may keep; the items are unique if the kind requires it."""
         made = cls.__new__(cls)
         made._items = items
         return made
 
     def _same(self, items: builtins.list[T]) -> Self:
-        """A collection of the same kind, of items that are among this one's."""
+        """A collection of the same kind with a subset of this one's items."""
         return self._of(items)
 
     def _mapped(self, items: builtins.list[R]) -> Q[R]:
@@ -221,7 +221,7 @@ class OrderedSet(_Unique[T]):
 
 
 class _OfFeature(HeldByFeature, Q[T]):
-    """What a many-valued feature holds: changes reach the element; what is made of it is a collection of its own."""
+    """The values of a many-valued feature: changes affect the element; results of operations are independent collections."""
 
     __slots__ = ("_feature",)
     _eol_equals = "Sequence"  # EMF's lists are, whatever their kind

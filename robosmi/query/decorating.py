@@ -1,6 +1,6 @@
-"""The type of the decorators with which users declare rules: what they are given stays what it is.
+"""The type of decorators that register the decorated function and return it unchanged.
 
-For type checkers alone; import it under `TYPE_CHECKING`. What a decorator notes of a function is its own module's business.
+For type checkers only; import it under `TYPE_CHECKING`.
 """
 
 from __future__ import annotations

@@ -25,10 +25,10 @@ _starting = threading.Lock()
 
 
 def in_thread(function: Function, *arguments: Any) -> Any:
-    """What the function gives, called on a fresh stack; what it raises is raised here.
+    """Call a function on a fresh stack, in a new thread, and return its result; its exceptions are raised here.
 
     Raises:
-        UsageError: the system gives no more threads.
+        UsageError: the system provides no more threads.
     """
     context = contextvars.copy_context()
     outcome: list[Any] = []

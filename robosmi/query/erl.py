@@ -269,7 +269,7 @@ _CORRECT = "correct the function at this line, or guard it"
 
 
 def _raised_inside(error: BaseException) -> str | None:
-    """The place in this package where an exception was raised, `robosmi.query.maps:31`; None where it was raised elsewhere."""
+    """The place in this package that raised an exception, `robosmi.query.maps:31`; None if it was raised elsewhere."""
     step = error.__traceback__
     while step is not None and step.tb_next is not None:
         step = step.tb_next
@@ -287,7 +287,7 @@ def _shown(element: Item, models: Iterable[Model]) -> str:
 
 
 def code_of(function: Function) -> CodeType | None:
-    """The code of a function below its decorators; None for what has no Python source."""
+    """The code object of a function, below its decorators; None if it has no Python source."""
     return attribute_of(inspect.unwrap(function), "__code__", CodeType)
 
 
@@ -301,7 +301,7 @@ def called(function: Function | str) -> str:
 
 
 def place_of(function: Function) -> Location | None:
-    """Where a function is defined; None for what has no Python source."""
+    """The place of a function's definition; None if it has no Python source."""
     code = code_of(function)
     return Location(_relative(code.co_filename), code.co_firstlineno) if code is not None else None
 
@@ -325,7 +325,7 @@ def _relative(path: str) -> str:
 
 
 def arity(function: Function) -> int:
-    """How many parameters without a default a function takes; 0 where that cannot be known."""
+    """The number of parameters without a default; 0 if it cannot be determined."""
     try:
         parameters = inspect.signature(function).parameters.values()
     except (TypeError, ValueError):
@@ -335,7 +335,7 @@ def arity(function: Function) -> int:
 
 
 def told(given: Any, element: Item) -> Any:
-    """What is said about an element: a value, or what a function gives, called with the element if it takes one."""
+    """The value of an option for an element: the option itself, or its result if it is a function (of the element or nothing)."""
     if not callable(given):
         return given
     return given(element) if arity(given) else given()

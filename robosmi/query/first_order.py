@@ -231,7 +231,7 @@ def _integer(n: int) -> int:
 
 
 def _matches(items: list[T], condition: Callable[[T], R], n: int, minimum: bool) -> int:
-    """How many items match, as far as it takes to compare that with n."""
+    """The number of matching items, counted only until the comparison with n is decided."""
     found, left = 0, len(items)
     for x in items:
         left -= 1
@@ -243,7 +243,7 @@ def _matches(items: list[T], condition: Callable[[T], R], n: int, minimum: bool)
 
 
 def _many(value: Any) -> list[Any]:
-    """What a closure's body gives, as a list without None."""
+    """The result of a closure's body as a list without None."""
     if value is None:
         return []
     if collection_kind(value) is not None or (isinstance(value, Iterable) and not isinstance(value, (str, bytes))):

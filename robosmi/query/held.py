@@ -1,7 +1,7 @@
-"""What makes changes of a feature's values reach the element: EOL's `book.authors.add(a)`.
+"""Collections of a many-valued feature whose changes affect the element, as EOL's `book.authors.add(a)` does.
 
-A collection of queries is a copy; one of the values of a many-valued feature is a copy that knows the feature, and whose changing
-operations change both. What they give back is decided by the copy, as for every collection (`changes`).
+A query collection is a copy; one of a many-valued feature is a copy that knows the feature, and whose changing operations
+change both. Their results are those of the copy, as for every collection (`changes`).
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class HeldByFeature(Changeable[Any]):
     _feature: Any
     """pyecore's collection."""
     _plain: ClassVar[Any]
-    """The kind of collection that is made of it: what a selection of the values gives."""
+    """The plain kind of collection that operations such as `select` return."""
 
     def add(self, value: Any) -> bool:
         """Add a value; whether that changed the feature."""
@@ -57,7 +57,7 @@ class HeldByFeature(Changeable[Any]):
         self._feature.clear()
 
     def _kept(self) -> None:
-        """Take out of the feature what is no longer in the copy; both have the same order."""
+        """Remove from the feature what is no longer in the copy; both have the same order."""
         place = 0
         for value in list(self._feature):
             if place < len(self._items) and self._items[place] is value:

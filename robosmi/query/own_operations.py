@@ -51,7 +51,7 @@ class OwnOperation:
         self.least = sum_of(1 for p in parameters if p.default is p.empty) - 1
 
     def run(self, target: Any, *arguments: Any) -> Any:
-        """Call the function, or give what it gave in this run."""
+        """The result of the function, or its cached result of this run."""
         if not self.cached:
             return self.function(target, *arguments)
         notes = current_run().notes_of(target)
@@ -122,7 +122,7 @@ def called_for(function: Function, body: Callable[..., R], *arguments: Any) -> R
 
 
 def globals_of(function: Function) -> Scope | None:
-    """The global names of the module of a function below its decorators; None for what has no Python source."""
+    """The global names of the module of a function, below its decorators; None if it has no Python source."""
     return attribute_of(inspect.unwrap(function), "__globals__", dict)
 
 
@@ -176,7 +176,7 @@ def _names(scope: Scope | None) -> list[str]:
 
 
 def _calling() -> Scope | None:
-    """The global names of the module whose code asks: the nearest on the stack that is none of this framework's."""
+    """The global names of the calling module: the nearest one on the stack that is not part of this framework."""
     frame: FrameType | None = sys._getframe(1)
     while frame is not None:
         if frame.f_code is called_for.__code__:

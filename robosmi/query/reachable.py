@@ -34,12 +34,12 @@ _READABLE = (
     ECollection, Extended, TypeHandle, types.EolType, Model,
 )  # fmt: skip
 _HIDDEN = frozenset({"format", "format_map", "maketrans", "to_bytes", "from_bytes"})
-"""Of Python's own values: what looks into other values, and what makes no value of queries."""
+"""Methods of Python's own values that access other values, or return what is no value of queries."""
 CLOSED = frozenset({"e_resource", "native_type", "get_native_type", "create_instance", "delete_element", "save"})
-"""Operations by name that give what is not a value, or change a model."""
+"""Operations that return what is no value of queries, or that change a model."""
 _BY_NAME = frozenset({"call", "call_built_in", "get", "get_safe", "get_all", "has_property"})
 _CALLING = FIRST_ORDER | {"sort", "and", "or", "both", "either", "xor", "implies", "elvis"}
-"""Functions that call what they are given."""
+"""Functions that call their arguments."""
 _UNSEEN = _BY_NAME | {"both", "either", "implies", "elvis"}
 _GROWING = frozenset(
     {"repeat", "pad", "ljust", "rjust", "center", "zfill", "expandtabs", "integer_range", "to", "iota", "format_", "format"}
@@ -255,4 +255,4 @@ def check_format(specification: str) -> str:
 
 
 OPERATORS: dict[str, Callable[[Any, Any], Any]] = {"Pow": power, "Mult": product, "LShift": shifted, "Mod": remainder}
-"""Operators of Python's whose results can be far larger than what they are given."""
+"""Python operators whose results can be much larger than their operands."""

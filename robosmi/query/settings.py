@@ -1,4 +1,4 @@
-"""Objects whose public attributes are settings: a misspelt one is refused, as nobody would read it."""
+"""Objects whose public attributes are settings: a misspelt one is refused instead of being ignored."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from robosmi.typed import class_name
 
 
 class Settings:
-    """Takes no public attribute beyond those that its class has or `__init__` has made.
+    """Base class of objects that refuse public attributes other than those set by the class or its `__init__`.
 
-    A class calls `settle` as the last thing in its `__init__`. Its subclasses may have attributes of their own.
+    A class calls `settle` as the last statement of its `__init__`. Its subclasses may have further attributes.
     """
 
     _settled: type | None = None

@@ -1,8 +1,8 @@
-"""Quoting: how a text from anywhere is written so that it stays text, one function for each place it can go to.
+"""Quoting: writes untrusted text so that it remains text, with one function for each syntactic place.
 
-`code` has C and names, `markdown_text` Markdown, `markup` HTML, SVG and diagrams, `data` TOML, YAML, CSV and JSON, `text` the
-terminal and what all share. Each function leaves harmless texts as they are. Which expression of a template stands where is
-`generate.languages`'.
+`code` covers C and names, `markdown_text` Markdown, `markup` HTML, SVG and diagrams, `data` TOML, YAML, CSV and JSON, `text`
+the terminal and common parts. Each function leaves harmless texts unchanged. `generate.languages` determines the place of each
+template expression.
 """
 
 from robosmi.quoting.code import c_block_comment, c_char, c_comment, c_header, c_string, c_word, file_name, identifier

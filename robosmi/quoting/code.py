@@ -25,7 +25,7 @@ C_WORDS = frozenset({
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*|[0-9][A-Za-z0-9_.]*|")
 _DEVICES = re.compile(r"(?i)(con|prn|aux|nul|com\d|lpt\d)(\.|$)")
 _LENGTH = 200
-"""Bytes of a file name; file systems take 255, and endings are put behind it."""
+"""Limit on a file name in bytes; file systems allow 255, and endings are appended."""
 
 
 def c_comment(text: str) -> str:
@@ -73,7 +73,7 @@ def _string_letter(letter: str) -> str:
 
 
 def _is_byte(letter: str) -> bool:
-    """Whether it stands for a byte that is no UTF-8."""
+    """Whether a character stands for a byte that is not valid UTF-8."""
     return "\udc80" <= letter <= "\udcff"
 
 

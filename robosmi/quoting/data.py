@@ -85,7 +85,7 @@ def json_text(document: Json, *, ascii_only: bool = False) -> str:
 
 
 def _unseen_as_escapes(text: str, *, lines: bool = False, long: str = "") -> str:
-    r"""The text with `\uXXXX` for what `visible` shows; beyond 16 bits as `long` or as two halves."""
+    r"""The text with the characters that `visible` shows written as `\uXXXX`, beyond 16 bits as `long` or as a surrogate pair."""
 
     def escape(letter: str) -> str:
         code = ord(letter)

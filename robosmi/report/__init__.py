@@ -1,7 +1,7 @@
-"""What a command says: the JSON document of the contract, and texts for a terminal.
+"""The output of a command: the JSON document of the contract, and texts for a terminal.
 
-`Report` collects result, findings, tasks, artifacts and timings of one command; `render` prints it. Nothing here
-decides anything but the exit code that findings amount to.
+`Report` collects result, findings, tasks, artifacts and timings of one command; `render` prints it. The only decision made here
+is the exit code that follows from the findings.
 """
 
 from __future__ import annotations

@@ -68,7 +68,7 @@ class Report(Struct):
         self.findings = judged + [_accepts_nothing(one, found) for one in accept if (found := self._of_others(one))]
 
     def _of_others(self, accepted: Accepted) -> list[Finding]:
-        """The findings of a rule that is accepted, where none of them is about the element."""
+        """The findings of an accepted rule, if none of them is about the accepted element."""
         found = [finding for finding in self.findings if finding.rule == accepted.rule]
         return [] if any(accepted.element in _names(finding) for finding in found) else found
 
@@ -93,7 +93,7 @@ class Report(Struct):
 
 
 def _names(finding: Finding) -> tuple[object, ...]:
-    """By what a finding's element may be named under `[[accept]]`."""
+    """The names by which `[[accept]]` may refer to a finding's element."""
     about = finding.evidence
     return (finding.element, "*", about.get("component") or None, f"#{about['model_index']}" if "model_index" in about else None)
 

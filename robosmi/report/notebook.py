@@ -59,11 +59,11 @@ def bar(share: float) -> str:
 
 
 def picture(svg: str, about: str) -> str:
-    """A picture that stands by itself: nothing in it acts on the notebook.
+    """An SVG as a self-contained picture that cannot affect the rest of the notebook.
 
     Args:
         svg: the text of an SVG document.
-        about: what it shows, for those who do not see it.
+        about: the alternative text.
     """
     data = base64.b64encode(svg.encode()).decode()
     return f'<img alt="{quoted(about)}" style="max-width:100%;background:white" src="data:image/svg+xml;base64,{data}"/>'

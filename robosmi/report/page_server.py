@@ -1,7 +1,7 @@
-"""A page on this machine, for one person: served to 127.0.0.1 alone, under a random word that is part of its address.
+"""Serves a page on this machine for one person: on 127.0.0.1 only, under an address that contains a random word.
 
-The standard library's server does. Every request has to name this host, and every change has to come from the page itself; there
-is one page and what is asked of it, and no files. What the page shows and does is given: a `Content`.
+It uses the standard library's server. Every request has to name this host, and every change has to come from the page itself;
+only the page and its actions are served, no files. The page is passed in as a `Content`.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from robosmi.quoting import html
 
 HOST = "127.0.0.1"
 MOST = 64 * 1024
-"""Bytes of a request that the page may send."""
+"""Limit on the bytes of a request."""
 LONGEST = 20
-"""Digits of the length that a request tells: Python converts no more than some thousands."""
+"""Limit on the digits of a request's content length, since Python converts only a few thousand."""
 PATIENCE = 10.0
-"""Seconds that a connection may wait for what it sends."""
+"""Seconds that a connection may take to send its request."""
 _POLICY = (
     "default-src 'none'; script-src 'nonce-{nonce}'; style-src 'nonce-{nonce}'; img-src data:; connect-src 'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
@@ -36,7 +36,7 @@ class Content(Protocol):
     """What a page shows and does."""
 
     def now(self) -> str:
-        """The state of what is shown, as a word that is another when it has changed."""
+        """A word that identifies the current state and changes with it."""
 
     def document(self, *, live: bool, nonce: str) -> str:
         """The page as HTML."""
@@ -88,7 +88,7 @@ class PageServer(ThreadingHTTPServer):
 
 
 def _answers(port: int) -> bool:
-    """Whether a program listens on a port already: a second one could bind it on some systems."""
+    """Whether a program listens on a port already; on some systems a second one could bind it, too."""
     with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe:
         probe.settimeout(0.5)
         return probe.connect_ex((HOST, port)) == 0
@@ -143,7 +143,7 @@ class _Handler(BaseHTTPRequestHandler):
             self._json(HTTPStatus.OK, answer)
 
     def _path(self) -> str | None:
-        """What is asked for below the random word; None where the request was refused."""
+        """The requested path below the random word; None if the request was refused."""
         if self.headers.get("Host", "") not in self.server.names:
             self._json(HTTPStatus.FORBIDDEN, _refused("this server answers to its own name only"))
             return None
@@ -174,7 +174,7 @@ class _Handler(BaseHTTPRequestHandler):
         self.wfile.write(data)
 
     def log_message(self, format: str, *args: Any) -> None:
-        """Requests are nobody's business: the address is a secret."""
+        """Log nothing, because the address is a secret."""
 
 
 def _refused(message: str) -> dict[str, Any]:

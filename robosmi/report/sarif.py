@@ -153,7 +153,7 @@ def _related(finding: Finding, places: SarifPlaces, others: list[dict[str, Json]
 
 
 def _flow(finding: Finding, places: SarifPlaces) -> dict[str, Any]:
-    """How the program comes to it (3.36): one thread, its steps in order."""
+    """The steps that lead to a finding (3.36), as a single thread flow."""
     steps = [
         {"location": {"physicalLocation": places.physical(s.location), "message": {"text": sentence(s.message)}}}
         for s in finding.steps
@@ -162,7 +162,7 @@ def _flow(finding: Finding, places: SarifPlaces) -> dict[str, Any]:
 
 
 def _fix(finding: Finding, places: SarifPlaces) -> dict[str, Any] | None:
-    """A change of text that mends it (3.55), one entry for each file; None where a place cannot be told in characters."""
+    """The text change that fixes a finding (3.55), with one entry for each file; None if a place has no character offset."""
     changes: dict[str, dict[str, Any]] = {}
     for edit in finding.edits:
         place = places.physical(edit.location, snippet=False)
@@ -176,9 +176,9 @@ def _fix(finding: Finding, places: SarifPlaces) -> dict[str, Any] | None:
 
 
 def _fingerprint(finding: Finding, places: SarifPlaces, seen: Counter[str]) -> str:
-    """What stays of a finding when lines are added above it: rule, file, element, message, and the text of its line.
+    """An identification of a finding that survives inserted lines: rule, file, element, message, and the text of its line.
 
-    The second and further ones that are alike in all that have their number behind a colon (Appendix B of SARIF).
+    Findings that agree in all of these get a number after a colon from the second on (Appendix B of SARIF).
     """
     where, line = places.named(finding.location) if finding.location else ("", "")
     message = _LINES.sub("", finding.message)

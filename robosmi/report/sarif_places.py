@@ -98,7 +98,7 @@ class SarifPlaces:
         return place
 
     def named(self, location: Location) -> tuple[str, str]:
-        """A file's address below its base, and the text of the line; an empty text where it is not known."""
+        """A file's address below its base, and the text of the line; an empty text if unknown."""
         lines = self._read(location.path)
         known = lines is not None and location.line is not None and 1 <= location.line <= len(lines)
         return self.artifact(location.path)["uri"], _shown(lines[location.line - 1]) if known else ""  # type: ignore[index, operator]
@@ -112,7 +112,7 @@ class SarifPlaces:
         return len(before.decode("utf-8", errors="ignore") if _is_utf8(whole) else before) + 1
 
     def _read(self, path: str) -> list[bytes] | None:
-        """The lines of a text; None for a file that is none, is not there, or may not be read."""
+        """The lines of a text file; None if it is not text, does not exist, or may not be read."""
         if path not in self._lines:
             try:
                 data = inputs.read_bytes(path, inputs.DRAWING)
@@ -136,7 +136,7 @@ def _is_utf8(line: bytes) -> bool:
 
 
 def _size(path: str) -> int:
-    """The bytes of a file; 0 of one that is not there, or is none."""
+    """The size of a file in bytes; 0 if there is no such file."""
     try:
         return os.path.getsize(path) if os.path.isfile(path) else 0
     except (OSError, ValueError):

@@ -1,8 +1,8 @@
-"""Flock's conservative copy: what of an element a newer metamodel still takes, feature by feature.
+"""Flock's conservative copy: copies the features of an element that the newer metamodel still accepts.
 
-A feature is copied if the new class has one of that name and the value fits it; everything else is dropped, and only lost
-enumeration literals are reported. Models of EMF only: it is their metamodels that evolve. Source: Rose et al., Model Migration
-with Epsilon Flock (ICMT 2010), and measured (docs/reference/flock.md).
+A feature is copied if the new class has one of that name and the value conforms to it; all others are dropped, and only lost
+enumeration literals are reported. For EMF models only. Source: Rose et al., Model Migration with Epsilon Flock (ICMT 2010), and
+measurements (docs/reference/flock.md).
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _OF_ECORE = {
     "EBigDecimal": "java.math.BigDecimal",
 }  # fmt: skip
 NONE: Any = object()
-"""What stands for a value that cannot be copied."""
+"""Stands for a value that cannot be copied."""
 
 
 class ConservativeCopy:

@@ -226,7 +226,7 @@ class ETL(Settings):
         return cast("Dynamic", made)
 
     def _of_all(self, sources: Iterable[Item], running: Schedule, names: Sequence[str]) -> Q[Q[Node]]:
-        """What was made from each of several sources, equal lists once."""
+        """The targets of each of several sources, without duplicate lists."""
         distinct: dict[tuple[int, ...], Q[Node]] = {}
         for member in sources:
             found = running.equivalents(member, names) if member is not None else None

@@ -148,13 +148,13 @@ def _nonlocals(body: NamedFunction) -> dict[str, Any]:
 
 
 class _AsWritten(str):
-    """The text of an annotation whose names are not known where it stands; models of the run may have them (`L.Book`)."""
+    """The text of an annotation with names that are undefined in its module; models of the run may define them (`L.Book`)."""
 
     __slots__ = ()
 
 
 class BoundRule:
-    """A rule in one run: its types in the models, and what it has done so far."""
+    """A rule in one run: its types in the models, and its state."""
 
     __slots__ = (
         "body", "chain", "done", "guard", "init", "kind", "lazy", "makers", "models", "name", "own_bases", "rejected", "rule",

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Schedule(ABC):
-    """When rules run, and what is equivalent to a source at a moment.
+    """The order in which rules run, and the equivalents of a source at a given time.
 
     Args:
         rules: bound rules in order.

@@ -101,7 +101,7 @@ class Trace:
             self._by_source.setdefault(key(source) if source.__class__ in _BY_VALUE else source, []).append(made)
 
     def take(self, other: Trace) -> None:
-        """Put the links of another trace behind those of this one: of another step of the same method."""
+        """Append the links of another trace, of another step of the same method."""
         for link in other.links:
             self.link(link.rule, link.step, link.sources, link.targets)
 

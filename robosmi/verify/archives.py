@@ -1,8 +1,8 @@
-"""Compiled cores and libraries, kept between runs: made once per board, tool version and content.
+"""The cache of compiled cores and libraries: each is compiled once for a board, tool version and content.
 
-An archive's name holds a digest of all that it is made of, so it is never out of date. It is written beside its place and put
-there in one step; of two processes that make it at once the first wins, and what is there never changes, so nothing is locked.
-Where the cache folder cannot be written, the archive stays in the build folder.
+An archive's name contains a digest of everything it is made from, so it is never out of date. It is written to a temporary file
+and moved into place; if two processes make it at once, the first wins, and existing archives never change, so no lock is
+needed. If the cache folder cannot be written, the archive stays in the build folder.
 """
 
 from __future__ import annotations
@@ -44,10 +44,9 @@ def cached(name: str) -> Path | None:
 
 
 def keep(archive: Path, name: str) -> Path:
-    """Put an archive into the cache, all of it or nothing; its place there, or where it was if the cache cannot be written.
+    """Move an archive into the cache atomically; returns its path there, or its old path if the cache cannot be written.
 
-    An archive that is there already stays as it is: another process may be linking with it, and a linker that optimises opens
-    it twice.
+    An existing archive is not replaced: another process may be linking with it, and an optimising linker opens it twice.
 
     Args:
         archive: the finished archive.

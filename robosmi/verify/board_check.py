@@ -39,7 +39,7 @@ Arrays = Mapping[str, bytes]
 
 
 def board_findings(board: Board, toolchain: Toolchain, installed: Installed) -> list[Finding]:
-    """What the core contradicts of what a board's file says; nothing where the toolchain has no such check.
+    """The contradictions between a board's file and the core; none if the toolchain has no such check.
 
     Raises:
         PlatformDataError: the toolchain's data is damaged.
@@ -57,7 +57,7 @@ def board_findings(board: Board, toolchain: Toolchain, installed: Installed) -> 
 def _pin_findings(
     board: Board, claims: Sequence[Claim], check: DataTable, toolchain: Toolchain, installed: Installed
 ) -> Iterator[Finding]:
-    """A finding for each claim that the headers contradict, or one where they cannot be compiled for the board."""
+    """A finding for each claim that the headers contradict, or a single one if they cannot be compiled for the board."""
     asked = [_asked(claim) for claim in claims]
     wanted = dict.fromkeys(expression for each in asked for _, expression in each)
     found = _answers([*wanted], board, check, toolchain, installed)

@@ -1,7 +1,6 @@
-"""Boards as a compile needs them, and finding the board that a name means.
+"""The boards that a compile can be for, and the look-up of a board by name.
 
-What boards there are is content: the registry's query `boards_to_compile_for` reads them. Pins and drawings are no business of a
-compile.
+The registry's query `boards_to_compile_for` reads the boards, which are content. A compile does not need pins and drawings.
 """
 
 from __future__ import annotations
@@ -31,16 +30,16 @@ class BootLoader(NamedTuple):
 
 
 class Claim(NamedTuple):
-    """What a board's file says that the core's headers say too.
+    """A statement of a board's file that the core's headers can confirm.
 
     Attributes:
-        says: for people (`D9 is on port B`).
+        says: the statement, for people (`D9 is on port B`).
         ask: an expression in the language of the core, or an element of one of its arrays (`ports[9]`).
         answer: the expression that the value must equal.
-        choices: further expressions; the one that has the value is named where the answer has not.
-        key: what is to be mended.
+        choices: further expressions; if the answer is wrong, the one with the right value is suggested.
+        key: the key to correct.
         file: the board's file with it.
-        beside: a text that its line has.
+        beside: a text on the line of the statement.
     """
 
     says: str

@@ -102,7 +102,7 @@ class Build(Struct):
         return f"{linker.command} {self.installed.version}, {self.toolchain.core.text('name')} {self.installed.core_version}"
 
     def _about_sketch(self, libraries: Iterable[CompiledLibrary]) -> list[Finding]:
-        """What can be said before compiling."""
+        """The findings about a sketch before it is compiled."""
         place = Location(str(self.sketch.main))
         findings = [
             Finding(
@@ -149,7 +149,7 @@ class Build(Struct):
         return missing_headers(said.stdout, self.sketch.folder)
 
     def _compile(self, sources: Sequence[Path], use: str, includes: Sequence[Path], into: Path) -> tuple[list[Path], str, bool]:
-        """Compile files side by side: the objects, what was said, and whether one failed."""
+        """Compile files in parallel; returns the objects, the messages, and whether one failed."""
         into.mkdir(exist_ok=True)
         doing(f"compile {len(sources)} file{'s' * (len(sources) != 1)} of the {use}")
         objects = [into / f"{number}-{source.name}.o" for number, source in enumerate(sources)]
@@ -272,7 +272,7 @@ class Build(Struct):
         return flash, ram
 
     def _stack(self, values: dict[str, str]) -> StackBound | None:
-        """The stack that the program takes, where somebody reads the code of its processor."""
+        """The stack bound of the program, if there is an analysis of its processor's code."""
         data = self.toolchain.stack
         if not data.values:
             return None

@@ -1,6 +1,6 @@
-"""The record of a program that `compile` has left: what it was made from, and what it takes.
+"""The record of a program that `compile` stores: its inputs and its sizes.
 
-It is read by whoever asks whether that program still is the sketch's. It is written, with the program, by `kept_program`.
+It shows whether the program still belongs to the sketch. `kept_program` writes it together with the program.
 """
 
 from __future__ import annotations

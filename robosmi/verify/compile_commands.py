@@ -1,8 +1,7 @@
-"""How tools that read sources find each file of a sketch compiled: the entries of a compilation database, as Clang defines it.
+"""The entries of a compilation database (as Clang defines it) for the files of a sketch, for tools that read sources.
 
-What `build` compiles is one text made from the sketch's files; here each file stands for itself, with the arguments that let
-Clang read it as the compiler does. What a toolchain adds for that is its table `[database]`. Nothing is compiled and nothing
-is written here.
+`build` compiles one text made of the sketch's files; here each file has an entry of its own, with arguments that make Clang
+read it as the compiler does. The toolchain's table `[database]` adds to these. Nothing is compiled or written here.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ from robosmi.verify.toolchain_data import Toolchain, ToolchainLanguage
 from robosmi.verify.tools import Installed
 
 _SEARCHED = re.compile(r"^#include <\.\.\.>.*\n((?: .*\n)*)", re.MULTILINE)
-"""What a compiler says of the folders that it searches for system headers when it tells what it does."""
+"""The list of system include folders in a compiler's verbose output."""
 
 
 def entries(
@@ -62,7 +61,7 @@ def entries(
 
 
 def _system_includes(language: ToolchainLanguage, toolchain: Toolchain, installed: Installed) -> list[str]:
-    """The compiler's own folders of headers, which Clang knows only where it has the target's tools beside it."""
+    """The compiler's own include folders, which Clang knows only if it comes with the target's tools."""
     asked = toolchain.database.texts("tell_includes", ())
     found = _SEARCHED.search(installed.run(language.tool, asked).stderr) if asked else None
     folders = [os.path.normpath(line.strip()) for line in found[1].splitlines()] if found else []

@@ -1,7 +1,7 @@
-"""What the work needs and whether it is there: programs, cores and Python packages, as plain values for `doctor`.
+"""Checks what is installed: programs, cores and Python packages, as plain values for `doctor`.
 
-Programs and cores come from the toolchains' data; the Python packages are those that this package itself imports. Nothing is
-installed here and nothing is raised for what is missing: that is the result.
+Programs and cores are those of the toolchains' data; the Python packages are those that this package imports. Nothing is
+installed here, and missing parts raise no error: they are the result.
 """
 
 from __future__ import annotations
@@ -43,14 +43,14 @@ PACKAGES = {
     "sexpdata": ("sexpdata", "reading drawings"),
     "tomlkit": ("tomlkit", "keeping choices in robosmi.toml"),
 }
-"""The Python packages that are needed: distribution name -> what of it must be loaded for it to work, what for."""
+"""Required Python packages: distribution name -> (what is imported to test it, what it is needed for)."""
 
 
 OPTIONAL = {
     "mcp": ("mcp.server", "assistants", "mcp", "robosmi mcp: assistants use the commands as tools, held to one folder"),
     "SQLAlchemy": ("sqlalchemy", "a shared history", "database", "a history of library choices in a database that a team shares"),
 }
-"""Python packages of an extra: distribution name -> what of it is loaded, what for, the extra, what it gives."""
+"""Optional Python packages: distribution name -> (what is imported to test it, its purpose, the extra, what it enables)."""
 _SIMULATION = "simulate runs the migrated program, and verify compares what it does; one simulator is enough"
 _ORIGINALS = "verify runs the original, and so compares the migrated program with it"
 _UPLOAD = "upload puts a compiled sketch on its board"
@@ -110,9 +110,9 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
 
 
 def own_boards(project: Path | None = None) -> list[Finding]:
-    """What a core that is installed contradicts of boards that are not built in (RS810).
+    """The contradictions between an installed core and boards that are not built in (RS810).
 
-    Where a package that robosmi needs cannot be loaded, which `tools` tells, no board is looked at.
+    If a package that robosmi needs cannot be loaded, which `tools` reports, no board is checked.
 
     Args:
         project: the project folder; the current folder if None.
@@ -185,7 +185,7 @@ def _package(name: str, module: str, needed_for: str) -> ToolStatus:
 
 
 def _optional(name: str, module: str, needed_for: str, extra: str, gives: str) -> ToolStatus:
-    """The package of an extra; what is there and cannot be loaded is missing."""
+    """The status of an extra's package; one that is installed but cannot be loaded is missing."""
     fix = f"pip install 'robosmi[{extra}]'"
     try:
         found = metadata.distribution(name)
@@ -196,7 +196,7 @@ def _optional(name: str, module: str, needed_for: str, extra: str, gives: str) -
 
 
 def _requirement(name: str) -> str:
-    """What this package asks for, as `lxml>=5`; the name alone where it is not installed itself."""
+    """The requirement on a package, such as `lxml>=5`; its name alone if robosmi itself is not installed."""
     try:
         listed = metadata.requires("robosmi") or []
     except metadata.PackageNotFoundError:

@@ -1,10 +1,9 @@
-"""How programs of a source platform run on this machine: a host model, which is data and C of the platform repository.
+"""Host models, by which programs of a source platform run on this machine; data and C files of the platform repository.
 
-A host model simulates the platform's time, cores and pins, and does what its libraries document. `original_build` makes a program
-of it and the user's files, `original_run` runs that program. What the entries of `host.toml` mean stands beside them there.
-
-Models of further libraries may lie in `PLATFORM/host/include` and `PLATFORM/host/libraries` of every place where data is looked
-for (see `robosmi.resources`); a file of the nearest place counts before one of the same name elsewhere.
+A host model simulates the platform's time, cores and pins, and implements its libraries as documented. `original_build` builds
+a program from it and the user's files, `original_run` runs the program. Comments in `host.toml` explain its entries. Models of
+further libraries may be in `PLATFORM/host/include` and `PLATFORM/host/libraries` of every data folder (see
+`robosmi.resources`); a file of the nearest folder hides those of the same name elsewhere.
 """
 
 from __future__ import annotations
@@ -82,7 +81,7 @@ class HostModel(Struct, frozen=True):
 
     @property
     def install(self) -> str:
-        """How what is missing is installed."""
+        """The instruction for installing what is missing."""
         return self.compiler.text("install")
 
 

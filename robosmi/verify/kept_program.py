@@ -171,7 +171,7 @@ def kept_hex(folder: Path, sketch: Sketch) -> Path:
 
 
 def read_record(folder: Path, sketch: Sketch) -> BuildRecord | None:
-    """The record of a kept program, or None where there is none.
+    """The record of a kept program, or None if there is none.
 
     Raises:
         SourceError: it is damaged.

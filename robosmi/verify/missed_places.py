@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Sequence
 from pathlib import Path
 
 SHOWN = 12
-"""So many ranges are shown, unless all are wanted."""
+"""Limit on the ranges shown, unless all are requested."""
 
 
 def line_ranges(missed: Collection[tuple[str, int]], known: Iterable[tuple[str, int]]) -> list[str]:

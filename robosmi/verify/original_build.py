@@ -37,11 +37,11 @@ _IN_MACRO = re.compile(
     r"(?P<path>[^\n:]+):(?P<line>\d+):(?:(?P<column>\d+):)? note: in expansion of macro",
     re.MULTILINE,
 )
-"""A message about what a macro of the command line makes of the text; the note has its place."""
+"""A compiler message about the expansion of a macro from the command line; its note has the place."""
 _TWICE = re.compile(r"multiple definition of [`']([^`']+)'")
 _GENERATED = "unmodelled.c"
 VARIANT = "$"
-"""What stands in a name of a header that stands in for one without a model, in front of what only tells names apart."""
+"""Separator in the file name of a replacement for a header without a model; what follows it only makes names unique."""
 
 
 class OriginalProgram(Struct, frozen=True):
@@ -91,7 +91,7 @@ def build_original(
 
 
 def missing_tools(model: HostModel) -> str | None:
-    """What is not installed here to build programs with a host model, as an instruction that mends it; None if all is there."""
+    """The instruction for installing what is missing to build programs with a host model; None if nothing is."""
     with temporary_folder("original") as place:
         try:
             _Build(model, Path(place), monotonic() + 10).probe()
@@ -283,7 +283,7 @@ class _Names(Struct, frozen=True):
 
 
 def _read_names(said: str) -> _Names:
-    """What `nm -S` says: value and size, where there are any, kind and name."""
+    """Parse the output of `nm -S`: value and size (if any), kind and name."""
     found = [words for line in said.splitlines() if len(words := line.split()) >= 2]
     return _Names(
         frozenset(name for *_, kind, name in found if kind not in "Uw" and (kind.isupper() or kind in "vu")),

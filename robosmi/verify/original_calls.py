@@ -73,7 +73,7 @@ def library_calls(
 
 
 def with_place(program: OriginalProgram, run: OriginalRun) -> OriginalRun:
-    """A run with the line of the program in its cause, where that made it come to no good end and its process told the place."""
+    """A run whose cause includes the source line, if the program crashed and its process reported the place."""
     if run.status not in ("crashed", "recursion") or not run.calls:
         return run
     site = run.calls[-1][1]

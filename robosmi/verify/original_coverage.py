@@ -36,12 +36,12 @@ class SourceCoverage(Struct, frozen=True):
 
     @property
     def line_percent(self) -> float:
-        """Lines reached, of all with code; 100 where there are none."""
+        """The percentage of lines with code that were reached; 100 if there are none."""
         return _percent(self.lines.values())
 
     @property
     def branch_percent(self) -> float:
-        """Branches taken at least once, of all; 100 where there are none."""
+        """The percentage of branches taken at least once; 100 if there are none."""
         return _percent(self.branches.values())
 
     @property

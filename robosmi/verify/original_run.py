@@ -189,7 +189,7 @@ class _HostBench(Bench):
 
     @property
     def asking(self) -> tuple[int, int, int]:
-        """The pins at which a device has to be told at once when they are driven low, high, or no more, as bits."""
+        """Bit masks of the pins whose devices must react at once when the pin is driven low, driven high, or released."""
         found = [
             sum_of(1 << number for number, label in enumerate(self.labels) if self._reacts(label, level)) for level in (0, 1, "z")
         ]

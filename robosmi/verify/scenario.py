@@ -127,7 +127,7 @@ def _is_possible(value: Any) -> bool:
 
 
 def _value(told: Any) -> Any:
-    """A value of a point; TOML has no null, so the text `none` stands for nothing being there."""
+    """The value of a point; TOML has no null, so the text `none` stands for an absent value."""
     return None if told == "none" else told
 
 

@@ -149,7 +149,7 @@ class PinTrace(Struct, frozen=True):
         return bytes(each.byte for each in self.console).decode("utf-8", "replace")
 
     def until(self, at_us: float) -> PinTrace:
-        """What was seen until an instant, as if the run had ended there."""
+        """The trace as if the run had ended at a time."""
         if self.simulated_us <= at_us:
             return self
         return replaced(
@@ -188,7 +188,7 @@ class Engine(Protocol):
     name: str
 
     def missing(self) -> str | None:
-        """What is not installed here, as an instruction that mends it; None if the engine can run."""
+        """The instruction for installing what the engine needs; None if it can run."""
 
     def version(self) -> str | None:
         """The version that is installed, `unknown` where it does not tell; None if it is not installed."""

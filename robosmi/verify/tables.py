@@ -20,7 +20,7 @@ from robosmi.errors import PlatformDataError, did_you_mean
 
 T = TypeVar("T")
 KIND = "platform_repo"
-"""The kind of data (see `robosmi.resources`) that toolchains, boards and stand-ins are."""
+"""The kind of data (see `robosmi.resources`) that contains toolchains, boards and stand-ins."""
 
 
 class DataTable(Struct, frozen=True):

@@ -112,7 +112,7 @@ def _is_own(path: Path) -> bool:
 
 
 def _is_left(path: Path, held: bool) -> bool:
-    """Whether nobody uses a folder any more whose process is not seen here."""
+    """Whether a folder whose process is not visible here is no longer in use."""
     age_s = time() - path.lstat().st_mtime
     if age_s > _LEAST_AGE_S or not held:
         return age_s > _LEAST_AGE_S

@@ -71,7 +71,7 @@ def _compiled(place: Path, board: str | None, keep: Path | None, project: Path |
 
 
 def _other_board(sketch: Sketch, chosen: Board, boards: list[Board], toolchain: Toolchain) -> Finding | None:
-    """What to say where a program is bound to its board by what the toolchain calls `bound_to`, and another one was asked for."""
+    """The finding that a program bound to its board (`bound_to` of the toolchain) is compiled for another one, or None."""
     key, given = toolchain.sketch.text("bound_to", ""), sketch.project_file
     if not key or given is None or given.board is None:
         return None

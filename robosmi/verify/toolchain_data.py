@@ -1,7 +1,7 @@
-"""A toolchain as data: the typed form of a platform's `toolchain.toml`, and finding the one that a sketch belongs to.
+"""A toolchain as data: the typed form of a platform's `toolchain.toml`, and the selection of a sketch's toolchain.
 
-What the entries mean stands beside them in that file. Nothing is run here and nothing is looked for on the machine: tools
-and core are found by `tools`, libraries by `libraries`.
+Comments in that file explain its entries. Nothing is run or searched on the machine here: `tools` finds tools and core,
+`libraries` finds libraries.
 """
 
 from __future__ import annotations

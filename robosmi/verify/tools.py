@@ -92,7 +92,7 @@ def run(
 
 
 def end_session(process: subprocess.Popen[str]) -> None:
-    """End a process that has a session of its own, and what it has started there."""
+    """Terminate a process that is the leader of a session, and all processes of the session."""
     with suppress(ProcessLookupError, PermissionError):
         os.killpg(process.pid, signal.SIGKILL)
 

@@ -75,7 +75,7 @@ def _text(x: float, y: float, text: str, style: str = "", width: float = math.in
 
 
 def _xml(text: str) -> str:
-    """A text for XML: what may not stand there is shown as U+FFFD."""
+    """A text for XML, with U+FFFD for characters that XML cannot represent."""
     return escape("".join(c if c in "\t\n" or c >= " " else "\N{REPLACEMENT CHARACTER}" for c in text))
 
 
@@ -93,7 +93,7 @@ class _Lane:
         self.low, self.high = top + _LANE - 5.0, top + 5.0
 
     def drawn(self, events: Sequence[ActivityEvent]) -> Iterator[str]:
-        """The elements of the lane: what lasts as lines and boxes, what is printed as marks, and texts where there is room."""
+        """The SVG elements of the lane: lines and boxes for durations, marks for printed lines, and texts where there is room."""
         if not events or events[0].kind not in (LEVEL, PULSES, WAVE, BURST):
             yield from self._printed(events)
             return
@@ -119,7 +119,7 @@ class _Lane:
         return box + (_text(begin + 3, self.top + _LANE / 2 + 4, shown) if len(shown) > 3 else "")
 
     def _printed(self, events: Sequence[ActivityEvent]) -> Iterator[str]:
-        """A mark for each line; its text up to the next text that stands."""
+        """A mark for each printed line, with as much of its text as fits before the next shown text."""
         free = -math.inf
         for number, event in enumerate(events):
             x = _x(event.at_us / 1000, self.horizon)

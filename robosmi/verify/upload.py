@@ -1,7 +1,7 @@
-"""Putting a compiled program on its board.
+"""Uploads a compiled program to its board.
 
-`upload_sketch` is the one entrance: it holds the kept program (`kept_program`) against the sketch, wakes the board where it
-must be, and has the tool of `uploader` send the program. Nothing is compiled here.
+`upload_sketch` is the entry point: it checks the kept program (`kept_program`) against the sketch, makes the board wait for a
+program, and lets the tool of `uploader` send the program. Nothing is compiled here.
 """
 
 from __future__ import annotations
@@ -171,10 +171,10 @@ def _board(record: BuildRecord, toolchain: Toolchain, project: Path | None, fold
 def _sendable(
     sketch: Sketch, toolchain: Toolchain, record: BuildRecord, board: Board, loader: BootLoader, length: int, unfinished: bool
 ) -> None:
-    """Make sure that a program does what it says, and that the board can hold it.
+    """Make sure that a program is complete, without stand-ins for libraries, and that the board can hold it.
 
     Raises:
-        SourceError: it does not, or cannot.
+        SourceError: it is not, or cannot.
     """
     place = Location(str(sketch.main))
     if record.stand_ins:
@@ -198,7 +198,7 @@ def _sendable(
 
 
 def _to_write(sketch: Sketch, toolchain: Toolchain) -> list[Location]:
-    """Where bodies are that nobody has written."""
+    """The places of bodies that a person still has to write."""
     text = toolchain.sketch.text("unfinished", "")
     found = []
     for path in sorted(
@@ -246,7 +246,7 @@ def _absolute(port: str) -> str:
 
 @contextmanager
 def _alone(port: str) -> Iterator[None]:
-    """Keep other uploads of this person away from a port meanwhile.
+    """Exclude other uploads of this person to a port.
 
     Raises:
         UploadError: another one is going on there.
@@ -262,7 +262,7 @@ def _alone(port: str) -> Iterator[None]:
 
 
 def _awake(port: str, loader: BootLoader, tool: Uploader, board: Board, boards: Sequence[Board]) -> str:
-    """The port at which the board waits for a program."""
+    """Make the board wait for a program, by opening its port at a certain rate if necessary; returns its port."""
     try:
         if loader.touch_baud:
             serial_ports.touch(port, loader.touch_baud)

@@ -111,7 +111,7 @@ def uploader_data(toolchain: Toolchain, project: Path | None = None) -> DataTabl
 
 
 def find_program(data: DataTable) -> tuple[str, tuple[str, ...]] | None:
-    """The path of the program that uploads, and the arguments that it needs where it lies; None where it is not installed."""
+    """The path of the upload program, and the arguments that it needs there; None if it is not installed."""
     command = data.text("command")
     if found := shutil.which(command):
         return found, ()
