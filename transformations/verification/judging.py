@@ -21,6 +21,7 @@ from robosmi.transformations.verification.original_side import (
     channel_events,
     compared,
 )
+from robosmi.transformations.verification.places_seen import RESTING, rests_compared
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.transformations.verification.seen_beside import NO_LEVELS, console_speed, foreign_pin, pulled_up
 from robosmi.typed import replaced
@@ -69,6 +70,7 @@ def judged(
     target = channel_events(trace, ports, target=True)
     found = tuple(compared(name, seen, target[name], horizon_ms, runs.loop) for name, seen in runs.channels.items())
     found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith((DRIVEN, PULSED, STANDING)))
+    found += rests_compared(runs.rests, trace, ports)
     found = tuple(_racy_text(each) if _is_mixed(each, runs, trace) else each for each in found)
     found = tuple(_sure(each) for each in found)
     found = _beside(_behind_their_own(found), nominal.trace, trace, ports, at_rest)
@@ -154,7 +156,7 @@ def _in_order(
     target: Mapping[str, Sequence[list[ActivityEvent]]],
 ) -> tuple[ChannelComparison, ...]:
     """The channels, of which one is different if two of them do near things in the other order."""
-    same = [c.channel for c in found if c.status == SAME and not c.channel.endswith((DRIVEN, PULSED, STANDING))]
+    same = [c.channel for c in found if c.status == SAME and not c.channel.endswith((DRIVEN, PULSED, STANDING, RESTING))]
     changes_ms = [float(at_ms) for settings in scenario.signals.values() for points in settings.values() for at_ms, _ in points]
     disorder = first_disorder(
         {name: runs.channels[name][0] for name in same},

@@ -14,6 +14,7 @@ from msgspec import Struct
 
 from robosmi.data_text import as_whole
 from robosmi.transformations.verification.exact_numbers import MEASURED, with_exact_numbers
+from robosmi.transformations.verification.places_seen import rests_seen
 from robosmi.transformations.verification.played_devices import devices_at, played
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.transformations.verification.simulated_kinds import SimulatedKind, device_facts
@@ -26,6 +27,7 @@ from robosmi.verify.original_calls import with_place
 from robosmi.verify.original_coverage import coverage
 from robosmi.verify.original_run import OriginalRun, Variation, run_original
 from robosmi.verify.pulses import pulses_of
+from robosmi.verify.resting_places import Rest
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace
 
@@ -80,6 +82,7 @@ class SourceRuns(Struct, frozen=True):
         channels: name of each channel -> for each of `SIGHTS` its events in the nominal run, then in each varied run.
         given_up: the status of the run at which a limit was reached; there are no runs after it. Empty if there was none.
         loop: how the program waits for what it drives, if it does.
+        rests: name of each device that comes to rest -> where it does so in the nominal run, then in each varied run.
 
     What varied runs do at the pins is in `channels` alone: their traces are empty.
     """
@@ -89,6 +92,7 @@ class SourceRuns(Struct, frozen=True):
     channels: dict[str, list[list[list[ActivityEvent]]]]
     given_up: str = ""
     loop: ClosedLoop | None = None
+    rests: dict[str, list[list[Rest]]] = {}
 
     @property
     def unsteady(self) -> bool:
@@ -250,8 +254,9 @@ def run_varied(
     devices = played(ports, scenario, target=False)
     until = monotonic() + limit_s
     seen = [channel_events(nominal.trace, ports, target=False)]
+    rests = {name: [each] for name, each in rests_seen(nominal.trace, ports, target=False).items()}
     loop = _loop(nominal.trace, ports)
-    runs = SourceRuns(nominal, (), _by_channel(seen), nominal.status if nominal.status in LIMITS else "", loop)
+    runs = SourceRuns(nominal, (), _by_channel(seen), nominal.status if nominal.status in LIMITS else "", loop, rests)
     for variation in _FACTORS if not runs.given_up else ():
         chance = random.Random(variation.seed)
         moved = moved_devices(devices, chance) if variation.noise else put_down_anywhere(devices, chance)
@@ -259,8 +264,9 @@ def run_varied(
         if run.status in LIMITS:
             return replaced(runs, given_up=run.status)
         seen.append(channel_events(run.trace, ports, target=False))
+        rests = _with_rests(rests, run.trace, ports)
         emptied = replaced(run, trace=replaced(run.trace, changes=(), waves=(), console=(), device_events=()))
-        runs = SourceRuns(nominal, (*runs.varied, emptied), _by_channel(seen), loop=loop)
+        runs = SourceRuns(nominal, (*runs.varied, emptied), _by_channel(seen), loop=loop, rests=rests)
         if until_racy and runs.racy_channels:
             return runs
 
@@ -285,7 +291,7 @@ def run_further(
     """
     devices = played(ports, scenario, target=False)
     until = monotonic() + limit_s
-    channels = runs.channels
+    channels, rests = runs.channels, runs.rests
     for number, variation in enumerate(_FURTHER):
         chance = random.Random(variation.seed)
         ways = (-_MOVED_MS, _MOVED_MS)
@@ -295,7 +301,16 @@ def run_further(
             break
         seen = channel_events(run.trace, ports, target=False)
         channels = {name: [[*events, seen[name][sight]] for sight, events in enumerate(each)] for name, each in channels.items()}
-    return replaced(runs, channels=channels)
+        rests = _with_rests(rests, run.trace, ports)
+    return replaced(runs, channels=channels, rests=rests)
+
+
+def _with_rests(
+    rests: Mapping[str, list[list[Rest]]], trace: PinTrace, ports: Sequence[BoundPort]
+) -> dict[str, list[list[Rest]]]:
+    """Where devices come to rest, with one more run of the source."""
+    seen = rests_seen(trace, ports, target=False)
+    return {name: [*each, seen[name]] for name, each in rests.items()}
 
 
 def _loop(trace: PinTrace, ports: Sequence[BoundPort]) -> ClosedLoop | None:

@@ -65,6 +65,8 @@ class BoundPort(Struct, frozen=True):
         shares_with: title of another port that is the same pin of the source and another of the target; empty for none. What the
             program does at either cannot be told apart there.
         loop_ms: where the program waits for the device by what that tells, how much earlier or later such a wait may end.
+        placed: whether the program drives the device to places that it tells.
+        timed: whether the program drives it for a time.
     """
 
     name: str
@@ -86,6 +88,8 @@ class BoundPort(Struct, frozen=True):
     given_up: bool = False
     shares_with: str = ""
     loop_ms: float = 0.0
+    placed: bool = False
+    timed: bool = False
 
     @property
     def watched(self) -> bool:
@@ -221,6 +225,8 @@ def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice]) -> Non
             ports[source] = replaced(
                 ports[source], device=device.kind, pin=" ".join(called), line=False, group=group, settings=device.settings,
                 shown=not set(called).isdisjoint(shown), loop_ms=device.loop_ms if closed else 0.0,
+                placed=not set(device.placed_by).isdisjoint(ports[source].functions),
+                timed=not set(device.timed_by).isdisjoint(ports[source].functions),
             )  # fmt: skip
 
 

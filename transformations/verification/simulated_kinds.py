@@ -47,6 +47,8 @@ class SimulatedKind(TypedDict, total=False):
     driven: bool
     driven_as_output: bool
     happens: bool
+    rests_in: str
+    rests_within: float
     shown: list[str]
     split: Split
     takes_text: bool

@@ -29,6 +29,8 @@ class WiredDevice(Struct, frozen=True):
         closed_by: functions that control the device in a closed loop on its own signals, so that every microsecond changes
             what the program does at its pins; what the device does is compared instead.
         loop_ms: by how much such a function may end earlier or later, in milliseconds.
+        placed_by: functions that drive the device to a place that it tells, whatever time that takes.
+        timed_by: functions that drive it for as long as the program lets them.
     """
 
     kind: str
@@ -36,6 +38,8 @@ class WiredDevice(Struct, frozen=True):
     settings: Mapping[str, Any] = {}
     closed_by: tuple[str, ...] = ()
     loop_ms: float = 0.0
+    placed_by: tuple[str, ...] = ()
+    timed_by: tuple[str, ...] = ()
 
 
 def wired_devices(views: Sequence[CodeView], rules: Sequence[DataTable], roles: Mapping[str, int]) -> list[WiredDevice]:
@@ -59,7 +63,13 @@ def wired_devices(views: Sequence[CodeView], rules: Sequence[DataTable], roles: 
                 places = {("bus", address)} if address is not None and address in (addresses or (address,)) else set()
             if places and not places & (taken | apart):
                 found.append(
-                    replaced(device, closed_by=rule.texts("closed_by", ()), loop_ms=rule.optional_number("loop_ms") or 0)
+                    replaced(
+                        device,
+                        closed_by=rule.texts("closed_by", ()),
+                        loop_ms=rule.optional_number("loop_ms") or 0,
+                        placed_by=rule.texts("placed_by", ()),
+                        timed_by=rule.texts("timed_by", ()),
+                    )
                 )
                 taken |= places
     return found

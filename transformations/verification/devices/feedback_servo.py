@@ -20,10 +20,11 @@ class FeedbackServo(PulseDriven):
     stands and how far a pulse must be from there to turn it; `degrees_per_s_per_us`, its speed for each microsecond beyond;
     longer pulses turn it counter-clockwise. The signals of two servos are never in step: each has a frequency of its own, some
     per cent from that of the first. Without pulses for 50 ms it stands. Each 30 degrees of its way are noted
-    as `at`, where it has got to as `degrees` at the end.
+    as `at`, where it comes to rest as `rests`, where it has got to as `degrees` at the end.
     """
 
     mark = 30.0
+    least_motion = 3.0  # a loop that holds a place in 64 parts of a turn corrects it by half a part to either side
 
     pin_names = ("servo", "feedback")
     setting_names: ClassVar[Mapping[str, Json]] = {
@@ -35,6 +36,8 @@ class FeedbackServo(PulseDriven):
         super().start()
         self._speed = self._told = 0.0
         self._degrees = float(self.settings["degrees"])
+        self._held = self._degrees
+        self.put_down_at(self._degrees)
         self._cycle_us = 1e6 / (_HZ * (1 + _HZ_APART * self.number))
         self._tell()
 
@@ -49,6 +52,9 @@ class FeedbackServo(PulseDriven):
             self._speed = 0.0
         self._degrees += self._speed * (self.bench.now - self._told) / 1e6
         self._told = self.bench.now
+        if abs(self._degrees - self._held) > self.least_motion:
+            self._held = self._degrees
+            self.driven(self._speed)
         self.moved_to(self._degrees)
         duty = _MOST_DUTY - self._degrees % 360 / 360 * (_MOST_DUTY - _LEAST_DUTY)
         self.bench.set_level(self.pins["feedback"], 1)
@@ -57,4 +63,5 @@ class FeedbackServo(PulseDriven):
 
     def ended(self) -> None:
         """Note where it has got to."""
+        super().ended()
         self.note("degrees", self._degrees)

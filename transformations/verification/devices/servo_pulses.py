@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from robosmi.transformations.verification.devices.places_of_rest import PlacesOfRest
 from robosmi.transformations.verification.devices.way_marks import WayMarks
 from robosmi.verify.bench import Device, Level
 
@@ -9,17 +10,24 @@ _LONGEST_GAP_US = 50_000
 
 
 class PulseDriven(Device):
-    """A device that the pulses at its pin `servo` drive."""
+    """A device that the pulses at its pin `servo` drive.
+
+    Attributes:
+        mark: the distance of two marks of its way that are noted.
+        least_motion: what moves by less makes no motion.
+    """
 
     pin_names: tuple[str, ...] = ("servo",)
     reacts_to = ()
     mark: float
+    least_motion: float
 
     def start(self) -> None:
         """Have seen no pulse yet."""
         self._begun: float | None = None
         self._last_pulse = 0.0
         self._marks = WayMarks(self.mark, self.note)
+        self._rests = PlacesOfRest(self.least_motion, self.note)
 
     def pin_changed(self, pin: str, level: Level) -> None:
         """Take a pulse of the program when it ends."""
@@ -37,10 +45,33 @@ class PulseDriven(Device):
     def moved_to(self, position: float) -> None:
         """Note as `at` each mark of the way that is passed, and as `barely` one that it only just comes to (see `way_marks`).
 
+        Where it rests is noted, too (see `places_of_rest`).
+
         Args:
             position: where the device is now, in its own unit, marks being `mark` apart.
         """
         self._marks.moved(position, self.bench.now)
+        self._rests.moved(position, self.bench.now)
+
+    def put_down_at(self, position: float) -> None:
+        """Take where the device stands at first, from which places of rest are counted.
+
+        Args:
+            position: where that is, in its own unit.
+        """
+        self._rests.begin(position)
+
+    def driven(self, speed: float) -> None:
+        """Take the speed at which the device is driven now.
+
+        Args:
+            speed: in its own unit a second, negative backwards; 0 where a pulse lets it stand.
+        """
+        self._rests.driven(speed, self.bench.now)
+
+    def ended(self) -> None:
+        """Note where it rests."""
+        self._rests.ended(self.bench.now)
 
     @property
     def left_alone(self) -> bool:

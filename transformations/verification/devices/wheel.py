@@ -19,10 +19,11 @@ class Wheel(PulseDriven):
     microsecond beyond (negative where it is mounted the other way round); `ticks_per_s_limit`, the speed that it cannot
     exceed; `starts_at`, what part of a tick it has behind it at first. The encoder's level changes at each whole tick, whichever
     way the wheel comes to it: what turns round just behind one meets the same one again. Without pulses for 50 ms it stands. It
-    notes as `at` each 16th tick of its way, forwards and backwards.
+    notes as `at` each 16th tick of its way, forwards and backwards, and as `rests` where it comes to rest, in ticks.
     """
 
     mark = 16.0
+    least_motion = 0.5
 
     optional_pin_names = ("encoder",)
     setting_names: ClassVar[Mapping[str, Json]] = {
@@ -35,6 +36,7 @@ class Wheel(PulseDriven):
         self._speed = 0.0
         self._place = float(self.settings["starts_at"])
         self._tick, self._turned = floor(self._place), 0
+        self.put_down_at(self._tick)
         if "encoder" in self.pins:
             self.bench.set_level(self.pins["encoder"], self._tick % 2)
         self.bench.at(_STEP_US, self._turn)
@@ -44,6 +46,7 @@ class Wheel(PulseDriven):
         limit = self.settings["ticks_per_s_limit"]
         speed = (width_us - self.settings["neutral_us"]) * self.settings["ticks_per_s_per_us"]
         self._speed = max(-limit, min(limit, speed))
+        self.driven(self._speed)
 
     def _turn(self) -> None:
         if self.left_alone:
@@ -59,4 +62,5 @@ class Wheel(PulseDriven):
 
     def ended(self) -> None:
         """Note how many ticks it turned."""
+        super().ended()
         self.note("ticks", self._turned)

@@ -1,0 +1,57 @@
+"""Whether a device comes to rest at the same places: within a width of each run of the source, and no further."""
+
+from __future__ import annotations
+
+import pytest
+
+from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, SAME
+from robosmi.verify.resting_places import Rest, RestKind, compare_rests
+
+PLACED, TIMED = RestKind("ticks", 1.6, timed=False), RestKind("ticks", 0.0, timed=True)
+
+
+def way(*places: float, barely: tuple[int, ...] = ()) -> list[Rest]:
+    """Rests a second apart, reached at 64 ticks a second each."""
+    before = [0.0, *places]
+    return [
+        Rest(1000.0 * (number + 1), place, abs(place - before[number]), 128.0, number in barely)
+        for number, place in enumerate(places)
+    ]
+
+
+@pytest.mark.parametrize(
+    ("runs", "target", "status"),
+    [
+        ([way(64, 90)], way(65, 91), SAME),
+        ([way(64, 90)], way(64, 88.3), DIFFERENT),
+        ([way(64, 90), way(64, 91)], way(64, 91.7), DIFFERENT),  # further than the width from the run that is first
+        ([way(64, 90), way(64, 91)], way(64, 91.5), SAME),
+        ([way(64, 90), way(64, 99)], way(64, 97), SAME),  # the source itself is so far off
+        ([way(64, 90), way(64)], way(64, 40), SAME),  # beyond what all runs of the source come to
+        ([way(64, 90)], way(64), SAME),  # that there is no second rest is another channel's
+        ([way(64, 70, 90, barely=(1,))], way(64, 90), SAME),
+        ([way(64, 90)], way(64, 75, 90, barely=(1,)), SAME),
+        ([way(64, 70, 90, barely=(1,))], way(64, 84), DIFFERENT),
+        ([way(64)], [], NOT_EXERCISED),
+    ],
+)
+def test_a_place_is_the_same_within_the_width_of_each_run(runs: list[list[Rest]], target: list[Rest], status: str) -> None:
+    assert compare_rests("wheel at rest", runs, target, PLACED).status == status
+
+
+@pytest.mark.parametrize(
+    ("target", "status"),
+    [(way(65, 91), SAME), (way(65.5, 93), SAME), (way(65.5, 89), DIFFERENT), (way(66.5, 93), DIFFERENT)],
+)
+def test_motions_that_last_for_a_time_are_compared_one_by_one(target: list[Rest], status: str) -> None:
+    """A frame at 64 ticks/s is 1.3 of them, beside 1 % of the way."""
+    assert compare_rests("wheel at rest", [way(64, 90)], target, TIMED).status == status
+
+
+def test_a_difference_tells_both_places_and_what_is_the_same() -> None:
+    found = compare_rests("left at rest", [way(64, 90), way(64, 90.5)], way(64, 84), PLACED)
+    assert found.difference is not None
+    assert (found.difference.at_ms, found.difference.channel, found.events) == (2000.0, "left at rest", 1)
+    assert found.difference.message == (
+        "rests 84.0 ticks from where it began, instead of 90.0 (between 88.9 and 91.6 are the same)"
+    )
