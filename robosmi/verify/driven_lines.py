@@ -7,10 +7,11 @@ sensor may be more tolerant than a real one, so the durations are compared, too.
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 from math import inf
 from statistics import median
 
-from robosmi.typed import replaced
+from robosmi.typed import replaced, sum_of
 from robosmi.verify.activity import HELD, LEVEL, PULSE, ActivityEvent
 from robosmi.verify.servo_widths import EQUAL_US
 from robosmi.verify.simulation import PinTrace
@@ -26,6 +27,10 @@ _LEAST_PAUSE_US, _PAUSES, _CLEAR = 500_000.0, 5, 1.5
 
 The end is marginal if the pause is less than the third times this limit.
 """
+_TONE_DUTY, _TONE_STEADY = (0.4, 0.6), 1.3
+"""The duty cycle of a tone, and the factor within which its periods are equal to the neighbouring ones."""
+_TONE_PULSES = 3
+"""The least number of pulses of a tone."""
 NO_MORE = -1_000.0
 """The length, in an event, that means that the line is no longer driven."""
 
@@ -45,11 +50,13 @@ def held_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
 def pulse_lengths(trace: PinTrace, pin: str) -> list[ActivityEvent]:
     """How long the pulses at a pin are that a single function call makes: an event wherever this length changes.
 
+    Pulses of a tone at the same pin are left out, since some boards make a tone with a timer and others edge by edge.
+
     Args:
         trace: what was seen.
         pin: label of the pin.
     """
-    low, high = _held(trace, pin, 0, 0.0), _held(trace, pin, 1, 0.0)
+    low, high = (_without_tones(_held(trace, pin, level, 0.0)) for level in (0, 1))
     lengths = [(length, level) for level, held in ((0, low), (1, high)) for _, length in held]
     lengths += [(trace.known_us - at_us, level) for at_us, level in trace.levels(pin)[-1:] if level in (0, 1)]
     level, held = (0, low) if max(lengths, default=(0.0, 0))[1] else (1, high)
@@ -76,6 +83,28 @@ def _lengths(
             found.append(ActivityEvent(begin + length, kind, (level, NO_MORE), barely=near))
             lately = []
     return found
+
+
+def _without_tones(held: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Pulses without those of tones, including pulses that are cut off at the begin or the end of a tone.
+
+    Args:
+        held: begin and length of each pulse in microseconds, by time.
+    """
+    periods = [after[0] - before[0] for before, after in pairwise(held)]
+    tone = [False] * len(periods)
+    for at, period in enumerate(periods):
+        near = [periods[other] for other in (at - 1, at + 1) if 0 <= other < len(periods)]
+        steady = any(period / _TONE_STEADY <= each <= period * _TONE_STEADY for each in near)
+        tone[at] = steady and _TONE_DUTY[0] <= held[at][1] / period <= _TONE_DUTY[1]
+    whole = [sum_of(tone[at : at + _TONE_PULSES]) == _TONE_PULSES for at in range(len(tone))]
+    sure = [any(whole[max(0, at - _TONE_PULSES + 1) : at + 1]) for at in range(len(tone))]
+
+    def of_tone(at: int) -> bool:
+        beside = range(max(0, at - 2), min(len(sure), at + 3))
+        return any(sure[other] and abs(held[other][0] - held[at][0]) <= 2 * periods[other] for other in beside)
+
+    return [pulse for at, pulse in enumerate(held) if not of_tone(at)]
 
 
 def _long_pause(held: list[tuple[float, float]]) -> float:

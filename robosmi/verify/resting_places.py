@@ -1,9 +1,10 @@
-"""Where what a program drives comes to rest between two motions: whether that is at the same places on the target.
+"""Comparing the places at which driven devices, such as wheels, rest between two motions.
 
-A robot that turns by 69 degrees and not by 90 makes the same motions at nearly the same times. So the places at which its wheels
-rest are compared. All right runs of a program that is told how far it went come to rest within a small width, which is known; so
-a right target does so within that width of each run of the source. Where a program drives for a time, each motion is compared by
-itself, and the width is what it goes in a frame of its pulses at each change of its speed, too, and a part of the way.
+A robot that turns by 69 degrees instead of 90 makes the same motions at nearly the same times, so the places at which its wheels
+rest are compared. If the program drives to a place by what its encoders report, all correct runs rest within a known distance
+of each other, so a correct target rests within that distance of each run of the source. If the program drives for a time, each
+motion is compared separately, and the distance that the device covers in one servo frame at each change of speed, and a
+percentage of the path, are allowed as well.
 """
 
 from __future__ import annotations
@@ -19,18 +20,18 @@ from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, SAME, ChannelCom
 _FRAME_S = 0.021
 """Frames of servos are 20 ms apart, 21 ms where a program makes them itself."""
 _WAY = 0.01
-"""How long something lasts may be off by so much."""
+"""Durations may differ by this part, as for other events."""
 
 
 class Rest(NamedTuple):
-    """That a device comes to rest.
+    """A time during which a device rests.
 
     Attributes:
-        at_ms: since when, in milliseconds.
-        place: where, from where it was put down.
-        way: how far it went since the rest before, back and forth.
-        changes: the sum of all changes of its speed on that way, in its unit a second.
-        barely: whether another run of the same program may do without it.
+        at_ms: when it begins, in milliseconds.
+        place: the position, relative to the initial one.
+        way: the length of the path since the previous rest, forwards and backwards.
+        changes: the sum of all absolute changes of speed on that path, in units per second.
+        barely: whether another run of the same program may not rest here.
     """
 
     at_ms: float
@@ -41,12 +42,12 @@ class Rest(NamedTuple):
 
 
 class RestKind(NamedTuple):
-    """What is known of places at which a device rests.
+    """How the places of one device are compared.
 
     Attributes:
-        unit: of its places.
-        within: the width within which right runs rest that are told how far the device went; 0 where they never are.
-        timed: whether the program drives it for a time.
+        unit: the unit of its positions.
+        within: the distance within which all correct runs rest if the program drives to a place; 0 if it never does.
+        timed: whether the program drives the device for a time, so that each motion is compared separately.
     """
 
     unit: str
@@ -55,13 +56,13 @@ class RestKind(NamedTuple):
 
 
 def compare_rests(channel: str, runs: Sequence[Sequence[Rest]], target: Sequence[Rest], kind: RestKind) -> ChannelComparison:
-    """Compare the places at which a device rests, as far as the target and all runs of the source rest equally often.
+    """Compare the places at which a device rests, up to the first rest that not all runs have.
 
     Args:
-        channel: what to call it.
-        runs: those of the source, the first one being that which is told.
-        target: the target's.
-        kind: what is known of such places.
+        channel: the name of the channel.
+        runs: the rests in each run of the source, the nominal run first.
+        target: the rests of the migrated program.
+        kind: how they are compared.
     """
     nominal, *varied = runs
     others = [*varied, target]
@@ -80,7 +81,7 @@ def compare_rests(channel: str, runs: Sequence[Sequence[Rest]], target: Sequence
         width = kind.within
         if kind.timed:
             motion = nominal[first : number + 1]
-            width = 2 * kind.within  # it may begin and end anywhere within that
+            width = 2 * kind.within  # the motion may begin and end anywhere within it
             width += _FRAME_S * sum_of(each.changes for each in motion) / 2 + _WAY * sum_of(each.way for each in motion)
             left = [each.place for each in row]
         least, most = min(*own, max(own) - width), max(*own, min(own) + width)
@@ -92,14 +93,14 @@ def compare_rests(channel: str, runs: Sequence[Sequence[Rest]], target: Sequence
 
 
 def _events(rests: Sequence[Rest]) -> list[ActivityEvent]:
-    """Rests as events that all say the same: which of two runs belong together is told by their order."""
+    """Rests as equal events, so that the rests of two runs are matched by their order."""
     return [ActivityEvent(1000 * rest.at_ms, LINE, ("rests",), barely=rest.barely) for rest in rests]
 
 
 def _told(
     channel: str, rests: tuple[Rest, Rest], places: tuple[float, float], ends: tuple[float, float], kind: RestKind
 ) -> FirstDifference:
-    """What is different, in words."""
+    """The difference, with a message that states both places and the tolerance."""
     does = f"turns by {{:.1f}} {kind.unit} until it rests" if kind.timed else f"rests {{:.1f}} {kind.unit} from where it began"
     source, target = (ActivityEvent(1000 * rest.at_ms, LINE, (does.format(place),)) for rest, place in paired(rests, places))
     message = f"{target.value[0]}, instead of {places[0]:.1f} (between {ends[0]:.1f} and {ends[1]:.1f} are the same)"

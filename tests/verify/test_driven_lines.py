@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from robosmi.verify.activity import HELD, ActivityEvent
 from robosmi.verify.alignment import alike
 from robosmi.verify.comparison import DIFFERENT, compare
-from robosmi.verify.driven_lines import DRIVEN_LOW, LET_GO, NO_MORE, held_levels, let_go_levels
+from robosmi.verify.driven_lines import DRIVEN_LOW, LET_GO, NO_MORE, held_levels, let_go_levels, pulse_lengths
 from robosmi.verify.simulation import PinChange, PinTrace
 
 
@@ -94,3 +94,32 @@ def test_lengths_are_the_same_within_a_tenth_of_a_millisecond_and_five_per_cent(
     assert alike(length(18_000), length(18_900))
     assert not alike(length(18_000), length(18_000, 0))
     assert str(length(230)) == "held high for 230 us"
+
+
+def pulses(*made: tuple[float, float]) -> list[str]:
+    """What is seen of pulses at a pin where one function makes them: when each begins, and how long it is."""
+    changes = [c for at, us in made for c in (PinChange(at, "D4", 1), PinChange(at + us, "D4", 0))]
+    trace = PinTrace("e", "running", 9_000_000.0, (PinChange(0.0, "D4", 0), *changes), (), (), ())
+    return [str(event) for event in pulse_lengths(trace, "D4")]
+
+
+def tone(begin_us: float, hz: float, count: int) -> list[tuple[float, float]]:
+    """The pulses of a tone, the last one cut off."""
+    period = 1e6 / hz
+    return [*((begin_us + at * period, period / 2) for at in range(count)), (begin_us + count * period, period / 5)]
+
+
+ROW = [(100_000.0 + at * 20_000.0, 100.0 * (at + 1)) for at in range(8)]
+
+
+def test_pulses_beside_a_tone_are_those_that_are_seen_without_it() -> None:
+    alone = pulses(*ROW)
+    assert alone[:3] == [f"pulses high for {us}.0 us" for us in (200, 300, 400)]
+    assert pulses(*ROW, *tone(760_000, 440, 200)) == alone
+    assert pulses(*tone(10_000, 2000, 20), *ROW, *tone(760_000, 440, 40)) == alone
+    assert pulses(*((at, 1.3 * us) for at, us in ROW), *tone(760_000, 440, 200))[0] == "pulses high for 260.0 us"
+
+
+def test_pulses_for_half_of_the_time_are_a_tone_only_where_they_are_as_even() -> None:
+    assert pulses((100_000, 500), (101_000, 900), (102_700, 500)) != []
+    assert pulses(*tone(100_000, 1000, 3)) == []

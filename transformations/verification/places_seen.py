@@ -1,4 +1,4 @@
-"""Where the devices of a program come to rest, as they note it, and whether that is so on the target."""
+"""The places at which the simulated devices of a program rest in a run, and their comparison with the target's."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from robosmi.verify.resting_places import Rest, RestKind, compare_rests
 from robosmi.verify.simulation import PinTrace
 
 RESTING = " at rest"
-"""Behind the name of a device's port: the channel of where it comes to rest."""
+"""The suffix of the channel with the places at which the device at a port rests."""
 _RESTS = "rests"
 
 
 def rests_seen(trace: PinTrace, ports: Sequence[BoundPort], target: bool) -> dict[str, list[Rest]]:
-    """The places at which each device rests in a run: name of the channel -> the places, by time.
+    """The rests of each device in a run: channel -> rests, by time.
 
     Args:
-        trace: what was seen.
-        ports: the ports.
-        target: whether the trace is the target's.
+        trace: the trace of the run.
+        ports: the ports of the program.
+        target: whether the trace is from the target.
     """
     return {
         name: _rests(trace, number)
@@ -35,12 +35,12 @@ def rests_seen(trace: PinTrace, ports: Sequence[BoundPort], target: bool) -> dic
 def rests_compared(
     source: Mapping[str, Sequence[Sequence[Rest]]], trace: PinTrace, ports: Sequence[BoundPort]
 ) -> tuple[ChannelComparison, ...]:
-    """The channels of devices that come to rest on both sides.
+    """The comparisons of all devices that rest on both sides.
 
     Args:
-        source: name of each -> its places in the runs of the source.
-        trace: what the migrated program did.
-        ports: the ports.
+        source: channel -> the rests in each run of the source.
+        trace: the trace of the migrated program.
+        ports: the ports of the program.
     """
     theirs = rests_seen(trace, ports, target=True)
     kinds = {

@@ -1,4 +1,4 @@
-"""Where what turns comes to rest between two motions: what a robot that drives by encoders is about."""
+"""The places at which a turning device rests between two motions."""
 
 from __future__ import annotations
 
@@ -7,21 +7,23 @@ from collections.abc import Callable
 from robosmi.data_text import Json
 
 _RESTS_US, _SURELY_US = 150_000.0, 250_000.0
-"""What was not driven for the first time rests: libraries wait for up to 120 ms between two steps of one motion. What rests for
-less than the second one may not do so in another run."""
+"""A device rests if it has not been driven for the first time, since libraries wait for up to 120 ms within one motion.
+
+Another run may have no rest where one is shorter than the second time.
+"""
 
 
 class PlacesOfRest:
     """The places at which one device rests.
 
-    Each is told when the next motion has begun, or the run ends, and is the mean of where the device was while it rested: a loop
-    that holds a place settles there, and trembles.
+    A place is the mean position during the rest, since a control loop settles there and oscillates slightly. It is noted once the next
+    motion has begun, or at the end of the run.
 
     Args:
-        least: what moves by less, in the unit of its positions, makes no motion; by less than twice as much, hardly one.
-        note: takes for each place: from where it was put down, the length of the way since the rest before, the sum of all
-            changes of its speed on it, in its unit a second, when the rest begins, in microseconds, and whether another run of
-            the same program may do without it.
+        least: the shortest path that counts as a motion. After a path below twice this length, a rest counts as marginal.
+        note: called with "rests" and a list: the position relative to the initial one, the length of the path since the
+            previous rest, the sum of all absolute changes of speed on it, the begin of the rest in microseconds, and
+            whether another run of the same program may not rest here.
     """
 
     def __init__(self, least: float, note: Callable[[str, Json], None]) -> None:
@@ -30,25 +32,25 @@ class PlacesOfRest:
         self.begin(0.0)
 
     def begin(self, position: float) -> None:
-        """Take where the device stands at first.
+        """Set the initial position.
 
         Args:
-            position: where that is.
+            position: the initial position.
         """
         self._first = self._position = position
         self._driven_us: float | None = None
         self._way = self._speed = self._changes = 0.0
         self._resting = True
         self._rest: tuple[float, float, float] | None = None
-        """The way and the changes of speed up to the rest that is not told yet, and when that begins."""
+        """The path length, changes of speed and begin of a rest that is not noted yet."""
         self._sum, self._count = 0.0, 0
 
     def driven(self, speed: float, now_us: float) -> None:
-        """Take that the device is driven at a speed, which may be 0.
+        """Set the speed at which the device is driven.
 
         Args:
-            speed: the speed, negative backwards.
-            now_us: when, in microseconds.
+            speed: the speed, negative backwards; 0 to stop.
+            now_us: the current time in microseconds.
         """
         if speed and self._resting:
             self._resting = False
@@ -59,11 +61,11 @@ class PlacesOfRest:
         self._speed = speed
 
     def moved(self, position: float, now_us: float) -> None:
-        """Take where the device is.
+        """Set the current position.
 
         Args:
-            position: where it is now.
-            now_us: when, in microseconds.
+            position: the current position.
+            now_us: the current time in microseconds.
         """
         self._way += abs(position - self._position)
         self._position = position
@@ -80,10 +82,10 @@ class PlacesOfRest:
                 self._rest = self._way, self._changes + abs(self._speed), self._driven_us
 
     def ended(self, now_us: float) -> None:
-        """Tell where the device rested last, if that is not told yet: it rests no longer, or the run ends.
+        """Note the last rest, if it is not noted yet, since it or the run has ended.
 
         Args:
-            now_us: when that is, in microseconds.
+            now_us: the current time in microseconds.
         """
         if self._rest is None:
             return
