@@ -16,8 +16,8 @@ Another run may have no rest where one is shorter than the second time.
 class PlacesOfRest:
     """The places at which one device rests.
 
-    A place is the mean position during the rest, since a control loop settles there and oscillates slightly. It is noted once the next
-    motion has begun, or at the end of the run.
+    A place is the mean position during the rest, since a control loop settles there and oscillates slightly. It is noted once
+    the next motion has begun, or at the end of the run.
 
     Args:
         least: the shortest path that counts as a motion. After a path below twice this length, a rest counts as marginal.
