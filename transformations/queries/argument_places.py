@@ -1,7 +1,7 @@
-"""Where the arguments of calls and of uses of macros stand in a text, by its tokens.
+"""Places of the arguments of calls and macro uses in a text, found by its tokens.
 
-The parser knows an argument without the parentheses around it, and nothing of what a macro's body passes on.
-`Holders` tells in which macro or use a place is.
+The parser reports an argument without the parentheses around it, and nothing about what a macro's body passes on. `Holders`
+finds the macro definition or use that contains a place.
 """
 
 from __future__ import annotations

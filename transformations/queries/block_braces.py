@@ -1,7 +1,7 @@
-"""The braces of a block as they are written: `{` and `}`, the digraphs `<%` and `%>`, or macros that end in one or are one.
+"""The braces of a block as they are written: `{` and `}`, the digraphs `<%` and `%>`, or macros whose bodies end in a brace.
 
-`#define FOREVER for (;;) {` and `#define END }` open and close blocks in programs; the block begins behind the use of the one
-and ends before that of the other.
+Programs use `#define FOREVER for (;;) {` and `#define END }` to open and close blocks; such a block's content begins after the
+use of the former and ends before the use of the latter.
 """
 
 from __future__ import annotations

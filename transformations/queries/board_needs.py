@@ -1,7 +1,7 @@
 """What a plan's program needs of its board before it is compiled: pins, timers, and the time that each pass of its loop waits.
 
-All is read off the models: the plan's bindings, the board with its microcontroller, the pieces of adapters and the libraries that
-the program gets. What cannot be had is told apart, so that a report can say it first.
+All is read off the models: the plan's bindings, the board with its microcontroller, the adapter pieces and the libraries of the
+program. What the board cannot give is listed separately, so that a report can begin with it.
 """
 
 from __future__ import annotations

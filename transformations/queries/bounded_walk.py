@@ -53,10 +53,10 @@ class BoundedWalk(Generic[A]):
         self._repeats = 0
 
     def ask(self, question: Question[B]) -> B:
-        """The answer to a question that asks for names by `name`, within another question or not.
+        """Answer a question that evaluates names by calling `name`; questions may be nested.
 
         Args:
-            question: may be called more than once.
+            question: computes the answer; it may be called more than once.
         """
         if self._active:
             return question()

@@ -1,7 +1,7 @@
-"""Every choice that a person may make, as the contract's `choices[]`: of a pin for each port, of a library for each component.
+"""Every choice that a user can make, as the contract's `choices[]`: a pin for each port, a library for each component.
 
-A choice keeps its options when it is made. A port is offered what the drawing proposes, then each free pin that can do what the
-program does with the port, then `none`. What a choice is called in a command and in a project file is told by `answers`.
+A choice that was made keeps its options. A port is offered the pins that the drawing proposes, then each free pin that can do
+what the program does with the port, then `none`. `answers` tells what a choice is called in a command and in a project file.
 """
 
 from __future__ import annotations
@@ -122,7 +122,7 @@ def offered_choices(plan: migration.MigrationPlan) -> list[OfferedChoice]:
 
 
 def reason(decision: migration.Decision) -> str:
-    """Why a decision was made as it was; empty where a person gave no reason, which plans of earlier versions have in words."""
+    """Why a decision was made; empty if the user gave no reason, which plans of earlier versions store as a text."""
     return "; ".join(str(each) for each in decision.evidence if each != "chosen by a person")
 
 
@@ -132,7 +132,7 @@ def choices_json(plan: migration.MigrationPlan) -> list[dict[str, Json]]:
 
 
 def unclear_components(plan: migration.MigrationPlan) -> list[hardware.Component]:
-    """The components that a pin reaches and whose role a person may have to say, and those of which one has said it."""
+    """The components at a pin whose role is unknown, so that the user may give it, and those whose role the user has given."""
     reached = {id(c.component): c.component for c in plan.connections if c.component is not None}
     given = [c for c in (plan.circuit.components if plan.circuit is not None else ()) if c.roleEvidence == GIVEN]
     return [*(c for c in reached.values() if c.role is hardware.Role.Unknown), *given]

@@ -1,6 +1,6 @@
-"""How signals run through a circuit: from nets across passive parts to components, what is behind a driver, pins of a board.
+"""How signals run through a circuit: from nets across passive parts to components, behind a driver, from the pins of a board.
 
-Which pin is mapped to what is decided elsewhere (`m2m/connector_mapping`); this is what rules, constraints and pictures ask.
+Rules, constraints and pictures use this; pins are mapped to components elsewhere (`m2m/connector_mapping`).
 """
 
 from __future__ import annotations
@@ -64,9 +64,9 @@ def walk(start: Iterable[hardware.Net], blocked: Iterable[hardware.Net], ignore:
 
 
 def behind(driver: hardware.Component) -> tuple[list[hardware.Component], list[hardware.Component]]:
-    """What a driver drives and what it senses: outputs and inputs beyond its connectors that lead to no board.
+    """The outputs that a driver drives and the inputs that it senses, beyond its connectors that lead to no board.
 
-    They are told for the whole device, not channel by channel, and have no mapping of their own.
+    They are given for the whole device, not channel by channel, and have no mapping of their own.
     """
     nets = distinct(c.net for c in driver.connectors if c.net is not None and not c.net.rail)
     free = [net for net in nets if not any(c.component.role is Role.Board for c in net.connectors)]  # type: ignore[union-attr]

@@ -1,7 +1,7 @@
-"""What a connector is called where people read it: its name, told apart from others of that name on the same component.
+"""The name of a connector for people, made unique among the connectors of its component.
 
-Gates of one part may have pins of one name, as units of a symbol may; a program that reads models has `connectorId` for that.
-Told here is the text alone; what a name means is told by the knowledge of parts, from the name as the drawing has it.
+Several gates of a part, or units of a symbol, may have pins of one name; programs that read models tell them apart by
+`connectorId`. Only the text is made here; its meaning is derived from the drawing's own name by the knowledge of parts.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ _POWERED = (hardware.ConnectorKind.supply, hardware.ConnectorKind.ground)
 
 
 def told_name(connector: hardware.Connector) -> str:
-    """The name of a connector as it is shown, empty where it has none.
+    """The displayed name of a connector, empty if it has none.
 
-    Where the component has another connector of that name that is not joined with it, the text says which one is meant: the
-    identity where it holds the name (gate and pin of EAGLE, `A.OUT`), else the name with the identity behind it (`OUT@7`, the
-    pad of a KiCad symbol). Pins of supplies and grounds that nothing connects are not told apart.
+    If the component has another, unconnected connector of that name, the name is made unique: by the identity if that contains
+    the name (gate and pin of EAGLE, `A.OUT`), else by appending it (`OUT@7`, the pad of a KiCad symbol). Unconnected supply and
+    ground pins stay as they are.
     """
     name = str(connector.name)
     component = connector.component

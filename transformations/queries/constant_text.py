@@ -1,7 +1,7 @@
-"""Integers in pieces of a program's text: literals, and what a macro stands for as a constant expression.
+"""Evaluates integers in pieces of a program's text: literals, and macros that stand for constant expressions.
 
-The text of a macro is expanded first (`expansion`), so that what is nested, pasted or passed on is what the compiler sees. Types
-are not known here: numbers are computed without an end, and casts to integers are passed over.
+The text of a macro is expanded first (`expansion`), so that nested, pasted and passed text is what the compiler sees. Types are
+not known here: numbers have unlimited width, and casts to integer types are ignored.
 """
 
 from __future__ import annotations

@@ -1,8 +1,7 @@
-"""Code on other cores as coroutines on one: where loops have to give way, how many run at once, how much stack each needs.
+"""Code of other cores as coroutines on one: which loops must yield, how many coroutines run at once, and their stacks.
 
-A coroutine goes on until it waits, so a loop that waits for the others must give way to them. What waits is known of the
-platform's functions and of the adapters that stand for them; the rest is read off the code model. What is made of it is the
-plan's business (`m2m.concurrency`).
+A coroutine runs until it waits, so a loop that waits for another coroutine must yield to it. Which functions wait is data of
+the platform and of its adapters; the rest is read off the code model. `m2m.concurrency` makes the plan's decisions from this.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""The wiring of a circuit as electrical checks ask for it: what shares a net, which net has which voltage, what a pin can.
+"""The wiring of a circuit for electrical checks: what shares a net, the voltage of a net, what a pin can do.
 
-Made once for each run of queries (`wiring`), since every check asks for most of it. Facts about devices are in the circuit
+It is computed once per run of queries (`wiring`), since every check needs most of it. Facts about devices are in the circuit
 (`knowledge/described_circuit`), those about boards in the plan or else the repository; nothing is judged here.
 """
 
@@ -27,11 +27,11 @@ Kind = hardware.ConnectorKind
 _VOLTS = re.compile(r"\+?([1-3])v([358])|\+?(\d{1,2})(?:[.,](\d{1,2}))? ?v\d?", re.IGNORECASE)
 _GPIO = re.compile(r"[DA]\d+|(?:GPIO|P)\d+")
 NOTHING = DeviceFacts("")
-"""What is known of a device that nothing is known of."""
+"""The empty facts, for a device about which nothing is known."""
 
 
 class BoardPin(Struct, frozen=True):
-    """A pin of a board as a component meets it: its connector, the net, the board, the label, what is known of the pin."""
+    """A pin of a board that a component is connected to: the component's connector, net, board, the pin's label and model."""
 
     connector: hardware.Connector
     net: hardware.Net

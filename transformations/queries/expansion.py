@@ -1,8 +1,8 @@
-"""A text with the uses of the program's own macros replaced by what they stand for, and where each token of it is written.
+"""Expands the program's own macros in a text, and keeps where each resulting token is written.
 
-So what a macro computes can be read with types like any other expression, and a change of it finds its place: at the use,
-in the macro's body, or in the argument. Macros of headers that are not the program's stay as they are. Source: ISO/IEC
-9899:1999, 6.10.3; a use whose arguments reach across a directive is left alone.
+So what a macro computes can be typed like any other expression, and a change of it can be placed at the use, in the macro's
+body, or in the argument. Macros of headers that are not the program's stay as they are. Source: ISO/IEC 9899:1999, 6.10.3; a
+use whose arguments reach across a directive is left alone.
 """
 
 from __future__ import annotations

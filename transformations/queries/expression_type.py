@@ -126,9 +126,9 @@ def of_use(use: ccode.TypeUse | None) -> ValueType | None:
 
 
 def nameless(use: ccode.TypeUse) -> ccode.Record | ccode.Enumeration | None:
-    """The record or enumeration without a name that a variable's declaration defines (`struct { int pin; } lamp`).
+    """The anonymous record or enumeration that a variable's declaration defines (`struct { int pin; } lamp`).
 
-    It stands before the variable's name; an enumeration may stand before a member's, too.
+    It precedes the variable's name; an enumeration may also precede the name of a record's member.
     """
     words = set(str(use.spelling or "").split())
     holder = use.eContainer()
@@ -152,7 +152,7 @@ def _declared_beside(element: object) -> Sequence[ccode.Declaration]:
 
 
 def _unnamed(typedef: ccode.Typedef) -> ccode.Declaration | None:
-    """The record or enumeration without a name that stands in a typedef."""
+    """The anonymous record or enumeration that a typedef defines."""
     unit = typedef.eContainer()
     beside = unit.declarations if isinstance(unit, (ccode.SourceUnit, ccode.Namespace, ccode.DeclarationStatement)) else ()
     inside = (d for d in beside if isinstance(d, (ccode.Record, ccode.Enumeration)) and not d.name)

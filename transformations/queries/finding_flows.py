@@ -1,7 +1,7 @@
-"""How a program comes to what a finding of a plan says, and the change of text that mends it, where the models tell either.
+"""The steps by which a program arrives at the situation of a finding, and the edit of its text that corrects it.
 
-Both are read off the elements that the finding is about: a plan stores no more of them. What rules find is decided by the
-constraints.
+Both are derived from the elements of the finding, since a plan stores no more, and only for rules where these suffice. The
+constraints decide what is found.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ def has_flow(entry: migration.PlanTask) -> bool:
 
 
 def steps_of(entry: migration.PlanTask, places: Mapping[str, str]) -> tuple[FlowStep, ...]:
-    """The steps by which the program comes to what an entry says; none where they are not known.
+    """The steps by which the program arrives at what a finding reports; empty if they are not known.
 
     Args:
         entry: a finding of the plan.
@@ -47,7 +47,7 @@ def steps_of(entry: migration.PlanTask, places: Mapping[str, str]) -> tuple[Flow
 
 
 def edits_of(entry: migration.PlanTask, places: Mapping[str, str]) -> tuple[TextEdit, ...]:
-    """The changes of the source's text that mend what an entry says; none where no single one does.
+    """The edits of the source that correct a finding; empty if no single edit does.
 
     Args:
         entry: a finding of the plan.

@@ -1,4 +1,4 @@
-"""What initialisers in braces give to what: elements of arrays, members of structures, by their order or by their names."""
+"""Which element of an array or member of a structure each value of an initialiser list belongs to, by order or designator."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""How long what a program repeats for ever waits each time, as far as its text and what is known of the platform say it.
+"""How long each pass of a program's endless loop waits, as far as its text and the facts about the platform tell.
 
-Counted is time in functions that wait: what their arguments ask for, or the longest they take. Time for computing is not counted,
-nor what a function sends or prints. A call through a pointer takes what the functions take that it may reach. Where a wait ends
-by something outside (a person, a sensor, a wheel), or nothing tells what a pointer reaches, it has no upper bound and is named.
+Only waiting functions count, with the time that their arguments ask for or the longest they may take; computing, sending and
+printing do not count. A call through a pointer takes the time of any function that it may reach. A wait that ends by something
+outside (a person, a sensor, a wheel), or a call through an unknown pointer, has no upper bound and is reported by name.
 """
 
 from __future__ import annotations

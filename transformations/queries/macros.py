@@ -1,4 +1,4 @@
-"""The macros of a program by name, and what their bodies name; how they expand is the parser's business."""
+"""The macros of a program by name, and the names in their bodies; macros are expanded by the parser."""
 
 from __future__ import annotations
 

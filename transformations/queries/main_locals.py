@@ -139,7 +139,7 @@ def _assigned(variable: ccode.Variable, around: Surroundings) -> bool:
 
 
 def _in_macro(variable: ccode.Variable, unit: ccode.SourceUnit) -> bool:
-    """Whether a use of the variable stands in the expansion of a macro, or a macro has its name in the body."""
+    """Whether a macro's expansion uses the variable, or a macro's body names it."""
     word = re.compile(rf"\b{re.escape(str(variable.name))}\b")
     if any(word.search(str(macro.body or "")) for macro in unit.macros):
         return True

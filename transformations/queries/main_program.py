@@ -1,7 +1,7 @@
-"""The structure of `main`: its endless loop, what stands before and after it, which locals the loop needs.
+"""The structure of `main`: its endless loop, the statements before and after it, the locals that the loop needs.
 
-A platform whose programs have a setup and a loop function instead of main needs these facts (paper 3.4). What is done with
-them is decided in the plan.
+Platforms whose programs have a setup and a loop function instead of main need these facts (paper 3.4). The plan decides what is
+done with them.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ class LoopExit(Struct):
 
 
 class MainStructure(Struct):
-    """What `main` is made of.
+    """The parts of `main`.
 
     Attributes:
         function: main itself.
         loop: the first endless while or for directly in main's body, or None.
-        before, after: main's statements before and behind the loop; without a loop all stand before.
+        before, after: main's statements before and after the loop; without a loop all are in `before`.
         hoisted: locals declared before the loop and used in it.
         exits: ways out of the loop.
     """

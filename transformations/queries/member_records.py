@@ -1,8 +1,8 @@
-"""Which record a member belongs to that an expression names, so that members of the same name in two records are told apart.
+"""Which record the member in an expression belongs to, so that equally named members of two records are told apart.
 
-A record is known by a key that is the same in every file: its name and the names of its members, or its place where it has no
-name. Records that only a header of others declares, and expressions whose type nothing says, have no key: such a member may
-be that of any record. Record types that the program does not declare are in `record_members`.
+A record is identified by a key that is the same in every file: its name and the names of its members, or its place if it has no
+name. Records that only foreign headers declare, and expressions of unknown type, have no key: such a member may belong to any
+record. `record_members` handles record types that the program does not declare.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The name that a program gives a number: of the constant, array element or member whose initial value it is.
+"""The name under which a program keeps a number: the constant, array element or member whose initial value it is.
 
 A name counts only while nothing writes to it. What the number means is judged elsewhere.
 """

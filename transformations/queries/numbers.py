@@ -71,7 +71,7 @@ class Machine(Struct, frozen=True):
         return self.integer if not number.real and number.bits < self.int_bits else number
 
     def constant(self, value: int, suffix: str, *, decimal: bool) -> Number:
-        """The type of an integer constant by its value, the letters behind it in lower case, and whether it is decimal."""
+        """The type of an integer constant by its value, suffix in lower case, and whether it is decimal (C99 6.4.4.1)."""
         unsigned = "u" in suffix
         for bits in [64] if "ll" in suffix else [self.int_bits, self.long_bits, 64]:
             if "l" in suffix and bits < self.long_bits:
@@ -215,7 +215,7 @@ class Numbers:
         return self.typed(type_of(reference, self.functions))
 
     def _macro(self, name: str) -> Number | None:
-        """The type of a macro that stands for whole numbers: the widest of those in its text; None for any other."""
+        """The type of a macro of integers: the widest of those in its text; None for any other macro."""
         pending, seen, found = [name], set[str](), self.machine.integer
         while pending:
             one = pending.pop()

@@ -1,7 +1,7 @@
-"""Which pins a program uses: one entry a call of the platform and pin, with the way the text gives the pin.
+"""Which pins a program uses: one entry for each call of a platform function and pin, with how the text gives the pin.
 
-What is a pin of a function, and which pins it uses by convention, is data of the platform (`pins.json`); which values an
-argument has is asked of `values`. Masks of registers, bodies of macros and other files' calls are no pin uses.
+Which parameters are pins, and which pins a function uses by convention, is data of the platform (`pins.json`); `values`
+computes the values of arguments. Register masks, bodies of macros and other files' calls are no pin uses.
 """
 
 from __future__ import annotations
@@ -166,13 +166,13 @@ def _all_argument_uses(function: CalledFunction, call: ccode.Call, parameter: Pi
 def pin_values(
     parameter: PinParameter, arguments: Sequence[Element], argument: ccode.Expression | None, values: Values
 ) -> list[Value]:
-    """The pins that an argument means: each element of an array, all pins of a range or of a row.
+    """The pins that an argument stands for: each element of an array, all pins of a range or of a row.
 
     Args:
-        parameter: what is known of the parameter.
+        parameter: the facts about the parameter.
         arguments: all arguments of the call.
         argument: the argument.
-        values: values in the unit.
+        values: evaluates expressions of the unit.
     """
     if parameter.number is not None:
         elements = values.elements(argument)

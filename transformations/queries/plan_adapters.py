@@ -1,4 +1,4 @@
-"""Operations on the adapters that a plan refers to: what is emitted, in which order, and what it asks of the program."""
+"""Operations on the adapters of a plan: which pieces are emitted, in which order, and what they require of the program."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""The ports of a program: the numbers of the source board that it uses, what it calls them, and what it does with them.
+"""The ports of a program: the pin numbers of the source board that it uses, their names, and what it does with them.
 
-A port is a number, wherever the text has it: as a constant, a bare literal, an element of an array, a value of a counting loop,
-a bit of a register. What a library uses by convention, without a number in the text, is a port of its own with the name of its
-role. Which numbers go where is `port_flows`' business; what a port becomes on the target is the plan's.
+A port is a number, wherever the text contains it: as a constant, a bare literal, an array element, a value of a counting loop,
+a bit of a register. What a library uses by convention, without a number in the text, is a port of its own named after its role.
+`port_flows` finds which numbers go where; the plan decides what a port becomes on the target.
 """
 
 from __future__ import annotations
@@ -301,7 +301,7 @@ def role_name(use: PinUse, views: Sequence[CodeView]) -> str:
 
 
 def convention_of(port: Port, source: platform.Platform) -> platform.PinConvention | None:
-    """The element of the platform model that a convention's port stands for."""
+    """The element of the platform model that describes a conventional port."""
     called = {use.function for use in port.uses}
     for header in source.headers:
         for function in header.functions:

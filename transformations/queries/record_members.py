@@ -1,7 +1,7 @@
-"""Which members a program uses of a record type that it does not declare, read from its text.
+"""Which members a program uses of a record type that it does not declare, found in the tokens of its text.
 
-The parser drops members of incomplete types, so the tokens are asked: what follows `.` and `->` behind a variable,
-parameter or field of the type. Members of members become records within.
+The parser drops members of incomplete types, so the tokens are searched for `.` and `->` after a variable, parameter or field
+of the type. Members of members become nested records.
 """
 
 from __future__ import annotations

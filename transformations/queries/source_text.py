@@ -1,7 +1,7 @@
-"""The text of a source unit with the plan's changes applied: how retained code is carried over.
+"""The text of a source unit with the plan's changes applied: this is how retained code is carried over.
 
-Text is carried over, not printed anew from the model, so comments, layout and conditional code survive. Offsets are
-bytes of the original; a change is applied wherever its range is copied. Which changes there are is the plan's business.
+The text is copied, not printed anew from the model, so that comments, layout and conditional code survive. Offsets are bytes of
+the original; a change is applied wherever its range is copied. The plan decides which changes there are.
 """
 
 from __future__ import annotations
@@ -116,7 +116,7 @@ class SourceText:
         return self.data.rfind(b"\n", 0, offset) + 1
 
     def line_end(self, offset: int) -> int:
-        """Offset behind the line feed that ends the line, or the end of the text."""
+        """The offset after the line feed that ends the line, or the end of the text."""
         found = self.data.find(b"\n", offset)
         return len(self.data) if found < 0 else found + 1
 
@@ -165,11 +165,11 @@ class SourceText:
         return text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
 
     def pieces(self, start: int, end: int, elements: Iterable[ccode.Located]) -> Iterator[Piece]:
-        """A range cut at line ends behind each element, so that each run of lines is known by its elements.
+        """Cut a range at the line ends after its elements, so that each piece belongs to certain elements.
 
         Args:
             start, end: the range.
-            elements: elements in it that are to be told apart, in any order.
+            elements: elements in it that must be in separate pieces, in any order.
         """
         position = start
         waiting: list[ccode.Located] = []

@@ -1,8 +1,8 @@
-"""How many steps a program tells apart: of a mode that comes round, of a list that is gone through.
+"""How many steps a program distinguishes, such as the modes that a button cycles through, or the entries of a list.
 
-A variable counts that the program itself moves on: by one more or less, by what it was before, or from one constant to another
-as the states of a machine. What it is compared with, what it is taken modulo, the cases that it selects and the arrays that it
-is an index of say how far it goes. The counters of for loops, which go their way at once, do not count.
+A variable counts if the program itself advances it: by increments, by computing it from its previous value, or from one
+constant to another like the state of a state machine. The numbers it is compared with, its modulus, the cases that it selects
+and the sizes of arrays it indexes tell how far it goes. Counters of for loops are left out, since they run through at once.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ _COMPARISONS = frozenset(["==", "!=", "<", ">", "<=", ">="])
 _STEPS = frozenset(["+=", "-="])
 _SIZE = re.compile(r"\[\s*(\d+)\s*\]")
 _STATES = 3
-"""A variable that gets so many constants is the state of a machine."""
+"""Number of different constants from which on a variable counts as the state of a state machine."""
 _MOST = 16
-"""What is told apart later than that is beyond a short scenario."""
+"""Greatest number of steps that counts: a short scenario cannot take more."""
 
 
 def most_steps(program: ccode.Program) -> int:
-    """The most steps that a variable takes until it is told apart from what it was, 0 where none is found.
+    """The greatest number of steps after which the program treats a variable differently; 0 if there is none up to `_MOST`.
 
     Args:
         program: the program.

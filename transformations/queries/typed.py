@@ -1,7 +1,7 @@
 """Expressions with their types on the source platform, and the places of a program's text where each can be changed.
 
-The tree is made by the parser's side (`t2m.c_source.typed`) from the text with the program's own macros expanded, so that
-what stands in a macro's body or argument is an expression like any other. What is made of it is in `m2m.width_rules`.
+`t2m.c_source.typed` makes the trees from the text with the program's own macros expanded, so that the contents of a macro's
+body or argument are expressions like any other. `m2m.width_rules` uses them.
 """
 
 from __future__ import annotations

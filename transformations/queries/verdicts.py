@@ -1,8 +1,9 @@
-"""The verdict on each construct of a program: what a person reads of its disposition, with place, reason and effort.
+"""The verdict on each construct of a program: its disposition in terms of a user's work, with place, reason and effort.
 
-A construct is what the partition judges (paper 3.1): an include, a macro, a declaration at file scope, a statement of main and of
-its loop, a local that moves out of main, and what is used and declared elsewhere. Each has one disposition and so one verdict,
-whose worth follows from the adapters, findings and open ports of the plan (docs/method/verdicts.md). Nothing is decided here.
+A construct is what the partition judges (paper 3.1): an include, a macro, a declaration at file scope, a statement of main and
+of its loop, a local that moves out of main, and what is used and declared elsewhere. Each has one disposition and so one
+verdict, which follows from the adapters, findings and open ports of the plan (docs/method/verdicts.md). Nothing is decided
+here.
 """
 
 from __future__ import annotations

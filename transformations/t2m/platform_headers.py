@@ -1,8 +1,8 @@
-"""Text to model: the headers of a folder become the API of a source platform, as `platform_api` reads it (`api.json`).
+"""Text to model: the headers of a folder become the API of a source platform in the form of `api.json` (`platform_api`).
 
-Kept are facts: which header declares which function, macro, variable, constant and type, with its form. Headers are read as
-programs are (`c_source`), so that what is behind a condition that does not hold is left out. What the declarations mean for
-a migration no header says; that is written by hand (`meanings.toml`). Where the result is stored is the chain's business.
+Only facts are kept: which header declares which function, macro, variable, constant and type, with its form. Headers are read
+like programs (`c_source`), so that text behind false conditions is left out. No header tells what the declarations mean for a
+migration; that is written by hand (`meanings.toml`). The chain decides where the result is stored.
 """
 
 from __future__ import annotations

@@ -292,11 +292,11 @@ def parse(
     """A translation unit's handle, or None when the parser gave up. The caller gives it back with `disposeTranslationUnit`.
 
     Args:
-        path: of the main file.
+        path: path of the main file.
         arguments: as for a compiler.
-        files: virtual ones.
+        files: virtual files.
         options: CXTranslationUnit_Flags.
-        own_only: leave out of the tree what a precompiled header has.
+        own_only: leave the declarations of a precompiled header out of the tree.
     """
     lib = library()
     flags = (c_char_p * len(arguments))(*[os.fsencode(a) for a in arguments])

@@ -1,7 +1,7 @@
-"""What the builders share while one unit is built: text, tokens, the parser's tree, declarations seen, findings.
+"""The state that the builders share while one unit is built: text, tokens, libclang's tree, known declarations, findings.
 
-No element is made here. `UnitContext` answers questions about places (which token stands before, is this from a macro and from
-which) and about names (what does this cursor refer to). One context serves one unit.
+No element is made here. `UnitContext` answers questions about places (which token precedes, which macro this comes from) and
+about names (what a cursor refers to). One context serves one unit.
 """
 
 from __future__ import annotations
@@ -138,7 +138,7 @@ class UnitContext:
         return cursor.data[0] or 0
 
     def register(self, cursor: Cursor, element: ccode.Declaration) -> None:
-        """Remember which element stands for a declaration."""
+        """Record the element that was built for a declaration."""
         self.declared[self.pointer(cursor)] = element
 
     def expansions_at(self, offset: int) -> list[Expansion]:
@@ -212,7 +212,7 @@ class UnitContext:
         return number == 0 or offset >= self._skipped_ends[number - 1]
 
     def comment(self, node: Node) -> str | None:
-        """The comment directly before a declaration, or behind it on its last line."""
+        """The comment directly before a declaration, or after it on its last line."""
         if not self._comments:
             return None
         number = bisect_left(self._comment_starts, node.start)

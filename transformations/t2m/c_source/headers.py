@@ -37,7 +37,7 @@ _UP = frozenset(["", ".", ".."])
 
 
 State = tuple[str, int, int]
-"""A path, when what is there was last changed (nanoseconds), and its size in bytes; zeros for nothing."""
+"""(path, time of the last change in nanoseconds, size in bytes) of a file or folder; zeros if it does not exist."""
 
 
 class Folders:

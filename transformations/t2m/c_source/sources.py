@@ -25,7 +25,7 @@ _BUILD_FOLDERS = frozenset(["build", "cmake-build-debug", "node_modules", "__pyc
 
 
 class Compiled(Struct, frozen=True):
-    """A source file and how it is compiled: include folders and macros, those given for all of them behind its own.
+    """A source file with the include folders and macros that it is compiled with; those given for all files come last.
 
     `given` is true for a file that was named itself, false for one that was found in a folder or in compile commands.
     """

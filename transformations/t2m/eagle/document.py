@@ -65,7 +65,7 @@ class EagleSchematic:
         path: as given.
         digest: SHA-256 of the file's bytes, hexadecimal.
         version: of EAGLE, as the file has it.
-        parts: in the file's order; names may stand twice.
+        parts: in the file's order; names need not be unique.
         nets: name -> the pins on it.
         joined: pairs of nets that are one: a port of a module instance and the net inside it.
         missing: module instances whose module is not there, with their lines.

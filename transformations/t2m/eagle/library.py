@@ -1,7 +1,7 @@
-"""The libraries that an EAGLE schematic carries: device sets with their gates, symbols and pins, as records.
+"""The libraries that an EAGLE schematic contains: device sets with their gates, symbols and pins, as records.
 
-EAGLE copies into each schematic what it uses of its libraries. A pin is known by gate and name; where one name stands in several
-gates, the gate is part of the connector's identity (`connectors_of`). What the parts are for is not told here.
+EAGLE copies into each schematic what it uses of its libraries. A pin is identified by gate and name; if several gates have a
+pin of one name, the gate is part of the connector's identity (`connectors_of`). What the parts are for is not decided here.
 """
 
 from __future__ import annotations

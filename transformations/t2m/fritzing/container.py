@@ -58,7 +58,7 @@ def recognises(head: bytes) -> bool:
 
 
 def read_container(path: Path) -> Container:
-    """The content of a `.fz` or `.fzz` file; which of the two it is is told by its bytes.
+    """The content of a `.fz` or `.fzz` file; the format is recognised by its bytes.
 
     Raises:
         SourceError: the file is missing, not readable, empty, too big, a damaged or encrypted archive, or has no sketch in it.

@@ -1,7 +1,7 @@
-"""The drawing in a `.fzz` as a model of plain XML, to be queried as it is: `t_instance.all.a_moduleIdRef`.
+"""The drawing in a `.fzz` as a model of plain XML, to be queried without conversion: `t_instance.all.a_moduleIdRef`.
 
-A `Model` like any other of `robosmi.model.plain_xml`; read in memory and within the limits of `container`. Saved, the archive
-keeps its other entries. What the elements mean is `reader`'s business.
+It is a `Model` like any other of `robosmi.model.plain_xml`, read in memory and within the limits of `container`. When it is
+saved, the archive keeps its other entries. `reader` knows what the elements mean.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""A part definition (`.fzp`) as a `Part` of the catalogue's form: for definitions in a sketch and in folders of parts.
+"""A part definition (`.fzp`) as a `Part` of the catalogue: for definitions in a sketch and in folders of parts.
 
-The role is left open: what a part is for the software is told by the catalogue's rules, not by the file.
+The role is left open: the catalogue's rules, not the file, decide what a part is for the software.
 """
 
 from __future__ import annotations

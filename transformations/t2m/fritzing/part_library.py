@@ -1,7 +1,7 @@
-"""A folder of Fritzing part definitions (`.fzp`) as parts with roles: what `robosmi parts import` reads.
+"""Reads a folder of Fritzing part definitions (`.fzp`) as parts with roles, for `robosmi parts import`.
 
-Facts are taken, no artwork and no prose: of a description only how often each word stands in it. A definition that is damaged
-is left out with a finding and costs only itself. Where two files define one id, the first counts.
+Only facts are taken, no artwork and no prose: of a description only how often each word occurs in it. A damaged definition is
+left out with a finding and affects no other. If two files define one id, the first counts.
 """
 
 from __future__ import annotations
@@ -92,7 +92,7 @@ def _files(folders: Sequence[Path]) -> Iterator[tuple[Path, str]]:
 
 
 def _words(root: etree._Element) -> Counter[str]:
-    """How often each word stands in the description, in lower case; HTML is often written in it as text."""
+    """How often each word occurs in the description, in lower case; HTML is often escaped in it as text."""
     from html import unescape  # slow to load, and wanted only while parts are added
 
     text = str(root.xpath("string(description)"))

@@ -115,7 +115,7 @@ class Label(Struct, frozen=True):
 
 
 class SubSheet(Struct, frozen=True):
-    """A sheet symbol, which stands for a sheet below: its id, name, file, pins as labels, line."""
+    """A sheet symbol, which represents a sheet below: its id, name, file, pins as labels, line."""
 
     uuid: str
     name: str
