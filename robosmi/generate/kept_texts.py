@@ -22,13 +22,13 @@ _AS_BYTES = "surrogateescape"
 
 
 class KeptTexts:
-    """How the newly made texts of a run and the files that are there are brought together.
+    """The result of merging a run's new texts with the existing files.
 
     Attributes:
-        files: the texts as they are to be written, relative path -> bytes.
-        records: the texts that were made, under their paths in the record.
+        files: the texts to write, relative path -> bytes.
+        records: the texts as generated, under their paths in the record.
         old: old files that are kept beside conflicts.
-        merged: the files whose edits, if any, are in `files`, and their records; any other file that is there must be guarded.
+        merged: the files whose edits, if any, are in `files`, and their records; any other existing file must be guarded.
         obsolete: files (and their records) that an earlier run made, this one does not, and nobody changed.
         orphans: the same, but changed: they stay, with their records.
         findings: what was kept, and what a person has to look at.
@@ -45,8 +45,10 @@ class KeptTexts:
 
 
 Seen = Callable[[str, str, str, str, Path], tuple[str, str]]
-"""Relative path, the text that was made last, the one that is there, the newly made one and the path -> the first two as the
-merge is to see them: what is a person's by right counts as no change."""
+"""A function that adapts texts for the merge, so that changes a person is entitled to make are no conflicts.
+
+It maps (relative path, previously generated text, existing text, new text, path) to the adapted first two texts.
+"""
 
 
 def keep_texts(

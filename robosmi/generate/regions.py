@@ -56,11 +56,11 @@ class Region(Struct, frozen=True):
         identity: its id.
         kind: `protected` or `controlled`.
         enabled: whether its marker says `on`.
-        contents: what stands between the marker lines, byte for byte.
-        style: the comment that its markers are.
-        line: where its first marker stands, from 1.
-        opening: its first marker as it stands in the text, with the line break; "" for the usual form.
-        closing: its last marker as it stands in the text; "" for the usual form.
+        contents: the text between the marker lines, byte for byte.
+        style: the comment style of its markers.
+        line: the line of its first marker, from 1.
+        opening: its first marker as written, with the line break; "" for the usual form.
+        closing: its last marker as written; "" for the usual form.
     """
 
     identity: str
@@ -83,17 +83,17 @@ class Region(Struct, frozen=True):
         return replaced(self, contents=contents, enabled=enabled, opening=self.opening if same else "")
 
     def as_in(self, other: Region) -> Region:
-        """The same region with what a person has in theirs: contents, state, and the blanks of the markers."""
+        """The region with a person's contents, state and marker formatting from the existing file."""
         if (other.kind, other.style) != (self.kind, self.style):
             return self.holding(other.contents, other.enabled)
         return replaced(other, line=self.line)
 
 
 class BrokenMarker(Struct, frozen=True):
-    """A marker that no region has: where it stands, its region's id, and what is wrong with it.
+    """A marker that belongs to no region: its line, its region's id, and what is wrong with it.
 
     Attributes:
-        crowded: whether that is text behind it in its line, so that the region is there for a person but not for the engine.
+        crowded: whether the fault is text after it on its line, so that a person sees a region there but the engine does not.
     """
 
     line: int
@@ -103,7 +103,7 @@ class BrokenMarker(Struct, frozen=True):
 
 
 class Parts(Struct):
-    """A text taken apart: plain texts and regions in their order, and markers that belong to no region."""
+    """A text split into plain texts and regions in order, and the markers that belong to no region."""
 
     pieces: list[str | Region] = []
     broken: list[BrokenMarker] = []
@@ -120,7 +120,7 @@ class Parts(Struct):
         return found
 
     def twice(self) -> list[Region]:
-        """Regions whose id an earlier one has."""
+        """Regions with the id of an earlier one."""
         first = self.by_id()
         return [region for region in self.regions() if first[region.identity] is not region]
 

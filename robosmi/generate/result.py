@@ -21,18 +21,18 @@ if TYPE_CHECKING:
 
 
 class Write(Struct, eq=False):
-    """A text on its way into a file.
+    """A text to be written to a file.
 
     Attributes:
         name: path of the file, relative to the output folder, with slashes.
-        text: the whole new text, or what is appended.
-        overwrite: whether a file that is there is made anew.
+        text: the whole new text, or the text to append.
+        overwrite: whether an existing file is replaced.
         merging: whether protected regions of the file are kept.
-        append: whether the text comes behind what is there.
+        append: whether the text is appended to the existing file.
         rule: the rule's name.
-        elements: what the rule made it for.
-        styles: what markers may be, as far as the run knew when the text was made.
-        line: how many lines of the file stand before it.
+        elements: the elements that the rule generated it for.
+        styles: the comment styles of markers known when the text was made.
+        line: the number of lines of the file before it.
     """
 
     name: str
@@ -52,11 +52,11 @@ class TextLink(Struct, frozen=True):
     Attributes:
         path: the file, relative to the output folder.
         line: the first line, from 1.
-        end_line: the last one.
+        end_line: the last line.
         rule: the rule that made the file.
-        elements: the elements: of a whole text those of its rule, of other lines those that the template looked at there.
+        elements: for a whole text the elements of its rule, for other lines those that the template accessed there.
         region: the id of the region that these lines are, "" for other lines.
-        part: the part of the template that made them, "" where it names none.
+        part: the part of the template that made them, "" if it names none.
         step: the step of a method that this part belongs to, or "".
     """
 

@@ -33,14 +33,14 @@ class Pending(Struct, eq=False):
     """A file of a run.
 
     Attributes:
-        before: its bytes when the run began, None if it was not there.
-        there: the text that these bytes are, None if nobody asked yet.
-        text: its text as it stands now, None if there is none, or if nobody asked yet.
-        made: what templates made for it in this run, None if nothing was (it was preserved, or appended to).
-        touched: whether a text was put there in this run.
+        before: its bytes at the start of the run, None if it did not exist.
+        there: these bytes decoded as text, None until requested.
+        text: its current text, None if there is none, or until requested.
+        made: the text that templates generated for it in this run, None if none (it was preserved, or appended to).
+        touched: whether a text was written to it in this run.
         same: whether its text is that of the file, byte for byte.
-        formed: whether it keeps the line ends and the byte order mark that it has.
-        origins: what was written into it.
+        formed: whether it keeps its line ends and byte order mark.
+        origins: the texts that were written to it.
     """
 
     name: str

@@ -31,14 +31,14 @@ _MOST_LETTERS = 4
 
 
 class Evidence(Struct):
-    """The figures that speak for one library.
+    """The evidence for one library.
 
     Attributes:
-        library: its number.
-        text: saturated BM25F, 0..1.
-        model: best model number, 0..1; with the number of the part, the word of the library, and the field.
-        model_reason: these three.
-        name: how much of its name the part explains, 0..1.
+        library: its index number.
+        text: saturated BM25F score, 0..1.
+        model: the best match of a model number, 0..1.
+        model_reason: the part's model number, the library's word, and the field of this match.
+        name: the share of its name that the part's words explain, 0..1.
         usual: how usual it is for such a device, 0..1.
     """
 
@@ -51,11 +51,11 @@ class Evidence(Struct):
 
 
 class EvidenceFinder:
-    """Measures libraries of an index against what a part asks for.
+    """Measures how well the libraries of an index match the words of a part.
 
     Args:
         index: the libraries.
-        stop: words that say nothing.
+        stop: insignificant words.
     """
 
     def __init__(self, index: LibraryIndex, stop: StopWords) -> None:

@@ -31,16 +31,16 @@ Usual = Mapping[str, Sequence[int]]
 
 
 class PartWords:
-    """The words and model numbers by which libraries for a part are sought.
+    """The search terms of a part.
 
     Attributes:
         words: stem -> weight, 0..1.
         models: model number -> weight, 0..1.
-        origin: word or model number -> where it stands.
-        devices: what it is, the surest first.
-        usual: number of a library -> how usual it is for such a device (0..1), and the device's name.
-        bus: how it is spoken to, or empty.
-        interface: what the lexicon says of that, or empty.
+        origin: word or model number -> the text of the part that contains it.
+        devices: the recognised devices, the surest first.
+        usual: number of a library -> (how usual it is for such a device, 0..1; the device's name).
+        bus: the part's bus, or empty.
+        interface: the interface according to the lexicon, or empty.
     """
 
     def __init__(self, bus: str = "") -> None:
@@ -61,12 +61,12 @@ def part_words(
     *,
     exact: bool = True,
 ) -> PartWords:
-    """What a part asks for.
+    """Collect the search terms of a part.
 
     Args:
         query: the part.
-        stop: words that say nothing.
-        lexicon: devices; None to go by the part's own words alone.
+        stop: insignificant words.
+        lexicon: devices; None to use only the part's own words.
         usual: usual libraries of devices.
         exact: see `recognition.recognise`.
     """

@@ -33,12 +33,12 @@ GLOBAL = "<Global>"
 
 
 class Fix(Struct, frozen=True):
-    """A way to repair what a constraint found.
+    """A way to repair an unsatisfied constraint.
 
     Attributes:
-        title: what it would do, a text or a function.
-        do: does it; a function of the element, or of nothing.
-        guard: whether it is offered, a value or a function.
+        title: its description, a text or a function.
+        do: performs it; a function of the element, or of nothing.
+        guard: whether it is offered, a truth value or a function.
     """
 
     title: str | Callable[..., str]
@@ -101,23 +101,23 @@ class Constrained(Protocol):
 
 
 class Constraint(Struct, frozen=True, eq=False):
-    """Something that must hold (a constraint), or should (a critique), for every element of a context.
+    """A condition that must hold (a constraint), or should hold (a critique), for every element of a context.
 
     Attributes:
-        name: its name, by which others ask for it.
-        check: whether an element is as it should be: true, or something false, best a `Fail`.
-        context: what it is about.
+        name: its name, by which `satisfies` refers to it.
+        check: returns a true value if an element satisfies it, else a false one, preferably a `Fail`.
+        context: its context.
         critique: whether it is a critique.
-        info: whether a critique is only worth knowing.
-        guard: for which elements it is evaluated, or None for all.
-        lazy: whether it is evaluated only where `satisfies` asks.
-        message: what is wrong with an element, a text or a function; where `Fail` says nothing.
-        fixes: ways to repair it.
-        severity: how bad it is.
+        info: whether a violated critique is information only.
+        guard: the predicate for the elements on which it is evaluated, or None for all.
+        lazy: whether it is evaluated only if `satisfies` asks for it.
+        message: the message about an element, a text or a function; used if `Fail` has none.
+        fixes: ways to repair a violation.
+        severity: the severity of a violation.
         id: stable id of the rule in findings; the name if None was given.
-        advice: what to do, a text or a function; where no fix says it.
-        location: where an element is, or None.
-        terminate: whether it is not evaluated any more once it has failed.
+        advice: what to do, a text or a function; used if there is no fix.
+        location: a function from an element to its location, or None.
+        terminate: whether it is no longer evaluated once an element has violated it.
     """
 
     name: str

@@ -14,13 +14,13 @@ from robosmi.plugins import content
 
 
 class BootLoader(NamedTuple):
-    """What takes programs on a board.
+    """The boot loader that receives programs on a board.
 
     Attributes:
-        programmer: how a tool that uploads calls its protocol.
-        bauds: baud rates that it may have, the likeliest first.
-        takes_bytes: how long a program may be that leaves it in its place.
-        touch_baud: the baud rate at which its port is opened and closed to make it wait for a program; 0 where a reset does.
+        programmer: the upload tool's name of its protocol.
+        bauds: its possible baud rates, the likeliest first.
+        takes_bytes: the greatest program size, in bytes, that does not overwrite it.
+        touch_baud: the baud rate at which opening and closing the port starts it; 0 if a reset does.
     """
 
     programmer: str
@@ -52,21 +52,21 @@ class Claim(NamedTuple):
 
 
 class Board(NamedTuple):
-    """A board. Sizes in bytes.
+    """A board. Sizes are in bytes.
 
     Attributes:
         name: its short name.
         title: its full name, for people.
-        full_names: its names in the tools of the platform; the first is the one that is offered.
-        values: what texts of a toolchain file may refer to in braces.
+        full_names: its names in the platform's tools, the preferred one first.
+        values: the values of the braces in a toolchain file's texts.
         extra_flags: further arguments for every compile.
-        flash_bytes: what a program may take.
+        flash_bytes: the flash available to a program.
         ram_bytes: the data memory.
         folders: folders with headers of its own, which the flags name.
-        boot_loader: what takes programs on it; None where nothing is known of that.
-        signature: what a programmer reads from its microcontroller, six hexadecimal digits; empty where that is not known.
-        file: its file, with what the platform calls it; None where there is none.
-        claims: makes what its file says that the core says too; for one board of many it is asked.
+        boot_loader: its boot loader; None if unknown.
+        signature: the signature of its microcontroller, six hexadecimal digits; empty if unknown.
+        file: the file with the platform's names for the board; None if there is none.
+        claims: makes the board's claims, on demand since usually only one board of many is checked.
     """
 
     name: str

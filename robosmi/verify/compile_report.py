@@ -41,14 +41,14 @@ RULES = {
 
 
 class StackBound(NamedTuple):
-    """How much stack a compiled program takes at most.
+    """An upper bound on the stack of a compiled program.
 
     Attributes:
-        bytes: with all that main calls, and with the interrupts upon it.
-        interrupts: how many of these bytes are for interrupts.
-        recursive: names of functions that call themselves, directly or through others; counted once.
-        unknown: names of functions that take as much as is computed while the program runs; counted with what is known.
-        deepest: names of the functions of the deepest chain of calls, from main on.
+        bytes: the stack of main and all functions it calls, plus that of interrupts.
+        interrupts: the part of it that is for interrupts.
+        recursive: names of functions that call themselves, directly or indirectly; counted once.
+        unknown: names of functions with frames of variable size; only their fixed part is counted.
+        deepest: names of the functions on the deepest call chain, beginning with main.
     """
 
     bytes: int
@@ -59,7 +59,7 @@ class StackBound(NamedTuple):
 
     @property
     def certain(self) -> bool:
-        """Whether it is a bound: nothing calls itself, and all frames are known."""
+        """Whether it really is a bound: no recursion, and all frames have a known size."""
         return not self.recursive and not self.unknown
 
     def to_json(self) -> dict[str, Json]:
@@ -73,20 +73,20 @@ class CompileReport(Struct, frozen=True):
 
     Attributes:
         ok: it compiles and links, whatever its size.
-        fits: it is not too big for the board; None if that is not known, because it does not compile.
-        fits_on: name of a board that it does fit: this one, another one that it was compiled for as well, or None.
+        fits: it is not too big for the board; None if unknown, because it does not compile.
+        fits_on: name of a board that it fits on: this one, another one that it was compiled for as well, or None.
         board: name of the board it was compiled for.
         tool: compiler and core with their versions.
-        flash_bytes, ram_bytes: what it needs; None if it does not link.
-        flash_limit, ram_limit: what the board has, in bytes.
-        stack: the stack that it takes, read off its code; None where it does not link, or nobody reads code of its processor.
-        libraries: what it was compiled against, in the order it was found.
+        flash_bytes, ram_bytes: the memory it needs; None if it does not link.
+        flash_limit, ram_limit: the memory of the board, in bytes.
+        stack: the bound on its stack; None if it does not link, or its processor's code cannot be analysed.
+        libraries: the libraries it was compiled with, in the order in which they were found.
         diagnostics: findings, in the order of the sketch's text.
-        warnings_elsewhere: how many warnings about files that are not the sketch's were left out.
-        seconds: how long it took.
-        elf, hex: the program, where it was to be kept.
-        commands: how tools that read sources find each file of the sketch compiled: entries of a compilation database.
-        database: the file with these, where it was to be kept.
+        warnings_elsewhere: the number of suppressed warnings about files outside of the sketch.
+        seconds: the duration of the check.
+        elf, hex: the program, if it was to be kept.
+        commands: entries of a compilation database for the sketch's files.
+        database: the file with these, if it was to be kept.
     """
 
     ok: bool

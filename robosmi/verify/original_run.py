@@ -70,19 +70,17 @@ class Variation(Struct, frozen=True):
 
 
 class OriginalRun(Struct, frozen=True):
-    """What became of a run.
+    """The result of a run of the original.
 
     Attributes:
-        trace: what was seen until the run ended; its pins are the platform's, times are counted from the first statement of main.
-        status: `running` when the horizon was reached, `finished` when main and all other cores had ended, `unmodelled` when a
-            function without a model was called, `crashed`, `recursion` when calls used up the stack, `output limit`, or
-            `time limit`.
-        cause: the function that has no model, or what made it crash; empty otherwise.
-        counts: the program's static data, with its coverage counters; empty where the run did not come to an end of its own.
-        calls: where that was asked, calls of library functions that the program was in: microseconds, the address in the
-            program to which the call goes back, an address in what was called, and whether it prints. The last one of a run that
-            crashed is where it did.
-        mixed_text_us: when cores print so soon after one another that which of them is first is a matter of luck.
+        trace: the observations until the run ended; pins are the platform's, times count from the first statement of main.
+        status: `running` if the horizon was reached, `finished` if main and all other cores ended, `unmodelled` if a function
+            without a model was called, `crashed`, `recursion` if calls exhausted the stack, `output limit`, or `time limit`.
+        cause: the function without a model, or the reason of a crash; empty otherwise.
+        counts: the program's static data with its coverage counters; empty if the run was ended from outside.
+        calls: if requested, the library calls: (microseconds, return address in the program, address in the called function,
+            whether it prints). The last one of a crashed run is where it crashed.
+        mixed_text_us: times at which cores print so close together that the order of their texts is random.
     """
 
     trace: PinTrace

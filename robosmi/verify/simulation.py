@@ -31,12 +31,12 @@ LEVELS = (0, 1, "z", "p")
 
 
 class DeviceUse(Struct, frozen=True):
-    """A device at the pins, or on the console.
+    """A device connected to pins or to the console.
 
     Attributes:
         kind: name under which the device is registered.
-        pins: what the device calls a pin -> label of the board's pin.
-        settings: what else it takes, values of JSON: a signal over time, a measured value, an address.
+        pins: the device's name of a pin -> label of the board's pin.
+        settings: its other settings as JSON values: a signal over time, a measured value, an address.
     """
 
     kind: str
@@ -45,21 +45,21 @@ class DeviceUse(Struct, frozen=True):
 
 
 class Job(Struct, frozen=True):
-    """One run.
+    """The description of one run.
 
     Attributes:
-        elf: the linked program.
-        hex: the same program as Intel HEX; engines take the form that they read.
+        elf: path of the linked program.
+        hex: path of the same program as Intel HEX; an engine uses the format that it reads.
         mcu: name of the microcontroller, as compilers spell it.
-        clock_hz: its clock.
-        supply_mv: its supply and the reference of its converter, in millivolts.
+        clock_hz: its clock frequency.
+        supply_mv: its supply and the reference of its analog-to-digital converter, in millivolts.
         pins: label of each pin of the board -> port letter and bit (`B5`).
         analog: label -> channel of the converter.
-        timers: what describes the timers to the engine: facts of the microcontroller as they stand in the repository.
-        horizon_us: how long to run.
-        devices: what is connected.
-        reached: whether to note which instructions run, where the engine can.
-        stack_room: the first and the last address of the data memory that is left for heap and stack; None asks nothing of them.
+        timers: description of the timers for the engine, as stored for the microcontroller in the repository.
+        horizon_us: the duration of the run in microseconds.
+        devices: the connected devices.
+        reached: whether to record which instructions run, if the engine can.
+        stack_room: the first and the last address of the data memory for heap and stack; None to record no stack depth.
     """
 
     elf: str
@@ -85,7 +85,7 @@ class PinChange(NamedTuple):
 
 
 class Wave(NamedTuple):
-    """From `at_us` on a timer makes a wave at a pin: `hz` pulses a second, high for the part `duty` of each; 0 Hz ends it."""
+    """A wave that a timer makes at a pin from `at_us` on: frequency `hz` and duty cycle `duty` (0 to 1); 0 Hz ends it."""
 
     at_us: float
     pin: str
@@ -101,7 +101,7 @@ class ConsoleByte(NamedTuple):
 
 
 class DeviceEvent(NamedTuple):
-    """What a device noticed: `value` is a value of JSON that the device's documentation explains."""
+    """An observation of a device; the device's documentation explains `what` and the JSON value."""
 
     at_us: float
     device: int
@@ -110,20 +110,20 @@ class DeviceEvent(NamedTuple):
 
 
 class PinTrace(Struct, frozen=True):
-    """What was seen in a run.
+    """The observations of one run.
 
     Attributes:
         engine: name and version of the engine.
-        state: `running` when the horizon was reached, `done` when the program stopped itself, `crashed` when it ran into nothing.
-        simulated_us: how long it ran.
-        changes: how the program drove the pins, by time.
-        waves: waves that timers made, by time.
-        console: what it sent, by time.
-        device_events: what devices noticed, by time.
-        reached: the addresses of the instructions that ran, in bytes, where that was asked and the engine tells it.
-        stack_bytes: how far the stack came down from the end of its room at most, where that was asked and the engine tells it.
-        console_baud: bits a second of the console's line as it was set at last; 0 where that is not told.
-        rests_until_us: the horizon, up to which the pins of a program that has stopped itself stay as they are; 0 for others.
+        state: `running` if the horizon was reached, `done` if the program stopped itself, `crashed` if it ran into an error.
+        simulated_us: the simulated time of the run.
+        changes: how the program drove the pins, in order of time.
+        waves: the timers' waves, in order of time.
+        console: the bytes it sent, in order of time.
+        device_events: the devices' observations, in order of time.
+        reached: the byte addresses of the instructions that ran, if requested and supported by the engine.
+        stack_bytes: the greatest stack depth in bytes, if requested and supported by the engine.
+        console_baud: the last baud rate of the console; 0 if unknown.
+        rests_until_us: the horizon if the program stopped itself, since its pins stay as they are until then; else 0.
     """
 
     engine: str
@@ -140,7 +140,7 @@ class PinTrace(Struct, frozen=True):
 
     @property
     def known_us(self) -> float:
-        """Until when it is known what the pins do."""
+        """The time until which the levels of the pins are known."""
         return max(self.simulated_us, self.rests_until_us)
 
     @property

@@ -65,7 +65,7 @@ class AdapterPin(Struct, frozen=True):
         direction: one of `DIRECTIONS`, seen from the microcontroller.
         signed: whether a negative value has a meaning of its own, as in `square_wave(-26, ...)`.
         role: kind of component that is expected there, empty for any.
-        split: whether the component may have a wire for each direction, of which the pin is either.
+        split: whether the component may have separate wires for the two directions, so that the pin is either of them.
     """
 
     name: str
@@ -77,13 +77,13 @@ class AdapterPin(Struct, frozen=True):
 
 
 class ConventionalPort(Struct, frozen=True):
-    """A pin that an adapter uses without being told: a constant that is declared with the pin to which the port is bound.
+    """A pin that an adapter uses by convention: a generated constant has the pin to which the port is bound.
 
     Attributes:
-        constant: its name in the text.
-        name: how a person names the port, `abdrive.left_servo`.
+        constant: the constant's name in the text.
+        name: the port's name for persons, `abdrive.left_servo`.
         number: the port on the source platform.
-        capability, direction, role: as of a pin parameter.
+        capability, direction, role: as for a pin parameter.
     """
 
     constant: str
@@ -95,11 +95,11 @@ class ConventionalPort(Struct, frozen=True):
 
 
 class PortTable(Struct, frozen=True):
-    """A table that an adapter looks ports of the source up in: an array, declared with the pin of each port from 0 on.
+    """A table in which an adapter looks up ports of the source: an array with the pin of each port, from 0 on.
 
     Attributes:
         name: its name in the text.
-        size: of how many ports it tells.
+        size: the number of ports in it.
     """
 
     name: str
@@ -107,12 +107,12 @@ class PortTable(Struct, frozen=True):
 
 
 class InterruptStack(Struct, frozen=True):
-    """How much stack an interrupt takes that comes once an adapter is called.
+    """The stack of an interrupt that occurs once an adapter has been called.
 
     Attributes:
         vector: the interrupt.
-        stack: its bytes, with the address that it returns to.
-        others: the same where it lets other interrupts in; -1 where it does not.
+        stack: its stack in bytes, including the return address.
+        others: the same if it enables other interrupts; -1 if it does not.
     """
 
     vector: str
@@ -125,35 +125,35 @@ class AdapterPiece(Struct):
 
     Attributes:
         kind: one of `KINDS`.
-        name: what the source platform calls it; of a helper, what the text defines.
+        name: its name on the source platform; for a helper, the name that its text defines.
         header: header of the source platform.
         location: where it begins.
         text: its C or C++ text.
-        signatures: of the source's functions that it stands for.
+        signatures: signatures of the source functions that it replaces.
         relation: one of `RELATIONS`; empty for a helper.
         needs: names of other pieces.
         includes: headers of the target, as `<Servo.h>`.
         libraries: libraries of the target.
         role: kind of component that the hardware has to have, empty for none.
         setup: statements for the start of the program.
-        timers: timers that it takes.
+        timers: timers that it occupies.
         vectors: interrupts that it handles.
-        taken: interrupts that a library which it includes handles itself.
+        taken: interrupts that a library which it includes handles.
         mcus: microcontrollers that this variant is for; empty for all.
         members: this variant is for programs that use one of these members of a record; empty for all programs.
         beside: this variant is for programs that call one of these functions; empty for all programs.
         pins: its parameters that are pins.
         ports: pins that it uses by convention.
-        tables: tables that it looks ports up in.
-        ranges: values of its parameters that it can serve.
-        fidelity: how faithful it is.
+        tables: tables in which it looks up ports.
+        ranges: the values of its parameters that it can handle.
+        fidelity: how faithfully it reproduces the original.
         limits: what it does not do.
-        symmetric: parameters that may change places without a difference.
-        target_name: its name on the target, where that has one of its own already.
-        stack: bytes of stack that a call takes, measured; -1 where nobody has.
-        stack_once: the same where the program calls it at one place only.
-        interrupts: what interrupts take that come once it is called, measured.
-        ram: bytes of data memory that its own variables take.
+        symmetric: parameters that can be swapped without effect.
+        target_name: its name on the target, if the target already uses the original one.
+        stack: measured stack of a call in bytes; -1 if it was not measured.
+        stack_once: the same if the program calls it at a single place, so that the compiler inlines it.
+        interrupts: measured stack of the interrupts that occur once it has been called.
+        ram: bytes of data memory of its own variables.
     """
 
     kind: str

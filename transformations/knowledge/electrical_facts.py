@@ -32,29 +32,29 @@ _CHIP_NAMES = ("chip label", "part number", "mpn", "label")
 
 
 class DeviceFacts(Struct, frozen=True):
-    """What is known of one kind of device; everything is optional.
+    """The electrical properties of one kind of device; all are optional.
 
     Attributes:
-        kind: what messages call it.
-        volts: least and most at its supply, or None.
-        signal_volts: the most that its signals bear, or None.
-        peak_ma: milliamperes at most while it works.
-        needs_driver: whether a pin cannot drive it.
-        inductive: whether it needs a diode behind a bare transistor.
-        terminals: connectors that these two are about, all if empty.
+        kind: its name in messages.
+        volts: least and greatest supply voltage, or None.
+        signal_volts: the greatest voltage at its inputs, or None.
+        peak_ma: the greatest current in operation, in mA.
+        needs_driver: whether a pin cannot drive it directly.
+        inductive: whether it needs a flyback diode if a bare transistor switches it.
+        terminals: the connectors that these two are about; all if empty.
         switch: whether it is a transistor.
-        series_resistor: whether it needs one.
-        limits_current: whether what flows through its outputs is limited, or they are contacts.
-        analog: connectors that give a voltage to be measured, `*` for all.
-        wants: abilities of a pin that serve it.
-        output: push-pull where its output cannot share a wire.
-        i2c: addresses that it can have, the first is that of its delivery.
-        pull_ups: whether it brings those of the bus, None if unknown.
+        series_resistor: whether it needs a series resistor.
+        limits_current: whether the current through its outputs is limited, or its outputs are contacts.
+        analog: connectors with a voltage to be measured, `*` for all.
+        wants: abilities of a pin that it benefits from.
+        output: push-pull if its output cannot share a wire.
+        i2c: its possible I2C addresses, the default first.
+        pull_ups: whether it has pull-up resistors for the bus, None if unknown.
         isolated: whether it needs no common ground.
-        tone: whether it is sounded with the function of that name.
-        rest: the level of its signals, low or high, at which it does nothing; empty for none.
-        rest_when: a property of the part, its value, and `rest` of a part whose property has it; empty for none.
-        bench: how it is tried alone on the bench; empty where its role says it.
+        tone: whether it is driven by the core's function for tones.
+        rest: the level of its inputs, low or high, at which it is inactive; empty for none.
+        rest_when: (property, value, `rest` of a part whose property has this value); empty for none.
+        bench: how it is tested alone on the bench; empty if its role implies it.
     """
 
     kind: str

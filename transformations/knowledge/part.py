@@ -30,21 +30,21 @@ class PartConnector(Struct, frozen=True):
 
 
 class Part(Struct, frozen=True):
-    """What is known of a part, from the catalogue or from a definition in the drawing.
+    """The facts about a part, from the catalogue or from a definition in the drawing.
 
     Attributes:
         id: identity in the drawing tool's catalogue.
-        tool: that tool, in lower case as boards and rules name it; empty where the part belongs to none.
-        title: what the tool calls the part (a symbol's or a device's name).
-        family: the group that the tool files it under; words of one tool, so nothing but that tool's rules may hang on it.
+        tool: the drawing tool, in lower case as boards and rules name it; empty if the part belongs to none.
+        title: the tool's name of the part (of a symbol or device).
+        family: the tool's group of the part; in words of one tool, so only rules of that tool may depend on it.
         tags: the tool's key words.
-        description: the tool's sentence about it, in plain text; empty where there is none.
-        role: one of `ROLES`; `evidence` says why.
+        description: the tool's description as a plain sentence; empty if there is none.
+        role: one of `ROLES`; `evidence` has the reason.
         driver: whether it drives a load of its own, or is a chip between the board and others.
-        connectors: by identity, in the part's order.
-        buses: connectors that are joined inside the part, by the bus's identity.
-        shapes: patterns of further connectors, of which it has too many to list (holes of a breadboard); what the group `bus` of
-            a pattern has found is the bus that joins them.
+        connectors: the connectors by identity, in the part's order.
+        buses: identity of a bus -> the connectors that it joins inside the part.
+        shapes: regular expressions for connectors that are too many to list (holes of a breadboard); the text matched by the
+            group `bus` identifies the bus that joins them.
         source: where the facts come from, for messages.
     """
 
@@ -64,7 +64,7 @@ class Part(Struct, frozen=True):
     shapes: tuple[str, ...] = ()
 
     def has(self, connector: str) -> bool:
-        """Whether it has a connector of that identity; a part of which no connector is known may have any."""
+        """Whether the part has a connector of that identity; always true for a part without known connectors."""
         if not self.connectors and not self.shapes:
             return True
         return connector in self.connectors or self._shaped(connector) is not None

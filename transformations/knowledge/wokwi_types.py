@@ -30,15 +30,15 @@ _POWERED = ("supply", "ground")
 
 
 class WokwiPart(Struct, frozen=True):
-    """A component as Wokwi draws it: its type, its attributes, the pin that each of its connectors is, by the connector's id.
+    """How Wokwi draws a component.
 
     Attributes:
-        kind: the type (`wokwi-led`).
-        attributes: of the type.
-        pins: connector -> pin; connectors that are no pin of the type are not in it.
-        supplies: pins of the type that are a supply or a ground, with their kind.
-        returns: pins that go to ground where nothing is known of them (`GND` by pin).
-        feeds: pins that go to the supply where nothing is known of them and those of `returns` are wired otherwise.
+        kind: the Wokwi part type (`wokwi-led`).
+        attributes: the type's attributes.
+        pins: id of a connector -> pin of the type; without connectors that are no pin of it.
+        supplies: the type's supply and ground pins, with their kind.
+        returns: pins that are wired to ground if the drawing says nothing about them (pin -> `GND`).
+        feeds: pins that are wired to the supply if the drawing says nothing about them and wires all of `returns`.
     """
 
     kind: str
@@ -50,7 +50,7 @@ class WokwiPart(Struct, frozen=True):
 
 
 class WokwiBoard(Struct, frozen=True):
-    """A board as Wokwi draws it: its type, the pin of each label, its supply pins by what they are called (`GND`, `5V`)."""
+    """How Wokwi draws a board: its type, the pin of each label, and its supply pins by name (`GND`, `5V`)."""
 
     kind: str
     pins: Mapping[str, str]

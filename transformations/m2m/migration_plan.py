@@ -40,10 +40,10 @@ class LibrariesSaid(Struct, frozen=True):
 
     Attributes:
         libraries: component (title or `#model_index`) -> library.
-        limit: a rule's choice is taken when its confidence is at least this.
-        candidates: how many libraries a decision keeps.
-        stored: (elementId, title) -> what a person chose in a stored plan, behind `libraries`.
-        places: component -> where its library is said, for messages; without what is in no file.
+        limit: the least confidence at which a rule's choice is used.
+        candidates: how many libraries a decision lists.
+        stored: (elementId, title) -> a person's choice in a stored plan; ranks after `libraries`.
+        places: component -> the place of its choice, for messages; without choices that are in no file.
     """
 
     libraries: Mapping[str, str] = {}
@@ -109,25 +109,25 @@ def decide_libraries(
 
 
 class Decided(Struct, frozen=True):
-    """The decisions of a plan and what they are about, ready to be put together.
+    """The decisions of a plan and their subjects, ready to be assembled.
 
     Attributes:
         name: the sketch's name.
         version: the tool's version.
         program: the code model.
-        drawn: the hardware, or None where there is no drawing.
+        drawn: the hardware, or None without a drawing.
         board: the target board.
         target: the target.
         dependence: what happens to the program's elements.
-        trace: from what that was made.
-        widened: what is written otherwise so that numbers keep their widths.
-        fixed: whether they are to keep them.
-        ports: the program's ports and how their numbers flow.
-        bindings: of the ports.
-        choices: of libraries.
-        libraries: those that the plan names.
-        files: path relative to the models' folder -> bytes of what was read.
-        findings: what readers and mappings found.
+        trace: the links from elements to these decisions.
+        widened: the changes that keep the widths of numbers.
+        fixed: whether the widths are to be kept.
+        ports: the program's ports and the flow of their numbers.
+        bindings: the bindings of the ports.
+        choices: the choices of libraries.
+        libraries: the libraries that the plan names.
+        files: path relative to the models' folder -> bytes of the input.
+        findings: the findings of readers and mappings.
         paths: path as the user gave it -> path in `files`.
     """
 
