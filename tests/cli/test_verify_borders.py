@@ -84,3 +84,57 @@ def test_what_shows_lists_has_no_borders_and_is_played(tmp_path: Path) -> None:
     outcome = run("verify", tmp_path / "out", "--json")
     assert outcome.code == 0, outcome.err
     assert outcome.result["source_coverage"]["branches_pct"] == 100.0
+
+
+VALUES = """#include "simpletools.h"
+#include "ping.h"
+int main() {
+  while (1) {
+    print("near %d\\n", ping_cm(15) < 42);
+    pause(100);
+  }
+}
+"""
+DARK = """#include "simpletools.h"
+int main() {
+  while (1) {
+    high(9);
+    pause(1);
+    if (rc_time(9, 1) > 1000) high(4); else low(4);
+    pause(100);
+  }
+}
+"""
+PROGRAMS = {"values": (VALUES, ("P15=D7",)), "dark": (DARK, ("P9=D7", "P4=D4"))}
+
+
+@pytest.fixture(scope="module", params=PROGRAMS)
+def decides(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A program that decides by a value that no branch depends on, and one that measures a time exactly."""
+    require_verification("simavr")
+    name = str(request.param)
+    folder = tmp_path_factory.mktemp(name) / name
+    folder.mkdir()
+    text, pins = PROGRAMS[name]
+    (folder / f"{name}.c").write_text(text)
+    assert run(
+        "migrate", folder / f"{name}.c", "-o", folder / "out", *(word for pin in pins for word in ("--bind", pin))
+    ).code in (0, 1)
+    assert run("verify", folder / "out").code == 0
+    return folder
+
+
+EDITS = {"values": (("< 42", "< 45"), ("< 42", "< 39")), "dark": (("> 1000", "> 1200"), ("> 1000", "> 800"))}
+
+
+@pytest.mark.parametrize("number", [0, 1])
+def test_a_border_is_sought_near_by_and_where_it_is_no_branch(number: int, decides: Path, tmp_path: Path) -> None:
+    name = decides.name
+    old, new = EDITS[name][number]
+    shutil.copytree(decides / "out", tmp_path / "out")
+    sketch = tmp_path / "out" / name / f"{name}.ino"
+    text = sketch.read_text()
+    assert old in text
+    sketch.write_text(text.replace(old, new))
+    outcome = run("verify", tmp_path / "out", "--json")
+    assert (outcome.code, outcome.result["verdict"]) == (6, "different")

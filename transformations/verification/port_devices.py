@@ -64,6 +64,7 @@ class BoundPort(Struct, frozen=True):
         given_up: whether a person or a rule said that it is on no pin of the target.
         shares_with: title of another port that is the same pin of the source and another of the target; empty for none. What the
             program does at either cannot be told apart there.
+        near: by how many per cent, and how much more, values are tried beside a border of the program; None for what is usual.
         loop_ms: where the program waits for the device by what that tells, how much earlier or later such a wait may end.
         placed: whether the program drives the device to places that it tells.
         timed: whether the program drives it for a time.
@@ -90,6 +91,7 @@ class BoundPort(Struct, frozen=True):
     loop_ms: float = 0.0
     placed: bool = False
     timed: bool = False
+    near: tuple[float, float] | None = None
 
     @property
     def watched(self) -> bool:
@@ -146,7 +148,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
         component = connection.component if connection is not None else None
         used = uses.get(number, {}) if channel is None else {}
         line = not lines.isdisjoint(used)
-        device, called = ("", "") if line else _device(rules, used, channel is not None)
+        device, called, near = ("", "", None) if line else _device(rules, used, channel is not None)
         port = BoundPort(
             str(binding.name), source, str(pin.label) if pin is not None else "",
             str(component.title or component.partTitle) if component is not None else "",
@@ -154,7 +156,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             averaged=bool(used) and bool(averaged & used.keys()),
             pulsed=not pulses.isdisjoint(used) and used.keys() <= pulses | beside,
             kinds=frozenset(kinds_of(connection)) if connection is not None else frozenset(),
-            split=_split(plan, binding), given_up=not binding.open,
+            split=_split(plan, binding), given_up=not binding.open, near=near,
         )  # fmt: skip
         first = found.setdefault(source, port)
         if first is not port and first.target and port.target and first.target != port.target:
@@ -283,8 +285,10 @@ def texts_understood(plan: migration.MigrationPlan) -> list[str]:
     return [*texts, *_NUMBER_LINES, *behind[:_MOST_TEXTS]]
 
 
-def _device(rules: Sequence[DataTable], used: Mapping[str, set[str]], channel: bool) -> tuple[str, str]:
-    """The kind of the device at a port, and what it calls the port; two empty texts for none."""
+def _device(
+    rules: Sequence[DataTable], used: Mapping[str, set[str]], channel: bool
+) -> tuple[str, str, tuple[float, float] | None]:
+    """The kind of the device at a port, what it calls the port, and how near to borders it is tried; two empty texts for none."""
     ways = {way for told in used.values() for way in told}
     for rule in rules:
         if rule.flag("channels", False) != channel:
@@ -292,8 +296,9 @@ def _device(rules: Sequence[DataTable], used: Mapping[str, set[str]], channel: b
         wanted, beside = set(rule.texts("ways", ())), set(rule.texts("beside", ()))
         driven = not beside or not beside.isdisjoint(used)
         if channel or (not used.keys().isdisjoint(rule.texts("functions", ())) and wanted <= ways and driven):
-            return rule.text("kind"), rule.text("pin")
-    return "", ""
+            percent, more = rule.numbers("near", (0, 0))
+            return rule.text("kind"), rule.text("pin"), (percent, more) if percent else None
+    return "", "", None
 
 
 def at_rest(device: str, kinds: frozenset[str]) -> Mapping[str, Json]:

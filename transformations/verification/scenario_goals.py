@@ -22,6 +22,8 @@ from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, W
 from robosmi.verify.original_run import OriginalRun
 
 THEN, BESIDE, ENDS, SERIES, NEGATIVE, LARGE = "then", "beside", "ends", "series", "negative", "large"
+VALUE = "value"
+"""What places begin with that are no goals, but tell which way a program goes."""
 GOALS = (THEN, BESIDE, ENDS, SERIES, NEGATIVE, LARGE)
 """What goals that are no places of the source begin with."""
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
@@ -53,6 +55,23 @@ def behaviour(run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
     return frozenset(found)
 
 
+def values_told(run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
+    """The levels of each channel, and its texts with 0 and 1 as the only numbers: what a comparison gives that is no branch.
+
+    As ("value", channel, what). Other numbers stand for each other: a measured one differs with each value of an input.
+    """
+    return frozenset(
+        (VALUE, name, _NUMBER.sub(_yes_or_no, f"{event.kind} {event.value[0]}"))
+        for name, (events, *_) in channel_events(run.trace, ports, target=False).items()
+        for event in events
+        if event.kind in (LEVEL, HELD, LINE, READING)
+    )
+
+
+def _yes_or_no(number: re.Match[str]) -> str:
+    return number[0] if number[0] in ("0", "1") else "2"
+
+
 def shown(run: OriginalRun, ports: Sequence[BoundPort]) -> dict[str, list[str]]:
     """What a program does on each channel, without times: whether it heeds what an input shows."""
     return {
@@ -82,12 +101,14 @@ def _short(event: ActivityEvent) -> str:
     return f"{event.kind} {value}" if event.kind in (LEVEL, HELD) else str(event)
 
 
-def beside(border: float, facts: Mapping[str, Any]) -> tuple[float, float]:
+def beside(border: float, facts: Mapping[str, Any], near: tuple[float, float] | None = None) -> tuple[float, float]:
     """Values at both sides of a border, as near to it as boards that measure differently allow.
 
     Args:
         border: where the source goes another way.
         facts: of the device that shows the values: `near_percent`, by how many per cent they are off; 100 is half and twice.
+        near: by how many per cent and by how much more, where the port says it instead.
     """
-    factor = 1 + float(facts.get("near_percent", 10)) / 100
-    return border / factor, border * factor
+    percent, more = near or (float(facts.get("near_percent", 10)), 0.0)
+    factor = 1 + percent / 100
+    return max(0.0, border / factor - more) if more else border / factor, border * factor + more

@@ -35,7 +35,8 @@ class ScenarioInput(Struct, frozen=True):
     """A signal of a port: the port's name, the setting, the values that it takes, how long it keeps one, and its device.
 
     `ends` are the least and the most that the device can give, where it measures something. With `happens` a value is something
-    that happens at an instant, such as a text that is sent. `series` are values that come one after the other in one scenario.
+    that happens at an instant, such as a text that is sent. `series` are values that come one after the other in one scenario,
+    `near` is how near to a border values are tried, as a port has it.
     """
 
     name: str
@@ -45,6 +46,7 @@ class ScenarioInput(Struct, frozen=True):
     device: str
     ends: tuple[Json, ...] = ()
     series: tuple[Json, ...] = ()
+    near: tuple[float, float] | None = None
 
     def with_ends(self) -> ScenarioInput:
         """The signal with its ends among its values."""
@@ -80,7 +82,7 @@ def scenario_inputs(ports: Sequence[BoundPort], texts: Sequence[str], types: boo
                 taken = [*_keys(port, ports, known.get("keys", [])), *taken]
                 ends = tuple(known.get("ends", {}).get(setting, ()))
                 rest = at_rest(port.device, port.kinds).get(setting)
-                each = ScenarioInput(port.name, setting, tuple(taken), known["hold_ms"], port.device, ends)
+                each = ScenarioInput(port.name, setting, tuple(taken), known["hold_ms"], port.device, ends, near=port.near)
                 made.append(replaced(each, series=_series(each, rest, steps)))
     if types:
         each = ScenarioInput(CONSOLE, POINTS, (*texts, *facts[TYPING]["values"][POINTS]), facts[TYPING]["hold_ms"], TYPING)

@@ -18,7 +18,17 @@ from msgspec import Struct
 from robosmi.doing import doing
 from robosmi.transformations.verification.original_side import LIMITS, Place, SourceRuns, places_reached, run_source, run_varied
 from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.transformations.verification.scenario_goals import BESIDE, ENDS, GOALS, SERIES, behaviour, beside, shown
+from robosmi.transformations.verification.scenario_goals import (
+    BESIDE,
+    ENDS,
+    GOALS,
+    SERIES,
+    VALUE,
+    behaviour,
+    beside,
+    shown,
+    values_told,
+)
 from robosmi.transformations.verification.scenario_inputs import (
     LONGEST_MS,
     ScenarioInput,
@@ -258,10 +268,10 @@ class _Search:
                 if not begin < middle < end:
                     break
                 places = self._probe(each, middle, background)
-                if not places <= self.seen | self.only_racy:
+                if not {place for place in places if place[0] != VALUE} <= self.seen | self.only_racy:
                     self.only_racy |= self.try_signals({**background, **constant(each, middle)}) - self.seen
                 begin, end = (middle, end) if places == ways[low] else (begin, middle)
-            sides = [round(value, 1) for value in beside(end, facts)]
+            sides = [round(value, 1) for value in beside(end, facts, each.near)]
             values += sides
             there: Place = (BESIDE, each.name, each.setting, round(end))
             turns = {each.name: {each.setting: in_turn(each, [*sides, sides[0]], self.horizon)}}
@@ -269,14 +279,14 @@ class _Search:
         return values
 
     def _probe(self, each: ScenarioInput, value: float, background: Signals) -> frozenset[Place]:
-        """What a short run reaches in which an input shows one value; nothing when the search is over."""
+        """What a short run reaches in which an input shows one value, and what it tells; nothing when the search is over."""
         if self.effort.is_over():
             return frozenset()
         lasts = self.probe_ms + (each.hold_ms if each.hold_ms > 1000 else 0)
         scenario = Scenario("probe", min(self.horizon, lasts), {**background, **constant(each, value)})
         run = run_source(self.program, self.ports, scenario)
         self.effort.add(run)
-        return places_reached(self.program, run, self.ports)
+        return places_reached(self.program, run, self.ports) | values_told(run, self.ports)
 
 
 def _horizon(
