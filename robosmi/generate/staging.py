@@ -83,6 +83,7 @@ class Staging:
         self._queue: list[Write] = []
         self._files: dict[str, Pending] = {}
         self._places: Places | None = None
+        self._replaced: set[str] = set()
 
     def ignore_folder(self) -> None:
         """Go on as if the folder were empty and no run had been there; it is not looked at any more."""
@@ -121,6 +122,7 @@ class Staging:
 
     def _put(self, one: Write, file: Pending) -> None:
         text, name = one.text, file.name
+        self._tell_replaced(one, file)
         there = self.text(file, as_it_is="\r" in text)
         if there is None:
             self._done(file, text, f"Successfully {'appended to' if one.append else 'wrote to'} {name}", text, one)
@@ -143,6 +145,19 @@ class Staging:
             self._done(file, merged.text, f"Protected regions preserved in {name}", text, one)
         else:
             self._done(file, text, f"Successfully wrote to {name}", text, one)
+
+    def _tell_replaced(self, one: Write, file: Pending) -> None:
+        """Say of a file, once, that a second text of the same run takes the place of the first."""
+        if one.append or not one.overwrite or not file.origins or file.text == one.text or file.name in self._replaced:
+            return
+        self._replaced.add(file.name)
+        rules = " and ".join(dict.fromkeys(f"'{rule}'" for rule in (file.origins[-1].rule, one.rule) if rule)) or "the run"
+        self.findings.append(
+            Finding(
+                "RS534", Severity.warning, f"{rules} made the file '{file.name}' more than once: only the last text is in it",
+                Location(f"{self.folder}/{file.name}"), fix="let the target name the element, or append=True",
+            )
+        )  # fmt: skip
 
     def preserved(self, name: str) -> bool:
         """Whether there is a file, so that a rule that does not overwrite leaves it alone."""

@@ -41,6 +41,7 @@ from robosmi.model.ecore_description import (
 )
 from robosmi.model.ecore_details import Details
 from robosmi.model.feature_values import FeatureCollection
+from robosmi.model.lean import computed
 from robosmi.model.ordering import post_order
 from robosmi.model.pyecore_internals import add_silently, contain, set_key
 from robosmi.model.python_names import MEMBER, python_name
@@ -201,6 +202,8 @@ class PackageMaker:
         made = ecore.EAttribute(feature.name, kind, iD=feature.is_id, defaultValueLiteral=feature.default, **common)
         if feature.default is not None:
             made.get_default_value = partial(default, made, kind)  # pyecore knows fewer texts of values ("1.5f")
+        if feature.derived and feature.volatile and feature.upper == 1:
+            computed(made)
         return made
 
 

@@ -78,8 +78,28 @@ def declared_features(cls: type) -> dict[str, Any]:
     return known
 
 
+_BODY = (
+    "generate the metamodel's package (robosmi metamodels generate), write it in the package's mixins.py, and load models with "
+    "the package: EmfModel.load(path, Metamodel([package]))"
+)
+
+
+class NotComputedError(ModelError):
+    """A derived feature, or an operation, for which nothing but the metamodel is there."""
+
+
+def not_computed(element: EObject, name: str) -> NotComputedError:
+    """The error for a derived feature that no code computes."""
+    return NotComputedError(f"{class_name(element)}.{name} is derived, and no code is there that computes it", fix=_BODY)
+
+
 def unknown_feature(element: EObject, name: str) -> UnknownFeatureError:
-    """The error for a name that is no feature of the element, with the nearest that is."""
+    """The error for a name that is no feature of the element, with the nearest that is; for an operation that it has no body."""
+    if any(operation.name == name for operation in element.eClass.eAllOperations()):
+        return UnknownFeatureError(
+            f"the operation {class_name(element)}.{name} has no body: a metamodel says only that there is one",
+            fix=f"{_BODY}; in queries, write a function with @operation({class_name(element)})",
+        )
     known = declared_features(element.__class__)
     return UnknownFeatureError(
         f"{class_name(element)} has no feature '{name}'{did_you_mean(name, known)}",

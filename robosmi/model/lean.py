@@ -25,6 +25,7 @@ from robosmi.model.ecore import (
     EStructuralFeature,
     EValue,
 )
+from robosmi.model.feature_errors import not_computed
 from robosmi.model.feature_values import FeatureCollection, FeatureList, FeatureOrderedSet, kind_of
 from robosmi.model.pyecore_internals import (
     CONTAINER,
@@ -121,6 +122,21 @@ def _target_of(self: EReference, instance: EObject, owner: type | None = None) -
         return target_in(slot)  # type: ignore[arg-type]
     found: object = EReference.__get__(self, instance, owner)  # type: ignore[attr-defined]
     return found
+
+
+def _computed_value(self: EAttribute, instance: EObject, owner: type | None = None) -> Any:
+    if instance is not None and key_of(self) not in instance.__dict__ and self.defaultValueLiteral is None:
+        raise not_computed(instance, str(self.name))
+    return EAttribute.__get__(self, instance, owner)
+
+
+_ComputedAttribute: Any = _Quiet(EAttribute.__name__, (EAttribute,), {"__get__": _computed_value})
+"""An attribute that code would have to compute, which a metamodel that is only loaded does not have."""
+
+
+def computed(feature: EAttribute) -> None:
+    """Let an attribute that is derived and volatile say that nothing computes it, instead of its type's default."""
+    feature.__class__ = _ComputedAttribute
 
 
 _QuickReference: type = _Quiet(EReference.__name__, (EReference,), {"__get__": _target_of})

@@ -6,7 +6,7 @@ Any technology's, through `driver`. Nothing is written and nothing recurses; lon
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
 from robosmi.model.by_name import feature_value
@@ -25,6 +25,7 @@ from robosmi.model.driver import (
     type_of,
 )
 from robosmi.model.ecore import EClass, EEnum, EEnumLiteral
+from robosmi.model.feature_errors import NotComputedError
 from robosmi.model.html_table import html_table, tree_html
 from robosmi.quoting import html_attribute, terminal
 
@@ -73,10 +74,18 @@ def rows(source: Model | Iterable[Node], kind: Kind | None = None) -> list[dict[
     found = []
     for element in elements:
         row: dict[str, Plain] = {"id": identity(element), "type": name_of(type_of(element))}
-        for feature in features_of(element):
-            row[feature] = plain(feature_value(element, feature))
+        row |= dict(_features(element))
         found.append(row)
     return found
+
+
+def _features(element: Node) -> Iterator[tuple[str, Plain]]:
+    """The features of an element with their values, without those that nothing computes."""
+    for name in features_of(element):
+        try:
+            yield name, plain(feature_value(element, name))
+        except NotComputedError:
+            continue
 
 
 def _reference(element: Node) -> str:
@@ -121,8 +130,7 @@ def element_html(element: Node) -> str:
         name = f"{kind.ePackage.nsURI}#{kind.name}"
         if name in registry().entries.get("view", {}):
             return str(registry().get("view", name)(element))
-    values = ((name, plain(feature_value(element, name))) for name in features_of(element))
-    said = [x for x in values if x[1] not in (None, "", [])]
+    said = [x for x in _features(element) if x[1] not in (None, "", [])]
     table, inner = html_table(("feature", "value"), said), tree_html(contents_of(element), label, contents_of)
     return f"<p>{html_attribute(label(element))}</p>{table}{inner}"
 
