@@ -29,6 +29,6 @@ def test_the_examples_run(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyP
     blocks = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
     assert blocks
     for block in blocks:
-        exec(compile(block, f"{page}.md", "exec"), {})
+        exec(compile(block, f"{page}.md", "exec"), {"__file__": str(tmp_path / f"{page}.py")})
     made = {"evl": [], "etl": ["graph.xmi"], "flock": ["library2.xmi"]}[page]
     assert [p.name for p in tmp_path.glob("*.xmi") if p.name != "library.xmi"] == made
