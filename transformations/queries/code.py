@@ -77,7 +77,7 @@ class UsedName(Struct):
 
 
 class Constructs(Struct):
-    """The platform-dependent constructs of a program or unit (paper 3.1), and those that nobody knows."""
+    """The platform-dependent constructs of a program or unit (paper 3.1), and unknown functions."""
 
     functions: list[CalledFunction]
     unknown: list[CalledFunction]
@@ -210,7 +210,7 @@ class CodeView:
         return [f for f in self.called().values() if f.entry is not None and self.api.kind_of(f.entry) in kinds]
 
     def unknown(self) -> list[CalledFunction]:
-        """The called functions that nobody knows."""
+        """The called functions that neither the program nor the repository declares."""
         return [f for f in self.called().values() if f.entry is None and f.calls and not f.header_macro]
 
     def header_macros(self) -> list[CalledFunction]:
@@ -371,7 +371,7 @@ def _code_name(argument: ccode.Expression) -> str:
 
 
 def unit_of(element: Element | None) -> ccode.SourceUnit | None:
-    """The unit that an element stands in, None for externals."""
+    """The unit that contains an element, None for externals."""
     while element is not None and not isinstance(element, ccode.SourceUnit):
         element = element.eContainer()
     return element

@@ -11,7 +11,7 @@ from robosmi.typed import distinct
 
 
 def file_of(include: ccode.Include) -> ccode.SourceUnit:
-    """The unit that an include stands in."""
+    """The unit that contains an include."""
     unit = include.eContainer()
     assert isinstance(unit, ccode.SourceUnit)
     return unit
@@ -30,7 +30,7 @@ def _meant_header(include: ccode.Include) -> ccode.SourceUnit | None:
 
 
 def unit_of(element: ccode.Located) -> ccode.SourceUnit:
-    """The unit that an element stands in."""
+    """The unit that contains an element."""
     unit = ancestor_of_kind(element, ccode.SourceUnit)
     assert unit is not None
     return unit

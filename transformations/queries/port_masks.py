@@ -205,7 +205,7 @@ _RULES: dict[str, Callable[[PortMasks, Any], int | None]] = {
 
 
 def _unit(expression: Element | None) -> int:
-    """The identity of the unit that an expression stands in."""
+    """The `id` of the unit that contains an expression."""
     return id(ancestor_of_kind(expression, ccode.SourceUnit) if expression is not None else None)
 
 

@@ -41,7 +41,7 @@ def most_steps(program: ccode.Program) -> int:
 
 
 def _moved(elements: list[Element], values: Values) -> set[str]:
-    """The names of variables and members that a program moves on."""
+    """The names of the variables and members that a program advances; a member's name begins with a point."""
     moved: set[str] = set()
     constants: dict[str, set[int]] = {}
     for element in elements:
@@ -58,7 +58,7 @@ def _moved(elements: list[Element], values: Values) -> set[str]:
 
 
 def _told_apart(element: Element, moved: set[str], values: Values) -> Iterator[int]:
-    """After how many steps an element tells a variable apart that the program moves on."""
+    """The numbers of steps after which an element distinguishes values of an advanced variable."""
     if isinstance(element, ccode.Binary):
         for side, other in ((element.left, element.right), (element.right, element.left)):
             if moved.isdisjoint(_names_within(side)):
@@ -80,7 +80,7 @@ def _told_apart(element: Element, moved: set[str], values: Values) -> Iterator[i
 
 
 def _counts_a_loop(element: Element) -> bool:
-    """Whether an element stands in the head of a for loop."""
+    """Whether an element is part of the first clause or the step of a for loop."""
     within: Element | None = element
     while within is not None and not isinstance(within, ccode.Statement):
         holder = within.eContainer()
@@ -91,7 +91,7 @@ def _counts_a_loop(element: Element) -> bool:
 
 
 def _named(expression: Element | None) -> Iterator[str]:
-    """What is written by an expression: the name of a variable, or of a member behind a point."""
+    """The name that an expression denotes: of a variable, or of a member with a point before it."""
     if isinstance(expression, ccode.NameReference):
         yield str(expression.name)
     elif isinstance(expression, ccode.Member):
@@ -99,7 +99,7 @@ def _named(expression: Element | None) -> Iterator[str]:
 
 
 def _names_within(expression: Element | None) -> Iterator[str]:
-    """The names of variables and members in an expression."""
+    """The names of the variables and members in an expression; a member's name begins with a point."""
     if expression is None:
         return
     for each in (expression, *all_contents(expression)):

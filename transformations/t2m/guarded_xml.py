@@ -75,7 +75,7 @@ def parse_xml(
 
 
 def line_of(element: etree._Element) -> int:
-    """The line that an element stands in."""
+    """The line that contains an element."""
     line = element.sourceline
     return line if isinstance(line, int) else 1
 

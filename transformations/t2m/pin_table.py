@@ -75,8 +75,8 @@ def read_circuit(
 
     Args:
         path: a `.csv` or `.toml` file.
-        project: the project folder, whose own data on parts and boards goes first; the current folder if None.
-        roles: roles that the user gives to components, by title or `#number`; they go before all else.
+        project: the project folder, whose own data on parts and boards takes precedence; the current folder if None.
+        roles: roles that the user gives to components, by title or `#number`; they take precedence.
         board: short name of the board where the table names none; that of the default target if None.
 
     Returns:

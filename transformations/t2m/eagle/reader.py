@@ -29,8 +29,8 @@ def read_circuit(
 
     Args:
         path: a `.sch` of EAGLE 6 or newer.
-        project: the project folder, whose own data on parts and boards goes first; the current folder if None.
-        roles: roles that the user gives to components, by their name or `#name`; they go before all else.
+        project: the project folder, whose own data on parts and boards takes precedence; the current folder if None.
+        roles: roles that the user gives to components, by their name or `#name`; they take precedence.
         board: the board where a file does not say which; a schematic always does.
 
     Returns:

@@ -44,7 +44,7 @@ def read_library(folders: Sequence[Path], project: Path | None = None) -> PartLi
 
     Args:
         folders: folders, or single definitions; the first that has an id counts.
-        project: the project folder, whose own rules go first; the current folder if None.
+        project: the project folder, whose own rules take precedence; the current folder if None.
 
     Raises:
         SourceError: a folder is not there, or there is no definition at all.

@@ -33,8 +33,8 @@ def read_circuit(
 
     Args:
         path: a `.fz` or `.fzz` file.
-        project: the project folder, whose own data on parts and boards goes first; the current folder if None.
-        roles: roles that the user gives to components, by title or `#model_index`; they go before all else.
+        project: the project folder, whose own data on parts and boards takes precedence; the current folder if None.
+        roles: roles that the user gives to components, by title or `#model_index`; they take precedence.
         board: the board where a file does not say which; a sketch always does.
 
     Returns:

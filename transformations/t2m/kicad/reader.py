@@ -50,8 +50,8 @@ def read_circuit(
 
     Args:
         path: a `.kicad_sch`, an EESchema `.sch`, or a `.net`.
-        project: the project folder, whose own data on parts and boards goes first; the current folder if None.
-        roles: roles that the user gives to components, by their title or `#id`; they go before all else.
+        project: the project folder, whose own data on parts and boards takes precedence; the current folder if None.
+        roles: roles that the user gives to components, by their title or `#id`; they take precedence.
         board: the board where a file does not say which; a schematic always does.
 
     Returns:

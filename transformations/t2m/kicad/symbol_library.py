@@ -46,7 +46,7 @@ def _caches(folder: Path) -> list[str]:
 
 
 def parsed(text: str) -> dict[str, LibrarySymbol]:
-    """The symbols of a library, by name and by alias; entries that are no symbols are passed over."""
+    """The symbols of a library, by name and by alias; other entries are skipped."""
     found: dict[str, LibrarySymbol] = {}
     if not text.startswith(_HEAD):
         return found

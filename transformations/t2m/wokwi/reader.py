@@ -39,8 +39,8 @@ def read_circuit(
 
     Args:
         path: a `diagram.json`.
-        project: the project folder, whose own data on parts and boards goes first; the current folder if None.
-        roles: roles that the user gives to components, by their id or `#id`; they go before all else.
+        project: the project folder, whose own data on parts and boards takes precedence; the current folder if None.
+        roles: roles that the user gives to components, by their id or `#id`; they take precedence.
         board: the board where a file does not say which; a diagram always does.
 
     Returns:
