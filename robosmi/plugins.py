@@ -358,9 +358,9 @@ def raised_by(error: BaseException) -> RuleError | None:
 
 
 def plugin_findings() -> list[Finding]:
-    """A warning for each plug-in that could not be loaded, and for each whose content came in the place of other content.
+    """A warning for each plug-in that could not be loaded, and for each one whose content replaced other content.
 
-    There are none before anything asked the registry; content that nobody has asked for is not told.
+    There are none before the registry was used; replaced content that was never asked for is not reported.
     """
     if not registry.cache_info().currsize:
         return []

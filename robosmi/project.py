@@ -265,6 +265,9 @@ def _wrong(path: Path, message: str, fix: str) -> SourceError:
 def defaults(project: Path | None = None) -> dict[str, dict[str, Json]]:
     """The commands' default settings: all `defaults.toml` files of the platform repository, merged.
 
+    Their order of precedence is the search order (project, ROBOSMI_PATH, user, plug-ins, built-in): if two files have a key,
+    the value of the first one is used.
+
     Args:
         project: the project folder; the current folder if None.
 

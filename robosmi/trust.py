@@ -128,7 +128,7 @@ def check(path: str | os.PathLike[str], data: bytes) -> None:
 
 @contextmanager
 def acting(project: Path | None = None) -> Iterator[None]:
-    """Within this, data may start programs: a found folder must be trusted, and each file of it is checked when it is read.
+    """Context manager: data may start programs, so a found folder must be trusted, and each file of it is checked when read.
 
     Args:
         project: the project folder; the current folder if None.

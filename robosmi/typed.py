@@ -51,14 +51,14 @@ def distinct(values: Iterable[H]) -> list[H]:
 
 
 def dynamic_attribute(thing: object, name: str, *default: object) -> Any:
-    """The attribute of a name that is known only when the program runs, such as a feature of a model's element.
+    """The attribute of a name known only at run time, such as a feature of a model's element.
 
-    Where a kind is expected, `attribute_of` is the better one.
+    If a type is expected, use `attribute_of`.
 
     Args:
-        thing: what has it.
-        name: its name.
-        default: what is returned where there is none; without it, that is an AttributeError.
+        thing: the object.
+        name: the attribute's name.
+        default: the result if there is no such attribute; without it, that is an AttributeError.
 
     >>> dynamic_attribute("red", "upper")()
     'RED'

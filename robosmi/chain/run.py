@@ -1,8 +1,8 @@
-"""One run of a chain: which steps have to be done, the models between them, and what is remembered of it.
+"""One run of a chain: decides which steps have to be done, holds the models between them, and remembers the results.
 
-A step is up to date when the digest of all that it reads is the one of its last run, and what it made is still there. A model
-is read or made only when a step needs it. A run may be kept: asked for a value, told another (`give`), asked again; what is
-done then is what depends on it. A value that is made anew and equals the old one changes nothing behind it.
+A step is up to date if the digest of its inputs equals that of its last run and its outputs still exist. A model is read or
+made only when a step needs it. A run may be kept: ask it for a value, set another one (`give`), ask again; then only what
+depends on it is done again. A recomputed value that equals the old one counts as unchanged.
 """
 
 from __future__ import annotations
@@ -34,15 +34,15 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 V = TypeVar("V")
 Progress = Callable[[Step, StepResult | None], None]
-"""Told of a step: without a result before it is done, with it afterwards."""
+"""Called for each step: without a result before it is done, with its result afterwards."""
 
 
 class ChainResult(Struct):
-    """What a run did.
+    """The result of a run.
 
     Attributes:
-        steps: the steps in the order in which they were looked at.
-        seconds: how long all took.
+        steps: the results of the steps, in order.
+        seconds: the total duration.
     """
 
     steps: list[StepResult] = []
@@ -53,15 +53,15 @@ class ChainResult(Struct):
 
     @property
     def findings(self) -> list[Finding]:
-        """What all steps say."""
+        """The findings of all steps."""
         return [finding for result in self.steps for finding in result.findings]
 
     def diff(self) -> str:
-        """What changed in generated files, a unified diff."""
+        """The changes of generated files as a unified diff."""
         return "".join(result.diff for result in self.steps)
 
     def text(self) -> str:
-        """A line for each step: its state, its name, its time, what it wrote."""
+        """A line for each step: its state, name, duration, and the files it wrote."""
         wide = max((len(r.step.name) for r in self.steps), default=0)
         lines = []
         for r in self.steps:
@@ -116,7 +116,7 @@ class ChainRun:
     # Values
 
     def give(self, **values: V) -> None:
-        """Say what values are that come from outside; what depends on one that differs from before is done again.
+        """Set values that are given from outside; steps that depend on a changed one are done again when needed.
 
         Raises:
             SourceError: the chain has no such value.
@@ -155,7 +155,7 @@ class ChainRun:
         return made
 
     def _set(self, name: str, value: Any) -> None:
-        """Keep a value. What it says to later steps is a new number if it differs, or its text where that outlives the run."""
+        """Store a value; digests of later steps use a new number for it, or its `repr` if the state outlives the run."""
         if name in self.models and (self.models[name] is value or same_value(self.models[name], value)):
             return
         self._told += 1
@@ -237,7 +237,7 @@ class ChainRun:
         return result
 
     def inputs(self, step: Step) -> str:
-        """The digest of all that a step depends on."""
+        """The digest of all inputs of a step."""
         settings = [robosmi.__version__, step.kind, step.makes, str(step.driver), step.greatest.name, str(step.lenient)]
         parts = [("step", "\0".join(settings)), ("keep", str(self.keep and step.kind == "generate"))]
         parts += [(f"output {relative(p, self.folder)}", "") for p in step.outputs()]
@@ -250,7 +250,7 @@ class ChainRun:
         return digest_of_all(parts)
 
     def intact(self, step: Step, known: StepState) -> bool:
-        """Whether what the step made is still there, as it was made."""
+        """Whether a step's outputs still exist unchanged."""
         if step.kind == CALL and self.state.path is None:
             return step.makes in self.models
         if step.kind == "load" or (step.makes and step.file is None):
@@ -258,7 +258,7 @@ class ChainRun:
         return all(digest_of(self.folder / name) == value for name, value in known.outputs.items())
 
     def _stored(self, names: Iterable[str]) -> None:
-        """Note that loaded models were stored anew, so that what was read is what is there now."""
+        """Update the digests of loaded models that were written again, so that they do not count as changed."""
         for name in names:
             maker = self.makers[name]
             self.content[name] = self.inputs(maker)
@@ -266,7 +266,7 @@ class ChainRun:
                 known.inputs = self.content[name]
 
     def guard(self, step: Step, known: StepState | None) -> list[Finding]:
-        """A model that was changed by hand since a step wrote it is not written over, or under `force` kept beside the new one.
+        """Make sure that a stored model changed by hand is not overwritten; with `force` it is kept beside the new one.
 
         Raises:
             StoppedError: it would be lost.
@@ -292,7 +292,7 @@ class ChainRun:
         return said
 
     def _done(self, step: Step) -> StepResult:
-        """Do a step; that its code ends the program is an error of the step, whatever exit code it names."""
+        """Do a step; if its code ends the program, that is an error of the step, whatever exit code it names."""
         try:
             return self.do(step)
         except (SystemExit, RobosmiError) as error:
@@ -333,7 +333,7 @@ class ChainRun:
 
     @property
     def session(self) -> Session:
-        """In which metamodels are the same for all steps of the run."""
+        """The session in which metamodels are shared by all steps of the run."""
         if self._session is None:
             from robosmi.model.session import Session
 
@@ -341,16 +341,16 @@ class ChainRun:
         return self._session
 
     def _renew(self) -> None:
-        """Forget the models of a run that is kept when a metamodel has changed: their classes are those of the old one."""
+        """Forget the models of a kept run if a metamodel has changed, since their classes are those of the old one."""
         if self._session is not None and self._session.changed() is not None:
             self._session = None
             self.models = {name: made for name, made in self.models.items() if self.makers[name].kind in (CALL, GIVEN)}
 
     def _called(self, step: Step, models: dict[str, Any]) -> Any:
-        """The value that a step's function returns.
+        """Call a step's function; returns its value.
 
         Raises:
-            RuleError: another function was put in the place of this step or of one before it, and fails or makes something else.
+            RuleError: a replaced function (of this step or one before it) fails or returns a value of another type.
         """
         assert step.function is not None
         own = [s for s in self.ordered if s.instead_of is not None]
@@ -390,7 +390,7 @@ class ChainRun:
         return made
 
     def remember(self, step: Step, inputs: str, result: StepResult) -> None:
-        """Note what a step read, made and said."""
+        """Store a step's input digest, its outputs and its findings in the state."""
         if self.dry_run:
             return
         result.outputs |= {relative(path, self.folder): "" for path in step.stored()}

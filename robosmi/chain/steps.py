@@ -1,7 +1,7 @@
-"""What a step of a chain is: its kind, what it reads and makes, and what became of it.
+"""The steps of a chain: their kind, inputs and outputs, and the result of doing them.
 
-How the kinds are done is `languages`' business, when a step has to be done at all `run`'s. Nothing heavy is imported here: a
-chain of plain functions costs no more than the functions.
+`languages` implements the kinds, `run` decides when a step has to be done. Nothing slow is imported here: a chain of plain
+functions costs no more than the functions.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ KINDS = ("load", "validate", "transform", "migrate", "generate")
 """The kinds that read and make models and files."""
 
 FILLING = ("transform", "migrate")
-"""Those of them whose function fills a new model."""
+"""The kinds whose function fills a new model."""
 
 CALL, GIVEN = "call", "given"
-"""The kinds over values in memory: a function of values that makes a value, and a value that is given from outside."""
+"""The kinds of values in memory: one computed by a function from other values, and one that is given from outside."""
 
 
 class Step(Struct, frozen=True):
@@ -96,20 +96,20 @@ class Step(Struct, frozen=True):
 
 
 class StepResult(Struct):
-    """What became of a step.
+    """The result of a step.
 
     Attributes:
         step: the step.
         state: `up to date`, `done`, `would run` (in a dry run), `failed` (a validation with findings that stop), `not run`.
-        seconds: how long it took.
-        findings: what it says; of a step that is up to date what it said when it was done.
+        seconds: its duration.
+        findings: its findings; for a step that is up to date those of its last run.
         written: files that it wrote, or would write; relative to the chain's folder.
         removed: files that it removed.
-        diff: what it changed in text files, a unified diff.
+        diff: the changes of text files, as a unified diff.
         outputs: every file that it made, changed or not -> its digest.
-        fixed: the fixes that a validation performed, each with the element that it was for.
-        saved: names of the models that were stored anew because of them.
-        changes: whether it changed a model that it only reads, in memory, so that later steps have to see that again.
+        fixed: the fixes that a validation performed, each with its element.
+        saved: names of the models that were written again because of them.
+        changes: whether it changed an input model in memory, so that later steps need the changed model.
     """
 
     step: Step

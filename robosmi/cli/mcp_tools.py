@@ -209,10 +209,10 @@ def _flags(**asked: bool) -> list[str]:
 
 
 def _no_options(words: list[str]) -> list[str]:
-    """Words that are no options of the command.
+    """The words, if none of them is an option of the command.
 
     Raises:
-        UsageError: one begins as an option does.
+        UsageError: one begins like an option.
     """
     if odd := next((word for word in words if word.startswith("-") or not word), None):
         raise UsageError(f"'{odd[:60]}' is no rule and no choice", fix="give a name")

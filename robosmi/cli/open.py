@@ -45,7 +45,7 @@ def run(arguments: _Arguments) -> Report:
 
 
 def serve(report: Report, output: Path, port: int = 0, *, browser: bool = True, source: Path | None = None) -> None:
-    """Let a report go on with a page that is served until Ctrl-C.
+    """Extend a report so that it continues with a page that is served until Ctrl-C.
 
     Args:
         report: gets the address, and goes on with serving.

@@ -1,6 +1,6 @@
-"""Paths that a stranger names, held to one folder: resolved, without links, relative to it.
+"""Restricts paths named by untrusted callers to one folder: resolved, without links, relative to it.
 
-What a path leads to may change after it was looked at; who runs a command with it confines the process, too (`confined`).
+The target of a path may change after the check; whoever runs a command with it confines the process, too (`confined`).
 """
 
 from __future__ import annotations
@@ -69,5 +69,5 @@ class RootFolder:
 
 
 def is_text(word: str) -> bool:
-    """Whether a word can be given to a program: neither NUL nor half of a pair of UTF-16 is in it."""
+    """Whether a word can be passed to a program: it has no NUL and no lone surrogate."""
     return "\0" not in word and not any("\ud800" <= character <= "\udfff" for character in word)

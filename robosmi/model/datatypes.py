@@ -198,7 +198,7 @@ def _read_date(text: str) -> datetime:
     if not match:
         raise ValueError(f"'{text}' is no date (as in 2024-01-02T03:04:05.678+0000)")
     year, month, day, hour, minute, second = (int(part or 0) for part in match.groups()[:6])
-    # The digits after the point are milliseconds to EMF, whatever their number: .5 is 5 ms.
+    # EMF reads the digits after the point as milliseconds, however many there are: .5 is 5 ms.
     millisecond = int(match[7] or 0) if len(match[7] or "") <= 3 else int(match[7][:3])
     zone = None
     if match[8]:

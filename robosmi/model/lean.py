@@ -1,9 +1,9 @@
 """Compact elements: how feature values are stored inside a pyecore EObject, and how to store them without its setters.
 
-pyecore keeps a holder for every value and four containers for every element, most of them empty. Here are attributes whose
-plain values lie bare in the element until somebody changes them, holders with what all share in their class, and descriptors
-that make the four containers when somebody asks. Elements stay pyecore EObjects: its own setters, collections and `delete`
-work on them. Only the XMI reader and writer, `construct`, `on_demand` and `strict` use this module.
+pyecore keeps a holder for every value and four containers for every element, most of them empty. Here, attributes store plain
+values without a holder until they are changed, holders share their constant fields in their class, and descriptors create the
+four containers on demand. Elements remain pyecore EObjects: its own setters, collections and `delete` work on them. Only the
+XMI reader and writer, `construct`, `on_demand` and `strict` use this module.
 """
 
 from __future__ import annotations

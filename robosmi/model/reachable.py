@@ -79,7 +79,7 @@ def _is_own(element: EObject | ModelElement, name: str) -> bool:
     kind = element.eClass
     if kind.findEStructuralFeature(name) is not None:
         return True
-    # operations are judged by who wrote them, too: Ecore's own, as `getEClassifier`, give what can be called
+    # an operation counts by the class that defines it: Ecore's own, such as `getEClassifier`, return callables
     owners = [base for base in element.__class__.__mro__ if name in vars(base)]
     if not owners:
         return not hasattr(element, name)

@@ -185,7 +185,7 @@ def _throw_away(above: OpenFolder, name: str, folder: Path) -> None:
 
 
 def _journal(held: OpenFolder) -> tuple[dict[str, str], list[str], object]:
-    """What a journal of this user's own says: place in the stage -> relative path, the relative paths that go, the run's name.
+    """The content of a journal of this user's run: path in the stage -> relative path, the paths to remove, the run's name.
 
     Raises:
         StoppedError: no run of this user made it for this folder, or a path of it leads out of the folder.

@@ -1,9 +1,9 @@
-"""Texts of models as XML: what markup means something else by, and an escape for the characters that XML 1.0 cannot hold.
+"""Writes texts of models as XML: escapes markup, and characters that XML 1.0 cannot represent.
 
-XML has no form for most control characters (form feed, NUL), half surrogates, U+FFFE and U+FFFF, not even as a character
-reference. In an XMI file each stands as the symbol U+241B, which Unicode has for "escape", and four hexadecimal digits: a form
-feed is `␛000C`. Eclipse and every other tool sees an ordinary text. A symbol that the source text has itself is left alone, but
-where it would read as such an escape: it is then written as `␛241B`. Which texts of a file are escaped is the writer's part.
+XML cannot represent most control characters (form feed, NUL), lone surrogates, U+FFFE and U+FFFF, not even as character
+references. In an XMI file each is written as the symbol U+241B, Unicode's "symbol for escape", and four hexadecimal digits: a
+form feed is `␛000C`. Eclipse and every other tool treats it as ordinary text. A symbol in the text itself is kept, unless it
+would read as such an escape: then it is written as `␛241B`. The writer decides which texts of a file are escaped.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Operations by name: `call(x, "isDefined")` on anything.
 
-A name is taken as EOL writes it or in Python's way (`sortBy`, `sort_by`). One's own operations (`own_operations`) come first.
-Here a name finds its operation; which built-in operations there are is `built_in`'s business, what they do theirs.
+A name may be written as in EOL or in Python's style (`sortBy`, `sort_by`). User-defined operations (`own_operations`) take
+precedence. This module finds the operation of a name; `built_in` lists the built-in ones.
 """
 
 from __future__ import annotations

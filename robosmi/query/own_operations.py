@@ -40,7 +40,7 @@ _known: set[str] = set()
 
 
 class OwnOperation:
-    """An operation of one's own: its context type, its function, whether it is cached."""
+    """A user-defined operation: its context type, its function, whether it is cached."""
 
     def __init__(self, context: types.AnyKind, function: Function, cached: bool) -> None:
         self.context = context

@@ -41,7 +41,7 @@ class Run:
     def notes_of(self, target: V) -> dict[Hashable, Answer]:
         """The run's own dictionary about one object, empty at first; for values (numbers, texts) one per value."""
         if self is _DEFAULT and isinstance(target, (EObject, ModelElement)) and hasattr(target, "__dict__"):
-            # what is noted may refer to the element: a table of the run would hold both for ever
+            # notes may refer to the element: a table in the default run would keep both alive forever
             found: dict[Hashable, Answer] = target.__dict__.setdefault(_NOTES, {})
             return found
         try:

@@ -1,7 +1,7 @@
-"""What checks and guards may answer: truth values, not something that is only true because it is there.
+"""What checks and guards may return: truth values, and not values that are true merely because they exist.
 
-A text, a list or tuple that was just made, a function that was not called and a generator are true of every element, whatever
-their author meant. Collections of a model and of EOL are verdicts: whether they hold something depends on the model.
+A text, a list or tuple that was just made, a function that was not called and a generator are true for every element, whatever
+their author meant. Collections of a model and of EOL are allowed: whether they are empty depends on the model.
 """
 
 from __future__ import annotations
@@ -49,10 +49,10 @@ def verdict_of(answer: T, says: str, fix: str) -> T:
 
 
 def guarded(answer: object) -> bool:
-    """Whether a guard says that its rule or constraint applies.
+    """The truth value of a guard's result.
 
     Raises:
-        UsageError: its answer says neither, as of `verdict_of`.
+        UsageError: the result is not a truth value, see `verdict_of`.
     """
     fix = 'write a comparison (`x.name != ""`, `len(x.books) > 0`), and call what is a method'
     return bool(verdict_of(answer, "whether the guard holds", fix))

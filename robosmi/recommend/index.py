@@ -120,7 +120,7 @@ class LibraryIndex:
         self.path = path
         try:
             inputs.check_ordinary(path)  # SQLite would take a named pipe or a device
-            # immutable: no locks, no look for a journal. Python's sqlite3 serialises the calls of several threads
+            # immutable: no locks and no search for a journal. Python's sqlite3 serialises the calls of several threads
             self._db = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True, check_same_thread=False)
         except (OSError, sqlite3.Error) as error:
             raise self._damaged((isinstance(error, OSError) and error.strerror) or str(error)) from error

@@ -24,12 +24,12 @@ from robosmi.transformations.m2m.stored_choices import GONE, NOTHING, StoredChoi
 
 
 class Adopted(Struct):
-    """What is taken over from the plan of an output folder.
+    """The data taken over from the plan of an output folder.
 
     Attributes:
-        choices: of persons.
-        inputs: the plan as it was read, relative path -> bytes; empty where nothing was.
-        notes: what is worth knowing of it.
+        choices: the choices of persons.
+        inputs: the plan as it was read, relative path -> bytes; empty if there was none.
+        notes: findings about it.
     """
 
     choices: StoredChoices = NOTHING

@@ -1,4 +1,4 @@
-"""The chain `analyse`: a program to its code model, and what it uses of its platform."""
+"""The chain `analyse`: reads a program into its code model, and determines what it uses of its platform."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def analysis_chain() -> Chain:
 
 
 def source_api(source_platform: str | None) -> ApiIndex:
-    """What is known of the platform that the program was written for.
+    """The API of the platform that the program was written for.
 
     Raises:
         UsageError: there is no such platform.
@@ -88,7 +88,7 @@ def read_program_and_findings(
 
 
 def analysed(read: tuple[ccode.Program, list[Finding]], api: ApiIndex) -> Analysis:
-    """What the program uses of its platform."""
+    """Determine what the program uses of its platform."""
     program, findings = read
     return Analysis(program, analysis(program, findings, api), findings)
 

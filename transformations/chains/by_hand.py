@@ -35,14 +35,14 @@ _AWAY = "#if 0  // what you wrote for '{}', which nothing calls any more"
 
 
 class ByHand:
-    """What persons have done in an output folder.
+    """A person's work in an output folder.
 
     Attributes:
         names: the functions whose bodies they have written.
-        values: the names whose placeholders they have given a meaning.
-        done: the tasks that they have ticked, by what they are about.
-        includes: the headers that nothing made needs any more and that they use, with the names that they use of each.
-        findings: what became of bodies that are called no more, and of such headers.
+        values: the names whose placeholders they have defined.
+        done: the tasks that they have ticked, by their subjects.
+        includes: headers that are no longer generated and that their code uses, with the names used from each.
+        findings: messages about bodies that are no longer called, and about such headers.
     """
 
     def __init__(self) -> None:

@@ -51,13 +51,13 @@ STAYS = "RS415"
 
 
 class Chosen(Generated):
-    """What a choice has made.
+    """The result of a choice.
 
     Attributes:
-        chosen: the identities of what was chosen, with their values; an empty value leaves the choice open again.
-        project: the project file that has the values, too; None where there is none.
-        settings: what the project file beside the sources says.
-        command: what to type for the same.
+        chosen: identity of each choice -> its value; an empty value reopens the choice.
+        project: the project file that was updated, too; None if there is none.
+        settings: the content of the project file beside the sources.
+        command: the command line for the same choice.
     """
 
     chosen: dict[str, str] = field(default_factory=dict)

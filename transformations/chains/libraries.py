@@ -40,7 +40,7 @@ class Imported(Struct, frozen=True):
 
 
 class ShownLibrary(Struct, frozen=True):
-    """A library with what it offers to a program."""
+    """A library with its API."""
 
     facts: LibraryFacts
     api: LibraryApi
@@ -75,7 +75,7 @@ class ShownLibrary(Struct, frozen=True):
 
 
 def show_library(name: str, platform: str) -> ShownLibrary:
-    """A library of the index, with what it offers.
+    """A library of the index, with its API.
 
     Raises:
         UsageError: the index has none of that name.

@@ -1,4 +1,4 @@
-"""The steps of `migrate` about libraries: what ranks them, what was chosen before, and the decisions."""
+"""The steps of `migrate` about libraries: the ranker, earlier choices, and the decisions."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def ranker(target: TargetFacts) -> Ranker | None:
 
 
 def earlier(history: str | None, target: TargetFacts) -> ForgivingHistory:
-    """What was chosen before for the target, or for others with the same libraries."""
+    """The earlier choices for the target, or for others with the same libraries."""
     return earlier_choices(history, target)
 
 

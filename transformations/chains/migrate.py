@@ -171,7 +171,7 @@ def choices(
 
 
 def board(drawing: StoredDrawing | None, target: TargetFacts) -> platform.Board:
-    """The board of the plan: the drawn one, else the target's."""
+    """The board of the plan: the drawn one, or else the target's."""
     return drawing.board if drawing is not None else target.board_model
 
 
@@ -211,7 +211,7 @@ def widenings(
     target: TargetFacts,
     widths: str | None,
 ) -> Widened:
-    """What is written otherwise so that the program's numbers keep the widths that they have on the source."""
+    """The changes by which the program's numbers keep the widths that they have on the source."""
     return widened(program, program_files, judgement[0], api, target, widths)
 
 

@@ -220,7 +220,7 @@ def produce(
             record = Manifest.of(contents | kept.records, {*by_person, *manifest.choices})
             # An edited input keeps the digest of the run that made it, so that making it anew stops before the edit is lost;
             # not one in which choices alone were edited, which the next run makes, too.
-            # Of a manifest that came with the folder nothing else is taken over, or the next run would remove files on its word.
+            # A manifest that came with the folder is not trusted further, or the next run would remove the files that it lists.
             edited = [name for name, data in exempt.items() if not only_choices_differ(manifest, name, data)]
             staying = [*(name for name in edited if manifest.own or name in contents), *(kept.orphans if manifest.own else ())]
             record.files |= {name: manifest.files[name] for name in staying if name in manifest.files}

@@ -27,6 +27,8 @@ def board_claims(
 ) -> Callable[[], tuple[Claim, ...]]:
     """Make a function that returns the claims of a board; it is called when a program is compiled for the board.
 
+    There are no claims if the platform's toolchain does not check boards.
+
     Args:
         platform_name: the platform's folder in the repository.
         board: the board.

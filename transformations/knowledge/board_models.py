@@ -107,7 +107,7 @@ def _boot_loader(entry: DataTable) -> platform.BootLoader:
 
 
 def check_drawn(table: DataTable) -> None:
-    """Refuse a table or a key of a board's file that nobody would read (PlatformDataError)."""
+    """Refuse an unknown table or key of a board's file (PlatformDataError), which would be ignored silently."""
     check_keys(table, (*_BOARD_KEYS, *_MAPPING_KEYS))
     for name, known in _DRAWN_KEYS.items():
         for entry in table.tables(name, needed=False):
@@ -115,7 +115,7 @@ def check_drawn(table: DataTable) -> None:
 
 
 def check_keys(table: DataTable, known: Sequence[str]) -> None:
-    """Refuse a key that nobody would read (PlatformDataError)."""
+    """Refuse an unknown key (PlatformDataError), which would be ignored silently."""
     for key in table.values:
         if key not in known:
             raise table.error(key, f"is no key of it{did_you_mean(key, known)}")

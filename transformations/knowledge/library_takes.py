@@ -51,7 +51,7 @@ class _Entry(NamedTuple):
 
 
 def library_takes(index: str, board: platform.Board, project: Path | None = None) -> Mapping[str, Takes]:
-    """What libraries take of a board, by the library's name; empty where nothing is known of any.
+    """The resources that libraries occupy on a board, by the library's name; empty if none are known.
 
     Args:
         index: folder in the platform repository of the platform whose index of libraries is used, empty for none.

@@ -1,7 +1,7 @@
-"""The description of a part that every drawing tool's reader gives, and the catalogue of parts has: `Part`.
+"""`Part`: the description of a part, which every drawing tool's reader produces and the catalogue contains.
 
-What a part is to the software (its role) is told by `part_roles`, what is known of an id by `parts_catalogue`. Nothing here
-belongs to one tool.
+`part_roles` determines what a part is to the software (its role), `parts_catalogue` looks up ids. Nothing here is specific to
+one tool.
 """
 
 from __future__ import annotations

@@ -161,7 +161,7 @@ def passive_named(text: str, known: PartNames) -> str:
 
 
 def name_direction(name: str, known: PartNames, chip: bool = False) -> str | None:
-    """The direction that a connector's name tells (bus, write, read), or None.
+    """The direction that a connector's name implies (bus, write, read), or None.
 
     Args:
         name: the connector's name.

@@ -75,7 +75,7 @@ class Catalogue:
         return tuple(found)
 
     def words(self, part_id: str) -> dict[str, int]:
-        """How often each word (lower case) stands in the description of a part; empty where nothing is known of it."""
+        """The number of occurrences of each word (lower case) in a part's description; empty if unknown."""
         for path, changed in self._files:
             if path.suffix == ".sqlite" and (words := _opened(path, changed).words(part_id)):
                 return words

@@ -88,7 +88,7 @@ class PartsFile:
         return kept[1]
 
     def words(self, part_id: str) -> dict[str, int]:
-        """How often each word stands in the description of a part; empty for a part that is not here."""
+        """The number of occurrences of each word in a part's description; empty for an unknown part."""
         rows = self._all("SELECT words FROM part WHERE id = ?", part_id)
         return {word: as_whole(count) for word, count in as_table(self._unpacked(rows[0][0])).items()} if rows else {}
 

@@ -173,16 +173,16 @@ class ApiIndex:
         return f"{entry.detail} {name}".strip()
 
     def pins(self, function: str, header: str) -> PinFacts | None:
-        """Pins of a function as the header declares it, of its adapter where the platform tells none; None where nobody does."""
+        """The pins of a function: from its header, else from its adapter; None if neither declares any."""
         known = self._facts.pins.get((function, header))
         return known if known is not None or self._adapters is None else self._adapters.of(function, header)
 
     def meaning(self, function: str) -> FunctionMeaning:
-        """What is known of a function: parameters, blocking, startsCog."""
+        """The known facts about a function: parameters, blocking, startsCog."""
         return self._facts.functions.get(function, {})
 
     def symbol_meaning(self, symbol: str) -> Mapping[str, str]:
-        """What is known of another name: kind, type, meaning."""
+        """The known facts about another name: kind, type, meaning."""
         return self._facts.symbols.get(symbol, {})
 
     def symbol_kind(self, name: str, entry: ApiEntry) -> str:

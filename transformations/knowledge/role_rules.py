@@ -163,7 +163,7 @@ def _check_role(entry: Mapping[str, Json], path: str) -> None:
 
 
 def _problem(entry: Mapping[str, Json], keys: Sequence[str], tools: Collection[str] | None) -> str:
-    """What is wrong with an entry, or an empty text; `tools` are those it may name, None for any."""
+    """The message about what is wrong with an entry, or an empty text; `tools` are the known ones, None for any."""
     for key, value in entry.items():
         if key not in keys:
             return f"'{key}' is no key{did_you_mean(key, keys)}"

@@ -188,7 +188,7 @@ def _decide(
 ) -> migration.LibraryChoice:
     query = component_query(component)
     refused = said is not None and said.lower() == NO_LIBRARY
-    # What a person says is not weighed against history, so a run that records it gives the same plan again.
+    # A person's choice ignores the history, so that a run after it was recorded makes the same plan again.
     recommendation = rank(query, not said)
     by, why = migration.ChosenBy.nobody, ""
     name = said
@@ -213,7 +213,7 @@ def _decide(
         confidence=recommendation.confidence if by_ranking else 1.0,
         chosenBy=by,
         evidence=[*([why] if why else []), *(str(taken) for taken in models.taken_by(library))],
-        # a ranker that estimates nothing says nothing about parts for which it finds nothing
+        # a ranker without a confidence cannot tell that a part without candidates needs no library
         open=not name and (recommendation.decision != "none" or recommendation.confidence > 0),
         choice=library.name if library is not None else NO_LIBRARY if refused else "",
         options=options,

@@ -205,8 +205,8 @@ def _value(name: str, spelled: str, indexed: bool, mutable: bool, number: int, t
     base, bracket, _ = spelled.partition("[")
     kind = for_target(Signature(name, base.strip()), target.widths).returns
     if not mutable:
-        # Constants of unknown value must differ, or a switch over them would not compile, one over their sums with small numbers
-        # neither; none is 0, for arrays have such sizes.
+        # Constants of unknown value must differ, even after adding small numbers, or a switch over them would not compile;
+        # none is 0, since they may be sizes of arrays.
         bare = kind.removeprefix("const ")
         if target.language == PLAIN_C and set(bare.split()) <= ARITHMETIC - {"float", "double"}:
             return f"enum {{ {name} = {number} }};"  # a constant of C is no constant expression

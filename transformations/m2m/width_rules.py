@@ -77,7 +77,7 @@ class Walk(Struct):
         """Want an operand to be cast to a wider type."""
         self.wants.append(Want(WIDEN, node, number))
 
-    # ---- what has no operator of its own
+    # ---- expressions without an operator
 
     def _others(self, node: TypedExpression) -> Number | None:
         for child in node.children:
