@@ -307,9 +307,8 @@ class TypeHandle:
             raise AttributeError(name)
         if not hasattr(self.kind, "eLiterals"):
             known = ("all", "all_of_type", "has", "name")
-            raise UnknownTypeError(
-                f"the type {self.name} has no '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(known)}"
-            )
+            meant = f" (did you mean '{_OF_EOL[name]}'?)" if name in _OF_EOL else did_you_mean(name, known)
+            raise UnknownTypeError(f"the type {self.name} has no '{name}'{meant}", fix=f"use one of: {', '.join(known)}")
         return self.model.literal(f"{self.name}#{name}")
 
     def __eq__(self, other: object) -> bool:
@@ -320,6 +319,10 @@ class TypeHandle:
 
     def __repr__(self) -> str:
         return f"<type {self.name} of {self.model.name}>"
+
+
+_OF_EOL = {"allInstances": "all", "all_instances": "all", "allOfKind": "all", "all_of_kind": "all", "allOfType": "all_of_type"}
+"""EOL's names for what a type handle has."""
 
 
 def read_only(what: str, name: str) -> ReadOnlyError:

@@ -10,7 +10,7 @@ from typing import Any
 
 from robosmi.errors import did_you_mean
 from robosmi.model import ecore
-from robosmi.model.ecore import EPackage
+from robosmi.model.ecore import EObject, EPackage
 from robosmi.model.feature_errors import UnknownFeatureError, literal_wanted, value_refused
 from robosmi.model.feature_values import Contents
 from robosmi.model.in_order import all_contents
@@ -36,8 +36,12 @@ def make_strict(package: EPackage) -> None:
                 continue
             if not is_static(cls) and "__setattr__" not in cls.__dict__:
                 cls.__setattr__ = _set
-                cls.eContents = property(lambda self: Contents(contents(self)))
+                cls.eContents = property(_contents)
                 cls.eAllContents = all_contents
+
+
+def _contents(self: EObject) -> Contents:
+    return Contents(contents(self))
 
 
 def _set(self: Any, name: str, value: Any) -> None:

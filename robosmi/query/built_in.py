@@ -79,4 +79,4 @@ def put_together() -> None:
     """Give `operations` its tables, and collections the way to read a property of their items."""
     for kind, table in TABLES.items():
         table.update(_BY_KIND[kind])
-    Q._read = staticmethod(properties.get_all)
+    Q._read = staticmethod(properties.of_items)

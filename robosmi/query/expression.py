@@ -9,6 +9,7 @@ is within reach; what may be read and called is `reachable`'s business, and how 
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -88,9 +89,10 @@ def evaluate(expression: str, given: Iterable[Model], then: Callable[[Any], Any]
         elif name not in known and name not in bound:
             of_models = [n for view in views for n in view.type_names()]
             near = did_you_mean(name, [*known, *of_models])
-            raise UsageError(
-                f"the name '{name}' is unknown{near}", fix=f"use a type ({_few(of_models)}) or a function of robosmi.query"
-            )
+            fix = f"use a type ({_few(of_models)}) or a function of robosmi.query"
+            if re.search(rf"\(\s*{name}\s*(:\s*\w+\s*)?\|", expression):
+                fix = f"a function of an item is written as in Python: lambda {name}: ..."
+            raise UsageError(f"the name '{name}' is unknown{near}", fix=fix)
     code = compile(_guarded(tree), "<expression>", "eval")
     try:
         with Run(*views, closed=reachable.CLOSED):

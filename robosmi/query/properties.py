@@ -16,11 +16,12 @@ from robosmi.model.driver import ModelElement
 from robosmi.model.ecore import EClass, EEnumLiteral, EObject
 from robosmi.model.reachable import of_models
 from robosmi.query.collections import Map, Tuple, collection
-from robosmi.query.operations import has_plain_operation, plain_operation
-from robosmi.query.problems import UndefinedError, describe, unknown_property
+from robosmi.query.operations import TABLES, has_plain_operation, plain_operation
+from robosmi.query.problems import UndefinedError, UnknownPropertyError, describe, unknown_property
 from robosmi.query.run import ext
 from robosmi.query.types import EolType
 from robosmi.query.values import collection_kind, compares_itself
+from robosmi.query.words import snake
 from robosmi.typed import attribute_of, dynamic_attribute
 
 if TYPE_CHECKING:
@@ -109,6 +110,27 @@ def get_all(items: Iterable[Any], name: str, default: Answer = _MISSING) -> list
         if not any(compares_itself(cls) or issubclass(cls, _METHODS) for cls in {x.__class__ for x in values}):
             return values
     return [_of(x, name) for x in found]
+
+
+def of_items(items: Iterable[V], name: str, default: Answer = _MISSING) -> list[Any]:
+    """As `get_all`; where no item has the property, the error names the operation of collections that is meant, if one is near.
+
+    Raises:
+        UndefinedError, ModelError: as `get_all`.
+    """
+    try:
+        return get_all(items, name, default)
+    except UnknownPropertyError as error:
+        from difflib import get_close_matches  # 4 ms, wanted only when something is wrong
+
+        operations = TABLES["Collection"]
+        near = snake(name) if snake(name) in operations else next(iter(get_close_matches(snake(name), operations, 1)), None)
+        if near is None or "did you mean" in error.message:
+            raise
+        raise UnknownPropertyError(
+            f"{error.message}, and a collection no operation of that name (did you mean '{near}'?)",
+            location=error.location, fix=f"write {near}(...) for the operation; {error.fix}",
+        ) from error  # fmt: skip
 
 
 def _has_feature(cls: type, name: str) -> bool:
