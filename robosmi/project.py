@@ -333,14 +333,14 @@ def _merged(files: tuple[tuple[str, int], ...]) -> dict[str, dict[str, Json]]:  
     built_in = read_data(Path(files[-1][0])) if files else {}
     for path, _ in reversed(files):
         for name, table in read_data(Path(path)).items():
-            _check_default(path, name, tuple(built_in), f"table of it{did_you_mean(name, built_in)}")
+            _check_default(path, name, tuple(built_in), "table of it")
             if not isinstance(table, dict):
                 raise PlatformDataError(
                     f"'{name}' must be a table", location=Location(path), fix=f"write it in a table: [{name}]"
                 )
             for key in table if name not in _OPEN else ():
                 known = as_table(built_in[name])
-                _check_default(path, key, tuple(known), f"key of [{name}]{did_you_mean(key, known)}")
+                _check_default(path, key, tuple(known), f"key of [{name}]")
             merged[name] = {**merged.get(name, {}), **table}
     return merged
 
@@ -353,7 +353,8 @@ def _check_default(path: str, name: str, known: Sequence[str], what: str) -> Non
     """Refuse a table or a key that the built-in file has not: nobody would ask for it."""
     if name not in known:
         place = Location(path, line_of_key(inputs.read_text(Path(path), inputs.DATA), name))
-        raise PlatformDataError(f"'{name}' is no {what}", location=place, fix=f"use one of: {', '.join(known)}")
+        told = f"'{name}' is no {what}{did_you_mean(name, known)}"
+        raise PlatformDataError(told, location=place, fix=f"use one of: {', '.join(known)}")
 
 
 def read_data(path: Path) -> dict[str, Json]:

@@ -22,7 +22,9 @@ code = start()
 import gc
 print(json.dumps({"code": code, "modules": sorted(sys.modules), "threshold": gc.get_threshold()}), file=sys.stderr)
 """
-LONG_TO_LOAD = {"pyecore.resources", "ssl", "urllib.request", "networkx", "numpy", "asyncio", "email", "html", "filelock"}
+LONG_TO_LOAD = {
+    "pyecore.resources", "ssl", "urllib.request", "networkx", "numpy", "asyncio", "email", "html", "filelock", "difflib",
+}  # fmt: skip
 
 ENDING = """
 import atexit, threading, time
