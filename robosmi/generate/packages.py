@@ -1,8 +1,7 @@
-"""Generated Python packages put where persons' files may lie: all of them or none, and nothing overwritten that is theirs.
+"""Writes generated Python packages where a person's files may lie: atomically, and without overwriting a person's files.
 
-`generate_packages` is `robosmi metamodels generate` as a function. Each outermost package is a folder with a record
-(`.robosmi.json`) of what was made in it, so that an edited or foreign file stops the run. What the files say is `model.codegen`'s
-business.
+`generate_packages` is the function behind `robosmi metamodels generate`. Each outermost package is a folder with a record
+(`.robosmi.json`) of its generated files, so that an edited or foreign file stops the run. `model.codegen` generates the files.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Generation rules, EGX's: for which elements which template makes which file, and with what.
+"""The generation rules of EGX: for which elements which template makes which file, and with which values.
 
-A rule is a function: its name is the rule's, its parameter the name by which the template knows the element, what it returns
-the template's further values. The order of evaluation is the engine's: guard, pre, the flags, template, the function, target,
-then text and file, post. Files are `gen`'s business.
+A rule is a function: its name is the rule's, its parameter the name by which the template knows the element, its result the
+template's further values. The order of evaluation is the engine's: guard, pre, the flags, template, the function, target, then
+text and file, post. `gen` writes the files.
 """
 
 from __future__ import annotations

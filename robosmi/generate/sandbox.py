@@ -1,8 +1,8 @@
-"""What a template may look at and call: Jinja's sandbox, and of parts of models what reads them.
+"""What a template may read and call: Jinja's sandbox, restricted to reading where parts of models are concerned.
 
-What of elements, collections, models and types may be read is the list of `robosmi.model.reachable`, which queries go by, too.
-The environment of `templates` asks here; its speed matters, so the
-answer is remembered by class and name. What a Python program gives to its templates is its own affair.
+`robosmi.model.reachable` lists the readable attributes of elements, collections, models and types, for queries as well. The
+environment of `templates` calls this module for every access, so results are cached by class and name. Values that a Python
+program passes to its templates are not restricted.
 """
 
 from __future__ import annotations

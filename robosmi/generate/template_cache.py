@@ -1,6 +1,7 @@
-"""Compiled templates, kept from one run to the next in the user's cache folder: compiling takes longer than rendering.
+"""Keeps compiled templates in the user's cache folder between runs, since compiling takes longer than rendering.
 
-What is kept is the code that Jinja made of a template's text, found again by that text, Jinja's version and our own modules.
+The cache contains the code that Jinja made of a template's text; the key consists of the text, Jinja's version and our own
+modules.
 """
 
 from __future__ import annotations

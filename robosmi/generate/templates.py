@@ -1,7 +1,8 @@
-"""Templates in Jinja2 as EGL's: rendered to a `Text` that knows its elements; a mistake in one is an error with its place.
+"""Renders Jinja2 templates like EGL's, to a `Text` that knows the elements it came from; errors have their place in the
+template.
 
-Templates come from folders or from a mapping of texts. Strict about what is undefined, elements included; lines with nothing
-but a tag vanish; values print as in EOL. Which template is for which element and file is `gen`'s.
+Templates come from folders or from a mapping of texts. Undefined names, features included, are errors; lines with nothing but a
+tag are dropped; values print as in EOL. `gen` decides which template is used for which element and file.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""Python packages from metamodels: pyecoregen's generator with a template and views of our own.
+"""Generates Python packages from metamodels, with pyecoregen's generator and a template of our own.
 
-`render` gives the files of one or more .ecore files and of all that they refer to; nothing is written. One EPackage is one
-file, `<package>/__init__.py`, whose classes derive from `robosmi.model.strict.Element`. The .ecore files stay the truth:
-generated code is never edited. Writing it where a person's files may lie is `robosmi.generate.packages`' business; run as a
-module, this writes our own packages anew, and a test compares.
+`render` returns the files for one or more .ecore files and all that they refer to; it writes nothing. Each EPackage becomes one
+file, `<package>/__init__.py`, whose classes derive from `robosmi.model.strict.Element`. The .ecore files remain the source:
+generated code is never edited. `robosmi.generate.packages` writes packages where a person's files may lie; run as a module,
+this one generates our own packages again, and a test compares.
 """
 
 from __future__ import annotations

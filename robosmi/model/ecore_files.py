@@ -1,9 +1,9 @@
-"""The .ecore files of one run: read once each, found by namespace, by relative path, or beside the files that were given.
+"""The .ecore files of one run: each is read once and found by namespace, by relative path, or beside the given files.
 
-A reference from one metamodel to another may say a namespace, a relative path, or a place in an Eclipse workspace
-(`platform:/resource/...`). Tried in that order: the namespaces of the files read so far, the path, the file's place below a
+A reference from one metamodel to another may be a namespace, a relative path, or a place in an Eclipse workspace
+(`platform:/resource/...`). Tried in this order: the namespaces of the files read so far, the path, the file's path below a
 folder above the referring file, a file of that name beside it, and the namespaces of all .ecore files beside it. Nothing is
-fetched from anywhere. What a file says is `ecore_loader`'s business.
+downloaded. The content is interpreted by `ecore_loader`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Ecore files as trees of plain nodes that know their lines: the XML part of reading a metamodel.
+"""Parses Ecore files into trees of plain nodes with line numbers: the XML part of reading a metamodel.
 
-Takes bytes, gives nodes; what a node means is `ecore_loader`'s business. Comments and processing instructions are
-skipped, a DOCTYPE is refused (nothing is expanded, nothing is fetched). A stack stands in for recursion.
+`ecore_loader` interprets the nodes. Comments and processing instructions are skipped, a DOCTYPE is refused (nothing is expanded
+or downloaded). The parser uses a stack of its own instead of recursion.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Tables and trees as HTML, as notebooks show models, metamodels and elements. What stands in them is the caller's business."""
+"""Tables and trees as HTML, for showing models, metamodels and elements in notebooks."""
 
 from __future__ import annotations
 

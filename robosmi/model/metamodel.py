@@ -1,7 +1,7 @@
-"""`Metamodel`: one or several .ecore files, or packages that are there, as an object to look types up in and make elements of.
+"""`Metamodel`: one or several .ecore files, or existing packages, for looking up types and making elements.
 
-`Metamodel.load("library.ecore")` makes dynamic classes that are as strict as generated ones; two loads make two metamodels that
-never mix. How an .ecore file is read is `ecore_loader`'s business, the built-in metamodels are `metamodels`'.
+`Metamodel.load("library.ecore")` makes dynamic classes that are as strict as generated ones; loading twice makes two
+independent metamodels. `ecore_loader` reads .ecore files, and `metamodels` has the built-in ones.
 """
 
 from __future__ import annotations

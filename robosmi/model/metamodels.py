@@ -1,8 +1,7 @@
-"""Which metamodels a model may use: packages by namespace URI.
+"""The metamodels that a model may use: packages by namespace URI.
 
-A `Metamodels` is a value of its own; there is no global registry that two loads could share by accident. The built-in
-ones are imported when first asked for, since that costs more than all else of this room. How an .ecore file becomes packages
-is `metamodel`'s business.
+A `Metamodels` is an ordinary value; there is no global registry that two loads could share by accident. The built-in ones are
+imported on demand, since that takes longer than the rest of this package. `metamodel` makes packages from .ecore files.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""Several models side by side, of whatever technologies: types by qualified names (`M!Book`, `library::Book`), owners, literals.
+"""Several models side by side, of any technology: types by qualified names (`M!Book`, `library::Book`), owners, literals.
 
-A repository holds models and nothing else; it is made where it is needed and costs nothing.
+A repository only refers to its models; it is made where it is needed and costs nothing.
 """
 
 from __future__ import annotations

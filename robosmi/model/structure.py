@@ -1,8 +1,8 @@
-"""The containment tree of EMF elements: contents, roots, places, all in EMF's order, and nothing recurses.
+"""The containment tree of EMF elements: contents, roots, places, all in EMF's order, and without recursion.
 
-EMF's order is pre-order: an element before its contents, features of supertypes before the class's own. pyecore's `eAllContents`
-gives all children before it descends, and its `allInstances` mixes all models of the process; neither is used here. Which
-elements make up a model is `emf`'s business.
+EMF's order is pre-order: an element before its contents, features of supertypes before the class's own. pyecore's
+`eAllContents` returns all children before it descends, and its `allInstances` mixes all models of the process, so neither is
+used here. `emf` determines which elements make up a model.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""One XMI file to elements: a single pass with expat, a stack of our own, and no setter of pyecore's.
+"""Parses one XMI file into elements in a single pass with expat, using a stack of its own and none of pyecore's setters.
 
-What the file contains is built at once; what it refers to is noted for `xmi_links`. Problems are noted with their lines
-and the rest of the file is read on. DOCTYPE is refused, and with it every entity; comments and processing instructions
-are passed over. Which packages exist is asked of the caller.
+Contained elements are built at once; references are recorded for `xmi_links`. Problems are recorded with their lines, and the
+rest of the file is read. A DOCTYPE, and with it every entity, is refused; comments and processing instructions are skipped. The
+caller looks up packages.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""How the XMI reader treats each class: for every name in a file, which feature it is and what to do with it.
+"""How the XMI reader treats each class: for every name in a file, the feature that it denotes and what to do with it.
 
-A plan is worked out once per class and load; classes of `strict`, which cannot change, keep theirs. The reader
-follows plans blindly, so all questions about a metamodel (what is unsupported, abstract, required) are settled here.
+A plan is made once for each class and load; classes of `strict`, which cannot change, keep theirs. The reader follows plans
+without checks, so all questions about a metamodel (what is unsupported, abstract, required) are answered here.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
-"""Values of queries for scripts and terminals: `as_json` and `as_lines`. Elements become their type, id and name.
+"""Results of queries for scripts and terminals: `as_json` and `as_lines`.
 
-Called inside the run whose models the elements are of. What an expression may say is `expression`'s business.
+Elements become their type, id and name. Call these functions inside the run whose models contain the elements. `expression`
+evaluates queries.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""What a query given as text may read, call and compute: what `expression` asks at each `a.b`, `f(x)`, `a ** b`.
+"""What a query given as text may read, call and compute: checked by `expression` at each `a.b`, `f(x)`, `a ** b`.
 
-Read: values of queries alone, of parts of models what `robosmi.model.reachable` lists. Called: functions of the expression, of
-`robosmi.query`, and methods that may be read; never a type, nor anything else that a value holds. The functions it may name are
-`expression`'s business.
+It may read values of queries only, and of parts of models what `robosmi.model.reachable` lists. It may call functions of the
+expression, of `robosmi.query`, and readable methods, but never a type, nor anything else contained in a value. `expression`
+lists the functions that it may name.
 """
 
 from __future__ import annotations

@@ -1,8 +1,7 @@
-"""A run: which models a query sees, what its extended properties are, what its cached operations remember.
+"""A run: the models that a query sees, the extended properties, and the results of cached operations.
 
-`with Run(model):` opens one; everything it remembers is forgotten with it and nothing of it reaches a file. Outside any there
-is one default run; what it remembers of a model's element lies at the element and goes with it. Nothing here knows what an
-operation is.
+`with Run(model):` opens one; all of its data is dropped with it, and none is written to a file. Outside of any run there is a
+default one, whose data about a model's element is stored with the element.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Model to model: ETL and Flock of Epsilon in Python, and the trace of what was made from what.
+"""Model to model: Epsilon's ETL and Flock in Python, and the trace of what was made from what.
 
 `ETL` is a module of transformation rules, `Flock` a migration from one version of a metamodel to the next, `Trace` a trace that
-can be looked up both ways and stored as a model. Rules themselves are content. docs/reference/etl.md and flock.md set the
-languages beside it.
+can be searched in both directions and stored as a model. Rules themselves are content. docs/reference/etl.md and flock.md
+compare them with the languages.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""`ETL`: a module of transformation rules, as an ETL file is one.
+"""`ETL`: a module of transformation rules, corresponding to an ETL file.
 
-It holds rules, pre and post blocks and the modules it includes, runs them over models, and answers what is equivalent to what.
-Targets live in the target models' handles; nothing is written to a file here.
+It contains rules, pre and post blocks and included modules, runs them on models, and looks up the equivalents of elements.
+Targets are made in the target models; nothing is written to a file here.
 """
 
 from __future__ import annotations

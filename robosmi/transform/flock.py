@@ -1,7 +1,7 @@
-"""`Flock`: migration of models whose metamodel has changed, as a Flock script is one.
+"""`Flock`: the migration of models whose metamodel has changed, corresponding to a Flock script.
 
-Three passes over the original model in containment order: targets, conservative copy, rules. Types are given as texts, since
-either metamodel may lack them, or as types of the models. The copy itself is `conservative_copy`'s business.
+It makes three passes over the original model in containment order: targets, conservative copy, rules. Types are given as texts,
+since either metamodel may lack them, or as types of the models. `conservative_copy` implements the copy.
 """
 
 from __future__ import annotations

@@ -1,8 +1,6 @@
-"""The two schedules of ETL: `Match` (all targets first, then the bodies) and `Demand` (each target with its body, others when
-asked).
+"""The two schedules of ETL: `Match` (all targets first, then the bodies) and `Demand` (each target with its body).
 
-Which of the two runs is `etl`'s choice. Both are the engine's, measured (docs/reference/etl.md); what they differ in from it
-stands there.
+`etl` selects one of them. Both follow Epsilon's engine as measured; docs/reference/etl.md lists the differences.
 """
 
 from __future__ import annotations
