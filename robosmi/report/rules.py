@@ -11,7 +11,7 @@ import difflib
 import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
@@ -19,7 +19,11 @@ from robosmi import inputs, resources
 from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
+from robosmi.plugins import registry
 from robosmi.typed import distinct
+
+if TYPE_CHECKING:
+    from robosmi.validate import EVL
 
 FOLDER = "rules"
 """Where in a folder of platform data the files of rules are."""
@@ -119,10 +123,25 @@ def rule_called(word: str, rules: dict[str, FindingRule]) -> FindingRule:
     known = {_plain(rule.id): rule for rule in rules.values()} | {_plain(rule.name): rule for rule in rules.values()}
     if rule := known.get(wanted) or known.get(f"rs{wanted}"):
         return rule
+    if (offered := _without_page(wanted)) is not None:
+        raise UsageError(
+            offered, fix="read its message; its plug-in gives it a page by a file rules/*.toml in its folder of data"
+        )
     near = [f"{known[n].id} ({known[n].name})" for n in difflib.get_close_matches(wanted, known, n=3, cutoff=0.6)]
     near = distinct(near) or [f"{r.id} ({r.name})" for r in rules.values() if wanted and wanted in _plain(r.name)][:3]
     meant = f"; near are: {', '.join(near)}" if near else ""
     raise UsageError(f"no rule is called '{word}'{meant}", fix="robosmi explain, without a rule, lists all")
+
+
+def _without_page(wanted: str) -> str | None:
+    """What is said of a plug-in's constraint of that id, which no file of rules describes; None if there is none."""
+    for metamodel in registry().names("constraints"):
+        offered: list[tuple[EVL, str]] = registry().all("constraints", metamodel)
+        for made, owner in offered:
+            for constraint in made.declared() if owner else ():
+                if _plain(constraint.id) == wanted:
+                    return f"'{constraint.id}' is the constraint {constraint.name} of {owner}, which has no page"
+    return None
 
 
 def page(rule: FindingRule) -> str:

@@ -91,7 +91,13 @@ def test_constraints_of_a_plug_in_are_asked_about_a_drawing(tmp_path: Path) -> N
     path = installed(tmp_path, "checks")
     for word in ("check", "hardware"):
         findings = command(word, tmp_path / "wired.csv", path=path, CHECKS_PLUGIN="drawings")["findings"]
-        assert [finding["rule"] for finding in findings if finding["rule"].startswith("CH")] == ["CH002"], word
+        (found,) = [finding for finding in findings if finding["rule"].startswith("CH")]
+        assert (found["rule"], found["location"]["path"].rpartition("/")[2]) == ("CH002", "wired.csv"), word
+
+
+def test_a_constraint_of_a_plug_in_without_a_page_is_known_to_explain(tmp_path: Path) -> None:
+    (finding,) = command("explain", "CH001", path=installed(tmp_path, "checks"), code=2)["findings"]
+    assert finding["message"] == "'CH001' is the constraint is_not_called_beacon of checks 2.1, which has no page"
 
 
 def test_a_kind_or_name_that_nothing_asks_for_is_told(tmp_path: Path) -> None:

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.diagnostics import Finding
-from robosmi.metamodels import migration
+from robosmi.metamodels import hardware, migration
 from robosmi.model import EmfModel, Metamodel, Model, open_model
 from robosmi.model.metamodels import built_in
 from robosmi.model.versions import read_current
@@ -25,6 +25,7 @@ from robosmi.transformations.chains.constraint_sets import KIND, constraints_of
 from robosmi.transformations.chains.readers import is_drawing
 from robosmi.transformations.chains.reading import read_drawing
 from robosmi.transformations.constraints.electrical_plan import wired
+from robosmi.transformations.constraints.places import in_file
 from robosmi.typed import distinct, first_of, sum_of
 
 
@@ -91,10 +92,17 @@ def _validated(done: Checked, models: Sequence[Model]) -> Checked:
     for model in models:
         sets = [constraints_of(name) for name in _metamodels(model) if name in registry().names(KIND)]
         for one in sets:
-            done.findings += one.run(model, *_referred(model, models)).findings()
+            done.findings += in_file(one.run(model, *_referred(model, models)).findings(), _path(model))
         counted = sum_of(len(c.constraints) for one in sets for module in one.modules() for c in module.contexts)
         done.models.append({"model": model.name, "elements": len(list(model.all_contents())), "constraints": counted})
     return done
+
+
+def _path(model: Model) -> str:
+    """The file that a model was read from, of a drawing the drawing; "" where that is not known."""
+    roots = model.roots if isinstance(model, EmfModel) else []
+    drawn = next((root.path for root in roots if isinstance(root, hardware.Circuit)), "")
+    return drawn or (str(model.path) if model.path is not None else "")
 
 
 def _referred(model: Model, models: Sequence[Model]) -> list[Model]:

@@ -10,6 +10,7 @@ from robosmi.metamodels import hardware, migration
 from robosmi.model import EmfModel
 from robosmi.plugins import registry
 from robosmi.query.erl import place_of
+from robosmi.transformations.constraints.places import in_file
 from robosmi.typed import class_name
 from robosmi.validate import EVL
 
@@ -54,7 +55,8 @@ def added_hardware_findings(circuit: hardware.Circuit) -> list[Finding]:
     Raises:
         RuleError: a constraint raises, or a plug-in's constraints cannot be used.
     """
-    return _added("hardware", EmfModel(circuit, name="hardware")) if _has_added("hardware") else []
+    found = _added("hardware", EmfModel(circuit, name="hardware")) if _has_added("hardware") else []
+    return in_file(found, circuit.path)
 
 
 def _added(metamodel: str, *models: EmfModel) -> list[Finding]:

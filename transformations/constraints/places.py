@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from robosmi.diagnostics import Finding, Location
 from robosmi.metamodels import hardware
+from robosmi.typed import replaced
 from robosmi.validate import Fail
 
 if TYPE_CHECKING:
@@ -24,6 +25,12 @@ def drawing(element: hardware.Component | hardware.Net) -> Location | None:
 def fault(component: hardware.Component, message: str, **evidence: Held) -> Fail:
     """A failed check of a component, with the component as evidence."""
     return Fail(message, component=component.title, model_index=component.elementId, **evidence)
+
+
+def in_file(found: list[Finding], path: str) -> list[Finding]:
+    """Findings, those whose constraint gives no place with the file that their element is drawn or written in."""
+    here = Location(path) if path else None
+    return [finding if finding.location is not None else replaced(finding, location=here) for finding in found]
 
 
 def worst_first(found: list[Finding]) -> list[Finding]:
