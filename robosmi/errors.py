@@ -126,7 +126,7 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
 
 @contextmanager
 def placed(place: Location | None, advice: str = "") -> Iterator[None]:
-    """Give a place to errors about usage that name none: where a file says what is wrong.
+    """Context manager: add a location, such as a settings file, to usage errors without one.
 
     Args:
         place: the place; None changes nothing.

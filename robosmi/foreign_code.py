@@ -21,7 +21,7 @@ _OFTEN = 50
 
 
 def innermost(error: BaseException) -> Location | None:
-    """The last line of a person's code that an exception passed through; None where there was none."""
+    """The last line of a person's code that an exception passed through; None if there is none."""
     places = [Location(f.f_code.co_filename, line) for f, line in traceback.walk_tb(error.__traceback__) if _is_foreign(f)]
     return places[-1] if places else None
 

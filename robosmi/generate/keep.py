@@ -315,7 +315,7 @@ def _ahead(parts: Parts) -> dict[str, str]:
 def _without(
     parts: Parts, identities: set[str], with_line: Collection[str] = (), with_lead: Collection[str] = ()
 ) -> tuple[str, list[tuple[int, Region, str]]]:
-    """The text without some regions, and these: behind how many lines each stood, and its text in whole lines.
+    """Remove some regions from a text; returns the rest, and for each region the number of lines before it and its text.
 
     Args:
         parts: the text.

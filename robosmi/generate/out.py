@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 class Stop(Exception):
-    """Ends a template with what it has printed so far (EGL `out.stop()`)."""
+    """Raised to end a template; what it has printed so far is kept (EGL `out.stop()`)."""
 
 
 _style = cache(CommentStyle)

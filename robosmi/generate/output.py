@@ -103,7 +103,7 @@ class Buffer:
         return str.__str__(piece)
 
     def last_line(self) -> str:
-        """What stands behind the last line break."""
+        """The text after the last line break."""
         found: list[str] = []
         for part in reversed(self.parts):
             _, line_break, after = part.rpartition("\n")
@@ -144,12 +144,12 @@ def outdented(text: str, indenters: Iterable[str] = ("\t", "    ")) -> str:
 
 
 class TextPart(Struct, frozen=True):
-    """A part of a template that says itself what its lines come from (`out.part`).
+    """A part of a template that states the sources of its lines (`out.part`).
 
     Attributes:
-        piece: how many pieces of the text stand before it.
+        piece: the number of pieces of the text before it.
         name: its name.
-        elements: what its lines come from.
+        elements: the elements that its lines come from.
         step: step of a method, or "".
     """
 
@@ -160,7 +160,7 @@ class TextPart(Struct, frozen=True):
 
 
 class Text(str):
-    """A generated text that knows where it comes from; otherwise an ordinary text.
+    """A generated text that knows the elements it comes from; otherwise an ordinary text.
 
     Attributes:
         regions: the ids of its regions, in order.
@@ -189,7 +189,7 @@ class Text(str):
 
     @property
     def sources(self) -> list[tuple[int, int, tuple[Any, ...]]]:
-        """Where it comes from: offset of a first character, offset behind the last one, elements; in order."""
+        """The sources of the text, in order: (offset of the first character, offset after the last one, elements)."""
         found: list[tuple[int, int, tuple[Any, ...]]] = []
         offset = part = first = 0
         for place, last in paired(self._marks[::2], self._marks[1::2]):

@@ -22,7 +22,7 @@ from robosmi.model.recovery import at_work
 
 
 class GeneratedPackages(Struct, frozen=True):
-    """What a run made.
+    """The result of a generation of packages.
 
     Attributes:
         written: the files that are new or changed.

@@ -60,7 +60,7 @@ class Places:
             raise self._unreadable(path, error) from error
 
     def look(self, name: str) -> bytes | None:
-        """As `read`, once: what was found is remembered, for `commit` to make sure that nobody has changed it meanwhile."""
+        """Like `read`, but cached; `commit` checks that nobody has changed what was found."""
         if name not in self.seen:
             self.seen[name] = self.read(name)
         return self.seen[name]
@@ -131,7 +131,7 @@ class Places:
 
 
 def before_conflicts(folder: Path, name: str) -> list[str]:
-    """What a file held before each conflict that was marked in it: the old files beside it, as far as they are still there.
+    """The contents of a file before each conflict marked in it, from the old files beside it that still exist.
 
     Args:
         folder: the folder.

@@ -28,12 +28,11 @@ Entries = Mapping[str, Mapping[str, str | None]]
 
 
 class ProjectChange(Struct, frozen=True):
-    """A change of a project file, to be written in the same commit as what a run makes.
+    """A change of a project file, to be written in the same commit as a run's results.
 
     Attributes:
-        files: the file (that to which it leads where it is a link), with what it holds and what it is to hold; empty where it
-            stays as it is.
-        stays: why it stays as it is although something is to be said there; else empty.
+        files: the file (or the target of a link) with its old and its new content; empty if it does not change.
+        stays: the reason why it is not changed although there is something to store; else empty.
     """
 
     files: Elsewhere
@@ -41,7 +40,7 @@ class ProjectChange(Struct, frozen=True):
 
 
 def added_to_project(folder: Path, entries: Mapping[str, Mapping[str, str]]) -> ProjectChange:
-    """Entries that come to the project file of a folder, which is made if there is none.
+    """Add entries to the project file of a folder; the file is created if necessary.
 
     Args:
         folder: the folder of the program.
@@ -57,9 +56,9 @@ def added_to_project(folder: Path, entries: Mapping[str, Mapping[str, str]]) -> 
 
 
 def changed_project(folder: Path, entries: Entries) -> ProjectChange:
-    """The project file of a folder with entries added, changed or taken out; it is made if there is none and something is said.
+    """Add, change or remove entries of a folder's project file; it is created if necessary.
 
-    A link stays a link: what it leads to is changed. A file that is read-only, or whose folder is, stays as it is.
+    A link stays a link: its target is changed. A read-only file, or one in a read-only folder, is not changed.
 
     Raises:
         SourceError: the file cannot be read, means nothing, or an entry cannot be set without changing others.
@@ -123,7 +122,7 @@ def with_entries(text: str, table: str, entries: Mapping[str, str | None]) -> st
 
 
 def said_place(path: Path) -> str:
-    """The path of a project file for persons; where it is a link, with the file that is written through it."""
+    """The path of a project file for messages; for a link, together with the file it leads to."""
     return f"{path} (a link to {os.path.realpath(path)})" if path.is_symlink() else str(path)
 
 

@@ -25,9 +25,9 @@ if TYPE_CHECKING:
 
 
 _KNOWN, _SHORT = 1 << 14, 200
-"""So many quoted texts are kept for each place, none longer than that."""
+"""The number of quoted texts cached for each place, and the greatest length of a cached text."""
 NOTHING = "nothing"
-"""What a template declares whose values are all made for it, and quoted where they are made."""
+"""The declaration of a template whose values are quoted by the code that passes them in."""
 
 QUOTING: dict[str, Callable[[str], str]] = {
     "c_word": quoting.c_word,

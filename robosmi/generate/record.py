@@ -46,7 +46,7 @@ class Record:
         return f"{self.place}/{name}"
 
     def read(self, name: str) -> bytes | None:
-        """The copy of the text that was made last as it lies there, None if there is none."""
+        """The stored copy of the previously generated text, None if there is none."""
         try:
             return inputs.read_bytes(f"{self._root}/{name}", inputs.OUTPUT)
         except (FileNotFoundError, NotADirectoryError):
@@ -101,7 +101,7 @@ class Record:
 
 
 def lost_record(path: str, record: str) -> Finding:
-    """Why a file with edits cannot be merged: nothing says what was made last.
+    """The message that a file with edits cannot be merged, since its previously generated text is missing.
 
     Args:
         path: of the file.

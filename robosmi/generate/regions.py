@@ -159,7 +159,7 @@ def partition(text: str, styles: Iterable[CommentStyle]) -> Parts:
 
 @kept
 def _patterns(style: CommentStyle) -> tuple[re.Pattern[str], re.Pattern[str], re.Pattern[str]]:
-    """What a marker begins with; what follows: the id and whether the region begins or ends; the same with text behind it."""
+    """Regular expressions for a marker: its beginning; its id and kind after that; the same followed by other text."""
     start = re.escape(style.start) + r"[^\S\n]*" if style.start else ""
     end = r"[^\S\n]*" + re.escape(style.end) if style.end else ""
     return (

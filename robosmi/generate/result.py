@@ -110,14 +110,14 @@ class FileChange(Struct):
         return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines)
 
     def links(self) -> Iterator[TextLink]:
-        """Where its lines come from, by the text as it stands in the file."""
+        """The sources of its lines, for the text in the file."""
         there = _lines(self.after or "")
         stops = [origin.line for origin in self.origins[1:]] + [max(len(there), 1)]
         for origin, stop in paired(self.origins, stops):
             yield from self._links(origin, there, stop)
 
     def _links(self, origin: Write, there: list[str], stop: int) -> Iterator[TextLink]:
-        """The links of one text, which stands in these lines of the file up to a line (exclusive), perhaps with changes."""
+        """The links of one text, which is in these lines of the file up to a line (exclusive), perhaps with changes."""
         made, own = _lines(origin.text), there[origin.line : stop]
         places = None
         if made != own:
@@ -142,7 +142,7 @@ class FileChange(Struct):
 
 
 class TextTrace:
-    """Which lines come from which elements, and the other way round."""
+    """Maps lines of files to elements and back."""
 
     def __init__(self, links: Sequence[TextLink]) -> None:
         self.links = list(links)
@@ -225,7 +225,7 @@ def _lines(text: str) -> list[str]:
 
 
 def _moved(first: int, final: int, places: dict[int, int]) -> list[int]:
-    """Where those of these lines that are still there stand now."""
+    """The current positions of those of the given lines that still exist."""
     return sorted(places[n] for n in range(first, final + 1) if n in places)
 
 

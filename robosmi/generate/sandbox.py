@@ -52,7 +52,7 @@ def refused(obj: Any, attribute: str) -> RuleError:
 
 
 def may_call(function: Any) -> bool:
-    """Whether a template may call an object: all but types of a model, which would make an element, and what is marked unsafe."""
+    """Whether a template may call an object: not a type of a model, which would make an element, nor what is marked unsafe."""
     if function.__class__ is TypeHandle:
         return False
     if function.__class__ in _WATCHED:

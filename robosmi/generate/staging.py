@@ -103,7 +103,7 @@ class Staging:
         return self._messages
 
     def _flush(self) -> None:
-        """Do what was asked for.
+        """Perform the requested writes.
 
         Raises:
             SourceError: a path leads out of the folder, or a file that is there is no text in UTF-8.
@@ -187,7 +187,7 @@ class Staging:
         return found
 
     def text(self, file: Pending, *, as_it_is: bool = False) -> str | None:
-        """The text of a file as it stands now; as it is, carriage returns too, where its template writes some."""
+        """The current text of a file; with `as_it_is` including carriage returns, for templates that write some."""
         if file.text is None and file.before is not None:
             file.there = self._decoded(file.name, file.before, as_it_is=as_it_is)
             file.text = file.there.text
@@ -211,10 +211,10 @@ class Staging:
         file.text, file.made, file.touched = text, made, True
 
     def _broken(self, name: str, broken: BrokenMarker) -> None:
-        """What becomes of a region whose markers a person has damaged.
+        """Handle a region whose markers a person has damaged.
 
         Raises:
-            StoppedError: for that person the region is still there, though the engine does not see it.
+            StoppedError: the person still sees a region there, but the engine does not.
         """
         if broken.crowded:
             raise StoppedError(
@@ -354,7 +354,7 @@ class Staging:
 
 
 class Changes(Sequence[FileChange]):
-    """The changes of files, each made when it is asked for: most runs change little and nobody looks at the rest."""
+    """The changes of files, computed on demand: most runs change little, and nobody looks at the rest."""
 
     def __init__(self, files: list[Pending]) -> None:
         self._files = files

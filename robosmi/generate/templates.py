@@ -232,7 +232,7 @@ class Templates:
         )
 
     def _located(self, error: BaseException, name: str) -> RobosmiError:
-        """The error with the place in the template where it happened."""
+        """The error with its location in the template."""
         if isinstance(error, jinja2.TemplateSyntaxError):
             return self._unparsed(error)
         place = self._place(name, error)

@@ -178,10 +178,10 @@ def _heads(lines: Sequence[str], unique: Set[int]) -> list[int | None]:
 
 
 def _runs(base: Sequence[str], other: Sequence[str]) -> Iterator[tuple[int, int, int]]:
-    """Matching runs by patience diff: lines that stand once in both texts are anchors, and between them again.
+    """Matching runs of lines by patience diff, in no particular order.
 
-    From each anchor lines are matched downwards, then upwards; what is left without anchors is `difflib`'s. The runs of one
-    text are in no order.
+    Lines that occur once in both texts are anchors, recursively between anchors. From each anchor lines are matched downwards,
+    then upwards; what is left without anchors is matched by `difflib`.
     """
     work = [(0, len(base), 0, len(other))]
     while work:
@@ -246,5 +246,5 @@ def _between(
 
 
 def line_map(old: Sequence[str], new: Sequence[str]) -> dict[int, int]:
-    """Where lines of one text stand in another: index -> index, for those that are in both."""
+    """Map the line numbers of one text to those of another, for lines that are in both."""
     return {a + k: b + k for a, b, n in _blocks(old, new) for k in range(n)}

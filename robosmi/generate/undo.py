@@ -36,11 +36,11 @@ _BASE64 = ":"
 
 
 class Undone(Struct):
-    """What was put back.
+    """The result of an undo.
 
     Attributes:
-        restored: files that have again what they held, by their paths.
-        removed: files that were not there before.
+        restored: files with their earlier content, by path.
+        removed: files that did not exist before.
     """
 
     restored: list[str] = []
@@ -145,12 +145,12 @@ def _bytes(path: Path, kind: Kind = SETTINGS) -> bytes | None:
 
 
 def _shown(names: Collection[str]) -> list[str]:
-    """The names that are a person's business: not those of records."""
+    """The names of files that concern a person, without records."""
     return sorted(name for name in names if not name.startswith(".robosmi"))
 
 
 def _pair(entry: Json) -> tuple[str | None, str | None]:
-    """What a file held, packed, and the digest of what was written; None for a file that was not there, or is not any more."""
+    """An entry as (compressed earlier content, digest of the written content); None for a file that did or does not exist."""
     old, new = as_list(entry)
     return None if old is None else as_text(old), None if new is None else as_text(new)
 

@@ -74,7 +74,7 @@ def source_api(source_platform: str | None) -> ApiIndex:
 def read_program_and_findings(
     paths: Sequence[Path], api: ApiIndex, include_dirs: Sequence[Path], defines: Sequence[str]
 ) -> tuple[ccode.Program, list[Finding]]:
-    """The code model, and what its reader found; a project file of SimpleIDE stands for what it lists.
+    """The code model and its reader's findings; a project file of SimpleIDE is replaced by the files that it lists.
 
     Raises:
         SourceError: a file cannot be read as a program.

@@ -116,7 +116,7 @@ def hardware_chain() -> Chain:
 def drawing(path: Path, roles: Mapping[str, str]) -> Drawing:
     """The circuit with its connections.
 
-    A schematic may be one sheet of several: without a board it is read as far as it goes, and the reader has said so.
+    A schematic may be one sheet of several, so one without a board is read, too; the reader has reported that.
 
     Raises:
         SourceError: the drawing cannot be read, or has no board and is no schematic.

@@ -132,7 +132,7 @@ def program(program_files: Any, api: ApiIndex, target: TargetFacts) -> StoredPro
 
 
 def drawing(hardware: str | Path | None, settings: Project, target: TargetFacts, program: StoredProgram) -> StoredDrawing | None:
-    """The drawing as it is stored, its connections with names that the program does not have; None where none is given.
+    """The drawing in its stored form, its connections renamed apart from the program's names; None if none is given.
 
     Raises:
         SourceError: it cannot be read, or has another board than the target's.

@@ -71,7 +71,7 @@ class PlanPage:
         self._shown, self._rows = dict[Rows, str](), dict[Rows, str]()
 
     def now(self) -> str:
-        """The digest of the plan as it is stored now; empty where there is none."""
+        """The digest of the currently stored plan; empty if there is none."""
         try:
             data = Places(self.output).read(STORED)
             return digest(data) if data is not None else ""
@@ -237,7 +237,7 @@ class PlanPage:
             task.done = listed.get(task_key(str(task.rule), str(task.message)), bool(task.done))
 
     def _texts(self, name: str) -> dict[str, str]:
-        """The files of the program that was made, as they now stand."""
+        """The current files of the generated program."""
         places, listed = Places(self.output), Manifest.load(self.output).files
         mine = sorted(
             (n for n in listed if n.startswith(f"{name}/") and n.endswith(_CODE)), key=lambda n: (not n.endswith(".ino"), n)

@@ -58,7 +58,7 @@ def _absolute(value: Any) -> Any:
 
 
 def last_run(output: Path) -> tuple[list[str], dict[str, Any]] | None:
-    """The files and arguments of the last migration into an output folder; None where they are not known."""
+    """The files and arguments of the last migration into an output folder; None if unknown."""
     try:
         known = as_table(json_of(kept(output, SOURCES)))
         return [str(file) for file in as_list(known["files"])], as_table(known["arguments"])

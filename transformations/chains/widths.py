@@ -22,7 +22,7 @@ FIX, KEEP = "fix", "keep"
 def widened(
     program: StoredProgram, files: ProgramFiles, dependence: Dependence, api: ApiIndex, target: TargetFacts, policy: str | None
 ) -> Widened:
-    """What is written otherwise in a program so that its numbers keep their widths; nothing under `keep`.
+    """The changes by which a program's numbers keep their widths; none under `keep`.
 
     Args:
         program: the program.

@@ -141,7 +141,7 @@ def build(folder: Path) -> dict[Path, str]:
 
 
 def asked(place: Path) -> dict[Path, str]:
-    """The built data of what a person asks for: path -> text.
+    """The JSON of the adapter files that a person asks for: path -> text.
 
     Args:
         place: an adapter file, or a folder with adapter files. Where the pieces are that a file needs is read in its folder.

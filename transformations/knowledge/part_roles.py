@@ -92,7 +92,7 @@ def classify_drawn(
 
 
 def _curated(part: Part, project: Path | None) -> Part | None:
-    """The part where it has a role already, or a curated entry for its id has one; else None."""
+    """The part if it has a role already or a curated entry for its id assigns one; else None."""
     if part.role != "Unknown":
         return part
     entries = curated_entries(project)

@@ -163,7 +163,7 @@ _COUNTED = re.compile(r"\.[0-9]+$")
 
 
 def _connector(entry: Json) -> PartConnector:
-    """A connector of an entry: a table, or its name alone, which tells what it carries."""
+    """A connector from an entry: a table, or its name alone, which implies its kind."""
     if isinstance(entry, str):
         return PartConnector(entry, entry, connector_kind(_COUNTED.sub("", entry), names()))
     said = as_table(entry)

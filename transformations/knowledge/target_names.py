@@ -58,7 +58,7 @@ def reserved_names(folder: str, project: Path | None) -> platform.ReservedNames:
 
 
 def add_names_of(mcu: str, folder: str, names: platform.ReservedNames, project: Path | None) -> None:
-    """Add the names that only boards with a microcontroller have, where there is a file of them.
+    """Add the names of boards with a certain microcontroller, if there is a file of them.
 
     Raises:
         PlatformDataError: the file is damaged.
