@@ -19,6 +19,10 @@ from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, SAME, ChannelCom
 
 _FRAME_S = 0.021
 """Frames of servos are 20 ms apart, 21 ms where a program makes them itself."""
+_LEAST_MARGIN = 0.2
+"""The part of the allowed distance that the target may differ beyond runs of the source that differ by all of it."""
+_LATE_MS = 500.0
+"""A rest that begins later or earlier than in all runs of the source by more than this and `_WAY` is another rest."""
 _WAY = 0.01
 """Durations may differ by this part, as for other events."""
 
@@ -84,12 +88,23 @@ def compare_rests(channel: str, runs: Sequence[Sequence[Rest]], target: Sequence
             width = 2 * kind.within  # the motion may begin and end anywhere within it
             width += _FRAME_S * sum_of(each.changes for each in motion) / 2 + _WAY * sum_of(each.way for each in motion)
             left = [each.place for each in row]
-        least, most = min(*own, max(own) - width), max(*own, min(own) + width)
+        spread = max(own) - min(own)
+        if (spread > 2 * width and not kind.timed) or not _in_time(row):
+            break  # these are not the same rests
+        margin = max(width - spread, _LEAST_MARGIN * width)
+        least, most = min(own) - margin, max(own) + margin
         if not least <= theirs <= most:
             difference = _told(channel, (row[0], row[-1]), (own[0], theirs), (least, most), kind)
             return ChannelComparison(channel, DIFFERENT, difference, compared)
         first, compared = number + 1, compared + 1
     return ChannelComparison(channel, SAME if compared else NOT_EXERCISED, events=compared)
+
+
+def _in_time(row: Sequence[Rest]) -> bool:
+    """Whether the target, which is the last one, begins to rest at about the same time as the runs of the source."""
+    *own, theirs = [rest.at_ms for rest in row]
+    late_ms = _LATE_MS + _WAY * max(own)
+    return min(own) - late_ms <= theirs <= max(own) + late_ms
 
 
 def _events(rests: Sequence[Rest]) -> list[ActivityEvent]:

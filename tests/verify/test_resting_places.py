@@ -24,14 +24,17 @@ def way(*places: float, barely: tuple[int, ...] = ()) -> list[Rest]:
     [
         ([way(64, 90)], way(65, 91), SAME),
         ([way(64, 90)], way(64, 88.3), DIFFERENT),
-        ([way(64, 90), way(64, 91)], way(64, 91.7), DIFFERENT),  # further than the width from the run that is first
+        ([way(64, 90), way(64, 91)], way(64, 91.8), DIFFERENT),  # further than the width from the run that is first
         ([way(64, 90), way(64, 91)], way(64, 91.5), SAME),
-        ([way(64, 90), way(64, 99)], way(64, 97), SAME),  # the source itself is so far off
+        ([way(64, 90), way(64, 92)], way(64, 92.3), SAME),  # the source itself is so far off
+        ([way(64, 90), way(64, 92)], way(64, 92.4), DIFFERENT),
+        ([way(64, 90), way(64, 99)], way(64, 40), SAME),  # these are not the same rests, nor
+        ([way(64, 90)], [*way(64), Rest(3500.0, 154, 90, 128.0)], SAME),  # what comes at another time
         ([way(64, 90), way(64)], way(64, 40), SAME),  # beyond what all runs of the source come to
         ([way(64, 90)], way(64), SAME),  # that there is no second rest is another channel's
-        ([way(64, 70, 90, barely=(1,))], way(64, 90), SAME),
-        ([way(64, 90)], way(64, 75, 90, barely=(1,)), SAME),
-        ([way(64, 70, 90, barely=(1,))], way(64, 84), DIFFERENT),
+        ([way(64, 70, 90, barely=(1,))], [*way(64), Rest(3000.0, 90, 26, 128.0)], SAME),
+        ([[*way(64), Rest(3000.0, 90, 26, 128.0)]], way(64, 75, 90, barely=(1,)), SAME),
+        ([way(64, 70, 90, barely=(1,))], [*way(64), Rest(3000.0, 84, 20, 128.0)], DIFFERENT),
         ([way(64)], [], NOT_EXERCISED),
     ],
 )

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
 from robosmi.errors import VerificationError
+from robosmi.transformations.verification.after_the_end import compared_after_the_end
 from robosmi.transformations.verification.original_side import (
     CONSOLE_CHANNEL,
     DRIVEN,
@@ -66,7 +67,7 @@ def judged(
     horizon_ms = scenario.horizon_ms if crashed_ms is None else min(scenario.horizon_ms, crashed_ms)
     if nominal.status not in SETTLED:
         horizon_ms = min(horizon_ms, nominal.trace.simulated_us / 1000)
-    trace = trace.until(1000 * horizon_ms)  # what comes later tells nothing of what was before
+    whole, trace = trace, trace.until(1000 * horizon_ms)  # what comes later tells nothing of what was before
     target = channel_events(trace, ports, target=True)
     found = tuple(compared(name, seen, target[name], horizon_ms, runs.loop) for name, seen in runs.channels.items())
     found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith((DRIVEN, PULSED, STANDING)))
@@ -74,6 +75,7 @@ def judged(
     found = tuple(_racy_text(each) if _is_mixed(each, runs, trace) else each for each in found)
     found = tuple(_sure(each) for each in found)
     found = _beside(_behind_their_own(found), nominal.trace, trace, ports, at_rest)
+    found = compared_after_the_end(found, scenario, runs, whole, ports)
     if one_thread and all(c.status != DIFFERENT for c in found):
         found = _in_order(found, scenario, runs, target)
     if any(c.status == DIFFERENT for c in found):

@@ -12,6 +12,7 @@ from msgspec import Struct
 
 from robosmi.doing import doing
 from robosmi.errors import VerificationError
+from robosmi.transformations.verification.after_the_end import simulated_longer
 from robosmi.transformations.verification.judging import ended_badly, judged, without_target
 from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, SourceRuns, channel_events, run_further
 from robosmi.transformations.verification.port_devices import BoundPort
@@ -79,7 +80,7 @@ def compare_scenarios(
 
     found = ComparedScenarios()
     number = 0
-    for (scenario, runs), trace in paired(cases, side.run([scenario for scenario, _ in cases])):
+    for (scenario, runs), trace in paired(cases, side.run([simulated_longer(*case) for case in cases])):
         number += 1
         doing(f"compare what both do: {number} of {len(cases)}")
         if not side.shows_console:

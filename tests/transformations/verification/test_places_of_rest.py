@@ -16,7 +16,7 @@ def driven(*steps: tuple[float, int]) -> list[Json]:
     That is for each rest its place, the way to it, the changes of speed on that, and whether it is barely one.
     """
     told: list[Json] = []
-    rests = PlacesOfRest(0.5, lambda _, value: told.append(value))
+    rests = PlacesOfRest(150_000.0, 250_000.0, 0.5, lambda _, value: told.append(value))
     rests.begin(3.0)
     place, now_ms = 3.0, 0
     for speed, frames in steps:

@@ -24,6 +24,7 @@ class FeedbackServo(PulseDriven):
     """
 
     mark = 30.0
+    rest_us = (400_000.0, 700_000.0)  # so that slow motions, by `least_motion` at a time, are no rests
     least_motion = 3.0  # a loop that holds a place in 64 parts of a turn corrects it by half a part to either side
 
     pin_names = ("servo", "feedback")

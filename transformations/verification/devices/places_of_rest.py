@@ -6,12 +6,6 @@ from collections.abc import Callable
 
 from robosmi.data_text import Json
 
-_RESTS_US, _SURELY_US = 150_000.0, 250_000.0
-"""A device rests if it has not been driven for the first time, since libraries wait for up to 120 ms within one motion.
-
-Another run may have no rest where one is shorter than the second time.
-"""
-
 
 class PlacesOfRest:
     """The places at which one device rests.
@@ -20,14 +14,16 @@ class PlacesOfRest:
     the next motion has begun, or at the end of the run.
 
     Args:
+        rests_us: the device rests if it has not been driven for this time, in microseconds.
+        surely_us: if a rest is shorter than this time, another run may not rest there.
         least: the shortest path that counts as a motion. After a path below twice this length, a rest counts as marginal.
         note: called with "rests" and a list: the position relative to the initial one, the length of the path since the
             previous rest, the sum of all absolute changes of speed on it, the begin of the rest in microseconds, and
             whether another run of the same program may not rest here.
     """
 
-    def __init__(self, least: float, note: Callable[[str, Json], None]) -> None:
-        self._least = least
+    def __init__(self, rests_us: float, surely_us: float, least: float, note: Callable[[str, Json], None]) -> None:
+        self._rests_us, self._surely_us, self._least = rests_us, surely_us, least
         self._note = note
         self.begin(0.0)
 
@@ -75,7 +71,7 @@ class PlacesOfRest:
             return
         if self._way >= self._least:
             self.ended(now_us)
-        if now_us - self._driven_us >= _RESTS_US:
+        if now_us - self._driven_us >= self._rests_us:
             self._resting = True
             if self._way >= self._least:
                 self._sum, self._count = position, 1
@@ -92,5 +88,5 @@ class PlacesOfRest:
         way, changes, since_us = self._rest
         self._rest = None
         place = self._sum / self._count - self._first
-        barely = now_us - since_us < _SURELY_US or way < 2 * self._least
+        barely = now_us - since_us < self._surely_us or way < 2 * self._least
         self._note("rests", [round(place, 3), round(way, 3), round(changes, 3), since_us, barely])

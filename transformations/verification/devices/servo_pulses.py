@@ -14,12 +14,14 @@ class PulseDriven(Device):
 
     Attributes:
         mark: the distance of two marks of its way that are noted.
-        least_motion: what moves by less makes no motion.
+        rest_us: the times after which the device rests, and surely does so (see `places_of_rest`), in microseconds.
+        least_motion: the shortest path that counts as a motion.
     """
 
     pin_names: tuple[str, ...] = ("servo",)
     reacts_to = ()
     mark: float
+    rest_us: tuple[float, float]
     least_motion: float
 
     def start(self) -> None:
@@ -27,7 +29,7 @@ class PulseDriven(Device):
         self._begun: float | None = None
         self._last_pulse = 0.0
         self._marks = WayMarks(self.mark, self.note)
-        self._rests = PlacesOfRest(self.least_motion, self.note)
+        self._rests = PlacesOfRest(*self.rest_us, self.least_motion, self.note)
 
     def pin_changed(self, pin: str, level: Level) -> None:
         """Take a pulse of the program when it ends."""

@@ -23,6 +23,7 @@ class Wheel(PulseDriven):
     """
 
     mark = 16.0
+    rest_us = (130_000.0, 135_000.0)  # within one motion drive_goto waits for six frames, 120 ms; between two for seven at least
     least_motion = 0.5
 
     optional_pin_names = ("encoder",)
