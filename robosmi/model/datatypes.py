@@ -14,7 +14,7 @@ from datetime import UTC, datetime
 from decimal import Decimal, InvalidOperation
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from robosmi.errors import did_you_mean
+from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.ecore import EDataType, EEnum, EEnumLiteral, EProxy, EStructuralFeature
 from robosmi.model.pyecore_internals import proxied, proxy_place
 
@@ -348,16 +348,26 @@ def _write_literal(enum: EEnum) -> ToText:
     return write
 
 
+class DefaultError(ModelError, ValueError):
+    """A default of a metamodel that is no value of its attribute's type."""
+
+
 def default(feature: EStructuralFeature, datatype: EDataType) -> Any:
     """The value that an attribute has where a file says nothing, as EMF has it.
 
     Raises:
-        ValueError: the metamodel's default is no value of the type.
+        DefaultError: the metamodel's default is no value of the type.
     """
     literal = feature.defaultValueLiteral
     if literal is not None:
         convert = from_text(datatype)
-        return literal if convert is None else convert(literal)
+        try:
+            return literal if convert is None else convert(literal)
+        except ValueError as error:
+            said = f"the default value '{literal}' of '{feature.name}' is no value of {datatype.name}"
+            raise DefaultError(
+                said, fix="correct its defaultValueLiteral in the .ecore file; robosmi check FILE.ecore"
+            ) from error
     if feature.default_value is not None:
         return feature.default_value
     if isinstance(datatype, EEnum):

@@ -14,6 +14,7 @@ from typing import Any
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import hardware, migration
 from robosmi.model import EmfModel, Metamodel, Model, open_model
+from robosmi.model.codegen import render
 from robosmi.model.metamodels import built_in
 from robosmi.model.versions import read_current
 from robosmi.plugins import registry
@@ -72,6 +73,8 @@ def _checked(file: Path, metamodels: Sequence[Path]) -> Checked:
         read = read_drawing(file, project_of(file).roles)
         done.findings += read.findings
         return _validated(done, [EmfModel(read.circuit, name="hardware")])
+    if file.suffix == ".ecore":
+        done.findings += render([file]).findings  # whatever keeps a metamodel from being used is an error with all its reasons
     if file.suffix != ".xmi":
         return _validated(done, [open_model(file)])
     root = first_of(read_current(file, built_in(), inside=Path(os.path.realpath(file)).parent).values())
