@@ -12,7 +12,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from robosmi.model.ecore import EBag, ECollection, EList, EObject, EOrderedSet, ESet, EStructuralFeature
-from robosmi.model.feature_errors import value_refused
+from robosmi.model.feature_errors import FeatureValueError, value_refused
 from robosmi.typed import attribute_of, class_name, dynamic_attribute
 
 _query: Callable[[Any], Any] | None = None
@@ -66,14 +66,21 @@ class Queried(Asked):
         """Refuse a value that the feature does not take, as assigning does.
 
         Raises:
-            FeatureValueError: it is of another kind.
+            FeatureValueError: it is of another kind, or None in the place of an element.
         """
+        if value is None and self._place()[1]:
+            raise FeatureValueError(f"{self._place()[0]} takes elements, not None", fix="leave out what is not there")
         try:
             super().check(value)  # type: ignore[misc]
         except TypeError as error:
-            feature = attribute_of(self, "feature", EStructuralFeature)
-            name = str(feature.name) if feature is not None else ""
-            raise value_refused(class_name(attribute_of(self, "owner", EObject)), name, value, error) from error
+            owner, _, name = self._place()[0].rpartition(".")
+            raise value_refused(owner, name, value, error) from error
+
+    def _place(self) -> tuple[str, bool]:
+        """Class and name of the feature, as `Book.authors`, and whether it holds elements."""
+        feature = attribute_of(self, "feature", EStructuralFeature)
+        owner = class_name(attribute_of(self, "owner", EObject))
+        return f"{owner}.{feature.name if feature is not None else ''}", feature is not None and bool(feature.is_reference)
 
 
 def _class(name: str, base: type, said: str) -> Any:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -155,3 +157,12 @@ def test_a_collection_of_a_feature_is_equal_to_a_sequence_as_before() -> None:
     book = next(b for b in L.Book.all if len(b.authors) == 2)
     assert call(book.authors, "equals", Q(list(book.authors)))
     assert get(book.authors, "name") == ["Ada", "Ben"]
+
+
+@pytest.mark.parametrize("put", [lambda held: held.append(None), lambda held: held.extend([None])])
+def test_nothing_is_no_element_of_a_feature(put: Callable[[Any], object]) -> None:
+    book = library().Book.all[0]
+    before = list(book.authors)
+    with pytest.raises(RobosmiError, match=r"Book\.authors takes elements, not None"):
+        put(book.authors)
+    assert list(book.authors) == before
