@@ -55,6 +55,26 @@ def test_text_goes_out(call: str, text: str) -> None:
     assert told(f"{call};") == text
 
 
+@pytest.mark.parametrize(
+    ("call", "value"),
+    [
+        ('strcmp("ab", "ab")', 0),
+        ('strcmp("m", "A")', 44),  # the difference of two characters, and one only where a text ends
+        ('strcmp("ab", "abc")', -1),
+        ('strcmp("abc", "ab")', 1),
+        ('strcmp("a", "\\xe9")', 97 - 0xE9),
+        ('strncmp("abz", "abc", 2)', 0),
+        ('strncmp("abz", "abc", 3)', 23),
+        ('strcasecmp("aB", "Ab")', 0),
+        ('strncasecmp("aBd", "AbA", 3)', 3),
+        ('memcmp("\\0d", "\\0a", 2)', 3),
+    ],
+)
+def test_comparisons_of_texts_have_the_values_of_the_sources_library(call: str, value: int) -> None:
+    """As propgcc's lib/string has them."""
+    assert told(f'print("%d", {call});', headers="string.h") == str(value)
+
+
 def test_a_character_takes_ten_bits_at_115200_baud() -> None:
     trace = run('#include <simpletools.h>\nint main() { print("%s", "0123456789"); high(3); }').trace
     assert [byte.at_us for byte in trace.console] == pytest.approx([(turn + 1) * 86.75 for turn in range(10)], abs=15)
