@@ -100,7 +100,7 @@ class Chain:
         Args:
             function: `constraints(v, library)`: adds contexts and constraints to `v`, an `EVL` over the models.
             models: names of the models.
-            stop_at: the severity of findings that stop these steps: `error`, `warning`, `info`, or `never`.
+            stop_at: the least severity of findings that stop later steps on these models: `error`, `warning`, or `never`.
             reads: further files it reads.
             step: the step's name; the function's if not given.
         """
