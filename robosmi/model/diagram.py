@@ -17,15 +17,15 @@ ORDER = ("ccode", "hardware", "platform", "migration", "trace")
 
 INTRODUCTION = """# The metamodels
 
-Five metamodels are the contract between the rooms of the house: what a program says (`ccode`), what a drawing says
-(`hardware`), what is known of platforms (`platform`), what is decided (`migration`, the plan, the hub), and where
-everything comes from (`trace`). The `.ecore` files are written by hand and are the truth; each package beside them is
-generated (`make metamodels`) and never edited. Eclipse EMF accepts all five; `robosmi metamodels export DIR` hands them
-out. Every class and feature is documented in its `.ecore`.
+Five metamodels are the interfaces between the parts of RoboSMi: the program (`ccode`), the drawing (`hardware`), the facts
+about platforms (`platform`), the decisions (`migration`, the migration plan), and the origin of every result (`trace`). The
+`.ecore` files are written by hand and are authoritative; the package beside each is generated (`make metamodels`) and never
+edited. Eclipse EMF accepts all five. `robosmi metamodels export DIR` exports them. Every class and feature is documented in
+its `.ecore`.
 
-Facts and decisions are apart: `ccode` and `hardware` hold what a file says and are the same whatever the target; the
-plan refers to them and copies nothing. Diagrams below show classes, containments (filled) and references; attributes
-are in the `.ecore`.
+Facts and decisions are separate: `ccode` and `hardware` have only what a file says, and do not depend on the target. The plan
+refers to them and copies nothing. The diagrams below show classes, containments (filled) and references; attributes are in
+the `.ecore`.
 """
 
 
