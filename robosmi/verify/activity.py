@@ -211,7 +211,7 @@ def _part(steady: bool, pulses: list[Pulse], horizon_us: float, sight: Sight) ->
 
 def _levels(pulse: Pulse, horizon_us: float) -> list[ActivityEvent]:
     down = [ActivityEvent(pulse.end, LEVEL, (0,))] if pulse.end < horizon_us else []
-    return [ActivityEvent(pulse.begin, LEVEL, (1,)), *down]
+    return [ActivityEvent(pulse.begin, LEVEL, (1,), barely=pulse.barely), *down]
 
 
 def _wave(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[ActivityEvent]:

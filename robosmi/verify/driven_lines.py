@@ -13,6 +13,7 @@ from statistics import median
 
 from robosmi.typed import replaced, sum_of
 from robosmi.verify.activity import HELD, LEVEL, PULSE, ActivityEvent
+from robosmi.verify.pulses import few_periods
 from robosmi.verify.servo_widths import EQUAL_US
 from robosmi.verify.simulation import PinTrace
 
@@ -56,7 +57,9 @@ def pulse_lengths(trace: PinTrace, pin: str) -> list[ActivityEvent]:
         trace: what was seen.
         pin: label of the pin.
     """
-    low, high = (_without_tones(_held(trace, pin, level, 0.0)) for level in (0, 1))
+    of_timers = [(pulse.begin, pulse.end - pulse.begin) for pulse in few_periods(trace, pin)]
+    low = _without_tones(_held(trace, pin, 0, 0.0))
+    high = _without_tones(sorted([*_held(trace, pin, 1, 0.0), *of_timers]), _TONE_STEADY)
     lengths = [(length, level) for level, held in ((0, low), (1, high)) for _, length in held]
     lengths += [(trace.known_us - at_us, level) for at_us, level in trace.levels(pin)[-1:] if level in (0, 1)]
     level, held = (0, low) if max(lengths, default=(0.0, 0))[1] else (1, high)
@@ -85,11 +88,12 @@ def _lengths(
     return found
 
 
-def _without_tones(held: list[tuple[float, float]]) -> list[tuple[float, float]]:
+def _without_tones(held: list[tuple[float, float]], longest: float = inf) -> list[tuple[float, float]]:
     """Pulses without those of tones, including pulses that are cut off at the begin or the end of a tone.
 
     Args:
         held: begin and length of each pulse in microseconds, by time.
+        longest: the length of the longest pulse that may be a cut-off one, as a multiple of the tone's half period.
     """
     periods = [after[0] - before[0] for before, after in pairwise(held)]
     tone = [False] * len(periods)
@@ -102,7 +106,12 @@ def _without_tones(held: list[tuple[float, float]]) -> list[tuple[float, float]]
 
     def of_tone(at: int) -> bool:
         beside = range(max(0, at - 2), min(len(sure), at + 3))
-        return any(sure[other] and abs(held[other][0] - held[at][0]) <= 2 * periods[other] for other in beside)
+        return any(
+            sure[other]
+            and abs(held[other][0] - held[at][0]) <= 2 * periods[other]
+            and held[at][1] <= longest * periods[other] / 2 + 2 * EQUAL_US
+            for other in beside
+        )
 
     return [pulse for at, pulse in enumerate(held) if not of_tone(at)]
 

@@ -27,19 +27,30 @@ _FAST_US = 200.0
 """Waves with a period up to this are fast: a single interrupt stretches it by a large part."""
 _FAST_AHEAD = 20
 _STRETCHED = 2.2
+_TONE_DUTY = (0.4, 0.6)
+_APART, _DELAYED_US = 3, 100.0
+"""A pulse stands apart from a tone after so many of its periods, and is longer than its pulses if it is longer than they become
+by an interrupt."""
 
 
 class Pulse(NamedTuple):
-    """A time in which a pin is high, or in which a timer makes a wave there (`hz` above 0)."""
+    """A time in which a pin is high, or in which a timer makes a wave there (`hz` above 0).
+
+    It is `barely` there if it is the cut-off last pulse of a tone, which another run of the same program may lack.
+    """
 
     begin: float
     end: float
     hz: float = 0.0
     duty: float = 0.0
+    barely: bool = False
 
 
 def pulses_of(trace: PinTrace, pin: str) -> list[Pulse]:
-    """The high times and timer waves of a pin in order of time; high times within a wave are not listed separately."""
+    """The high times and timer waves of a pin in order of time; high times within a wave are not listed separately.
+
+    A tone of a timer with so few periods that its edges would be no wave is listed as its high times.
+    """
     waves: list[Pulse] = []
     begun: tuple[float, float, float] | None = None
     for wave in trace.waves:
@@ -61,7 +72,29 @@ def pulses_of(trace: PinTrace, pin: str) -> list[Pulse]:
     if up is not None:
         high.append(Pulse(up, trace.simulated_us))
     outside = [p for p in high if not any(w.begin <= p.begin < w.end for w in waves)] if waves else high
-    return sorted([*(p for p in waves if p.end > p.begin), *outside], key=lambda pulse: pulse.begin)
+    made = [pulse for number in range(len(waves)) for pulse in _few_periods(waves, number) if pulse.end > pulse.begin]
+    return sorted([*made, *outside], key=lambda pulse: pulse.begin)
+
+
+def few_periods(trace: PinTrace, pin: str) -> list[Pulse]:
+    """The high times of a timer's tones at a pin that have fewer periods than a wave needs, in order of time."""
+    edges = {(at_us, level) for at_us, level in trace.levels(pin) if level == 1}
+    return [pulse for pulse in pulses_of(trace, pin) if pulse.hz == 0 and (pulse.begin, 1) not in edges]
+
+
+def _few_periods(waves: Sequence[Pulse], number: int) -> list[Pulse]:
+    """A timer's wave as its high times if it is a tone of a few periods and no part of a wave that changes; else the wave.
+
+    A timer begins a tone with the half of a period that is low.
+    """
+    wave = waves[number]
+    period = 1e6 / wave.hz
+    beside = (*waves[max(0, number - 1) : number], *waves[number + 1 : number + 2])
+    joined = any(other.begin - wave.end < period and wave.begin - other.end < period for other in beside)
+    if joined or wave.duty != 0.5 or wave.end - wave.begin >= FEWEST * period:
+        return [wave]
+    ups = [wave.begin + (turn + 0.5) * period for turn in range(FEWEST)]
+    return [Pulse(up, min(up + period / 2, wave.end), barely=up + period / 2 > wave.end) for up in ups if up < wave.end]
 
 
 def same_wave(one: Pulse, other: Pulse) -> bool:
@@ -83,7 +116,31 @@ def wave_parts(pulses: Sequence[Pulse]) -> list[tuple[bool, list[Pulse]]]:
         else:
             parts.append((steady, part))
         first += len(part)
-    return _absorbed(parts)
+    return [piece for steady, part in _absorbed(parts) for piece in (_apart(part) if steady else [(False, part)])]
+
+
+def _apart(wave: list[Pulse]) -> list[tuple[bool, list[Pulse]]]:
+    """Divide a tone from the program's own pulses beside it, which interrupts cannot have made of pulses of the tone.
+
+    These stand apart from the tone and are of another length. Fast waves are not divided, since they are sent in bursts.
+    """
+    period, high = _usual(wave), median(pulse.end - pulse.begin for pulse in wave)
+    if not _is_sure(True, wave) or period <= _FAST_US or not _TONE_DUTY[0] <= high / period <= _TONE_DUTY[1]:
+        return [(True, wave)]
+    last = len(wave) - 1
+    pieces: list[tuple[bool, list[Pulse]]] = []
+    for number, pulse in enumerate(wave):
+        length = pulse.end - pulse.begin
+        far = [
+            number == 0 or pulse.begin - wave[number - 1].end > _APART * period,
+            number == last or wave[number + 1].begin - pulse.end > _APART * period,
+        ]
+        own = (any(far) and length > _STEADY * high + _DELAYED_US) or (all(far) and length < high / _STEADY - _DELAYED_US)
+        if pieces and pieces[-1][0] is not own:
+            pieces[-1][1].append(pulse)
+        else:
+            pieces.append((not own, [pulse]))
+    return [(steady and len(part) >= FEWEST, part) for steady, part in pieces]
 
 
 def _absorbed(parts: list[tuple[bool, list[Pulse]]]) -> list[tuple[bool, list[Pulse]]]:

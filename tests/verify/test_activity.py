@@ -183,3 +183,46 @@ def test_notes_that_follow_one_another_at_once_are_waves_of_their_own() -> None:
     trace = PinTrace("e", "running", 1_000_000.0, changes, (), (), ())
     waves = [event.value[0] for event in activity(trace, "D4") if event.kind == WAVE]
     assert waves == pytest.approx([1396.6, 1108.6], rel=0.005)
+
+
+def test_a_tone_of_few_periods_is_the_same_by_a_timer_and_by_edges() -> None:
+    for periods in (1, 2, 3):
+        edges = trace(square(100_500, 1000, periods))
+        timer = trace((), [Wave(100_000.0, "D1", 1000.0, 0.5), Wave(100_020.0 + 1000 * periods, "D1", 0.0, 0.0)])
+        levels = [(100.5 + number / 2, "low" if number % 2 else "high") for number in range(2 * periods)]
+        assert said(timer) == said(edges) == [(0, "low"), *levels]
+
+
+def test_the_cut_off_last_pulse_of_a_short_tone_may_be_missing() -> None:
+    timer = trace((), [Wave(100_000.0, "D1", 1000.0, 0.5), Wave(101_700.0, "D1", 0.0, 0.0)])
+    assert [event.barely for event in activity(timer, "D1")] == [False, False, False, True, False]
+
+
+def test_short_waves_of_a_timer_that_follow_one_another_are_waves() -> None:
+    fade = [Wave(100_000.0 + 2_000 * n, "D1", 490.0, duty) for n, duty in enumerate((0.3, 0.5, 0.7))]
+    assert [what for _, what in said(trace((), fade))] == ["low", "490 Hz, 30 % high", "490 Hz", "490 Hz, 70 % high"]
+
+
+def test_a_pulse_near_a_tone_is_seen_whoever_makes_the_tone() -> None:
+    waves = [Wave(100_000.0, "D1", 1000.0, 0.5), Wave(300_000.0, "D1", 0.0, 0.0)]
+    tone = square(100_000, 1000, 200)
+    for begin, length in ((300_020, 1_500), (330_000, 1_500), (330_000, 200), (60_000, 1_500), (60_000, 200)):
+        pulse = [(float(begin), 1), (float(begin + length), 0)]
+        by_edges, by_timer = (trace(sorted([*edges, *pulse]), made) for edges, made in ((tone, []), ([], waves)))
+        assert said(by_edges) == said(by_timer)
+        assert (round(begin / 1000, 1), "high") in said(by_edges)
+
+
+def test_a_pulse_between_two_equal_tones_is_seen() -> None:
+    tones = [*square(100_000, 1000, 200), *square(350_000, 1000, 200)]
+    waves = [Wave(at, "D1", hz, 0.5 if hz else 0.0) for at, hz in ((1e5, 1000.0), (3e5, 0.0), (3.5e5, 1000.0), (5.5e5, 0.0))]
+    pulse = [(330_000.0, 1), (331_500.0, 0)]
+    expected = [(0, "low"), (100, "1000 Hz"), (330, "high"), (331.5, "low"), (350, "1000 Hz"), (550, "low")]
+    assert said(trace(sorted([*tones, *pulse]))) == said(trace(pulse, waves)) == expected
+
+
+def test_pulses_of_a_tone_that_interrupts_stretch_or_cut_off_are_no_pulses_of_their_own() -> None:
+    tone = square(100_000, 1000, 200)
+    tone[201] = (tone[201][0] + 90, 0)
+    tone[-1] = (tone[-1][0] - 400, 0)
+    assert [what for _, what in said(trace(tone))] == ["low", "1000 Hz", "low"]

@@ -8,7 +8,7 @@ from robosmi.verify.activity import HELD, ActivityEvent
 from robosmi.verify.alignment import alike
 from robosmi.verify.comparison import DIFFERENT, compare
 from robosmi.verify.driven_lines import DRIVEN_LOW, LET_GO, NO_MORE, held_levels, let_go_levels, pulse_lengths
-from robosmi.verify.simulation import PinChange, PinTrace
+from robosmi.verify.simulation import PinChange, PinTrace, Wave
 
 
 def held(lengths: Iterable[tuple[float, int, float]], until_us: float = 0.0) -> list[tuple[float, int, float]]:
@@ -123,3 +123,17 @@ def test_pulses_beside_a_tone_are_those_that_are_seen_without_it() -> None:
 def test_pulses_for_half_of_the_time_are_a_tone_only_where_they_are_as_even() -> None:
     assert pulses((100_000, 500), (101_000, 900), (102_700, 500)) != []
     assert pulses(*tone(100_000, 1000, 3)) == []
+
+
+def test_a_pulse_directly_after_a_tone_is_seen_whoever_makes_the_tone() -> None:
+    made = tone(1_000.0, 1000.0, 100)
+    pulse = (101_020.0, 1_500.0)
+    assert pulses(*made, pulse) == pulses(pulse) == ["pulses high for 1500.0 us"]
+
+
+def test_a_tone_of_one_period_is_a_pulse_whoever_makes_it() -> None:
+    waves = (Wave(1_000.0, "P", 1000.0, 0.5), Wave(2_016.0, "P", 0.0, 0.0))
+    by_timer = PinTrace("", "done", 3e6, (PinChange(1_000.0, "P", 0), PinChange(2_016.0, "P", "z")), waves, (), ())
+    by_edges = PinTrace("", "done", 3e6, (PinChange(1_500.0, "P", 1), PinChange(2_000.0, "P", 0)), (), (), ())
+    assert [str(event) for event in pulse_lengths(by_timer, "P")] == [str(event) for event in pulse_lengths(by_edges, "P")]
+    assert pulse_lengths(by_edges, "P")
