@@ -64,8 +64,8 @@ class ActivityEvent(Struct, frozen=True):
         unclear: whether a pause near it is about as long as one that ends an activity, so that it might be divided differently.
         barely: whether it is so marginal that another run of the same program may lack it.
         vague_us: the uncertainty of its begin, if the previous state changes into it gradually.
-        off: relative tolerance of a wave's frequency, or of each number of a reading, in addition to the usual one, since other
-            runs of the program differ that much.
+        off: relative tolerance of a wave's frequency, a servo width, or each number of a reading, in addition to the usual one,
+            since other runs of the program differ that much.
         exact: for each number of a reading, whether it does not depend on measurements and so has no tolerance.
         between: for each number of a reading, its least and greatest value if boards measure the same, None if unknown.
     """

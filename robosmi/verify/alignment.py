@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 
 from msgspec import Struct
 
-from robosmi.typed import matches, paired
+from robosmi.typed import matches, paired, replaced
 from robosmi.verify.activity import HELD, PULSE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.driven_lines import lengths_alike, pulses_alike
 from robosmi.verify.servo_widths import tolerated_us
@@ -25,6 +25,8 @@ _FASTEST_HZ = 5_000.0
 """Edges that a program makes itself at a higher rate are only counted, since the source's exact speed is not known."""
 _FEW_FRAMES = 2
 """A servo width with at most this many frames may have one less, and so be invisible, when the frames begin at another time."""
+_OWN_STEPS_US = 50.0
+"""The most by which a width varies with the cost of the program's steps: twice as much is not known of the source's times."""
 _MOST_STEPS = 200_000
 
 
@@ -40,7 +42,9 @@ def alike(one: ActivityEvent, other: ActivityEvent) -> bool:
         near = abs(float(hz) - float(other_hz)) <= (_HZ + loose) * max(float(hz), float(other_hz))
         return near and abs(float(duty) - float(other_duty)) <= _DUTY
     if one.kind == PULSES:
-        return abs(float(one.value[0]) - float(other.value[0])) <= tolerated_us(float(one.value[0]))
+        loose = one.off[0] if one.off else other.off[0] if other.off else 0.0
+        width = float(one.value[0])
+        return abs(width - float(other.value[0])) <= tolerated_us(width) + loose * width
     if one.kind == HELD:
         return one.value[0] == other.value[0] and lengths_alike(float(one.value[1]), float(other.value[1]))
     if one.kind == PULSE:
@@ -111,6 +115,30 @@ def parts_off(one: ActivityEvent, other: ActivityEvent) -> tuple[float, ...]:
         mine, theirs = numbers_of(one), numbers_of(other)
         return tuple(_part(float(mine[at]), float(theirs[at])) for at in range(min(len(mine), len(theirs))))
     return ()
+
+
+def with_vague_widths(source: Sequence[ActivityEvent], scaled: Sequence[Sequence[ActivityEvent]]) -> list[ActivityEvent]:
+    """The events, where a servo width that the program makes by its own steps has a tolerance of twice its variation with them.
+
+    Such a width contains the cost of some steps. So it is greater in a run whose steps cost more, smaller in one whose steps cost
+    less, and differs by little. All other widths keep their tolerance.
+
+    Args:
+        source: the events of the nominal run.
+        scaled: those of a run in which all steps cost more, and of one in which they cost less, if there is one.
+    """
+    kinds = [event.kind for event in source]
+    if not scaled or any([event.kind for event in run] != kinds for run in scaled):
+        return list(source)
+    vague = []
+    for at, event in enumerate(source):
+        if event.kind == PULSES:
+            width = float(event.value[0])
+            more = [sign * (float(run[at].value[0]) - width) for sign, run in paired((1, -1)[: len(scaled)], scaled)]
+            if min(more) > 0 and tolerated_us(width) < max(more) <= _OWN_STEPS_US:
+                event = replaced(event, off=(2 * max(more) / width,))
+        vague.append(event)
+    return vague
 
 
 def larger(one: tuple[float, ...], other: tuple[float, ...]) -> tuple[float, ...]:

@@ -183,7 +183,7 @@ def compare(
     if allowed is None or _ends_differ(source, varied, horizon_ms, allowed):
         return _racy(channel, source, target, varied, horizon_ms)
     off = allowed or [EventTolerance()]
-    source = [replaced(event, off=allowed[at].parts) for at, event in enumerate(source)]
+    source = [replaced(event, off=allowed[at].parts or event.off) for at, event in enumerate(source)]
 
     def in_time(own: int, other: int) -> bool:
         vague_ms = _vague_ms(source[own], target[other])

@@ -8,8 +8,9 @@ from itertools import pairwise
 
 import pytest
 
+from robosmi.transformations.verification.original_side import compared
 from robosmi.verify.activity import activity
-from robosmi.verify.comparison import DIFFERENT, SAME, compare
+from robosmi.verify.comparison import DIFFERENT, RACY, SAME, compare
 from robosmi.verify.pulses import Pulse
 from robosmi.verify.servo_widths import servo_widths
 from robosmi.verify.simulation import PinChange, PinTrace
@@ -83,3 +84,28 @@ def test_a_change_of_another_shape_is_different() -> None:
     assert status(slow, [*[1500.0] * 20, *ramp((50, 1550.0), (50, 1700.0)), *[1700.0] * 40]) == DIFFERENT
     assert status(slow, [*[1500.0] * 20, *ramp((100, 1680.0)), *[1680.0] * 40]) == DIFFERENT
     assert status(slow, [*[1500.0] * 20, *ramp((100, 1300.0)), *[1300.0] * 40]) == DIFFERENT
+
+
+def by_hand(costs_us: Sequence[float], target: Sequence[float]) -> str:
+    """Frames of 1500 and then of 1600 us to which the program's steps add a cost in each run of the source, and the target's."""
+    runs = [activity(trace([*[1500 + cost] * 20, *[1600 + cost] * 20]), "D1") for cost in costs_us]
+    return compared("D1", [runs], [activity(trace(target), "D1")], HORIZON_US / 1000).status
+
+
+def test_a_width_that_the_program_makes_by_its_own_steps_is_as_vague_as_these_are() -> None:
+    runs = (10.0, 20.0, 5.0, 10.0, 9.2, 8.4)
+    assert by_hand(runs, [*[1517.0] * 20, *[1629.0] * 20]) == SAME
+    assert by_hand(runs, [*[1517.0] * 20, *[1645.0] * 20]) == DIFFERENT
+    assert by_hand(runs, [*[1517.0] * 20, *[1700.0] * 20]) == DIFFERENT
+    assert by_hand(runs[:2], [*[1517.0] * 20, *[1629.0] * 20]) == SAME
+
+
+def test_a_width_that_does_not_vary_with_the_cost_of_steps_is_held_as_before() -> None:
+    assert by_hand((0.0, 0.0, 0.0, 0.0), [*[1500.0] * 20, *[1602.0] * 20]) == SAME
+    assert by_hand((0.0, 0.0, 0.0, 0.0), [*[1500.0] * 20, *[1606.0] * 20]) == DIFFERENT
+    assert by_hand((1.0, 2.0, 0.0, 1.0), [*[1500.0] * 20, *[1606.0] * 20]) == DIFFERENT
+
+
+@pytest.mark.parametrize("runs", [(10.0, 0.0, 20.0), (10.0, 20.0, 15.0), (10.0, 200.0, 5.0), (10.0, 20.0, 5.0, 60.0)])
+def test_a_width_that_varies_otherwise_is_racy(runs: tuple[float, ...]) -> None:
+    assert by_hand(runs, [*[1510.0] * 20, *[1610.0] * 20]) == RACY
