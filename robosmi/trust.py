@@ -95,16 +95,25 @@ def trust(folder: Path) -> tuple[Path, list[str]]:
     return own, sorted(files)
 
 
-def demand(folder: Path, kind: str) -> None:
+def demand(folder: Path, kind: str, *, host: bool = True) -> None:
     """Make sure that a `.robosmi` folder that was merely found may run all that it holds of a kind.
+
+    Args:
+        folder: the `.robosmi` folder.
+        kind: a folder in it.
+        host: whether the models of libraries, which run on this machine, are among what would run.
 
     Raises:
         SourceError: nobody has trusted it, or it was changed since.
     """
-    files = _files(folder, kind)
+
+    def asked(name: str) -> bool:
+        return name.startswith(f"{kind}/") and (host or HOST not in name.split("/")[1:-1])
+
+    files = {name: digest for name, digest in _files(folder, kind).items() if asked(name)}
     if not files:
         return
-    noted = {name: digest for name, digest in _noted(folder).items() if name.startswith(f"{kind}/")}
+    noted = {name: digest for name, digest in _noted(folder).items() if asked(name)}
     if noted != files:
         raise _refused(folder, sorted(name for name in files if noted.get(name) != files[name]) or sorted(files), bool(noted))
 
@@ -127,16 +136,17 @@ def check(path: str | os.PathLike[str], data: bytes) -> None:
 
 
 @contextmanager
-def acting(project: Path | None = None) -> Iterator[None]:
+def acting(project: Path | None = None, *, host: bool = False) -> Iterator[None]:
     """Context manager: data may start programs, so a found folder must be trusted, and each file of it is checked when read.
 
     Args:
         project: the project folder; the current folder if None.
+        host: whether models of libraries are compiled for this machine and run.
 
     Raises:
         SourceError: nobody has trusted the data of that folder, or it was changed since.
     """
-    demand(Path(project or user_folders.project_folder()) / OWN, "platform_repo")
+    demand(Path(project or user_folders.project_folder()) / OWN, "platform_repo", host=host)
     with inputs.checked(check):
         yield
 

@@ -114,6 +114,15 @@ def paired(first: Iterable[A], second: Iterable[B], *, strict: bool = True) -> I
     return zip(first, second, strict=strict)
 
 
+def side_by_side(columns: Iterable[Iterable[A]], *, strict: bool = True) -> Iterator[tuple[A, ...]]:
+    """The values of any number of collections side by side; `strict` as for `paired`.
+
+    >>> list(side_by_side(["ab", "xy"]))
+    [('a', 'x'), ('b', 'y')]
+    """
+    return zip(*columns, strict=strict)
+
+
 def sum_of(numbers: Iterable[N]) -> N:
     """The sum of numbers; 0 if there are none.
 

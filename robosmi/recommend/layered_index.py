@@ -104,7 +104,7 @@ class LayeredIndex(LibraryIndex):
         headers: list[int] = []
         counts: list[int] = []
         for n, layer in enumerate(self._layers):
-            for header, count in zip(*postings(layer), strict=True):
+            for header, count in paired(*postings(layer)):
                 number = header + self._first_header[n]
                 if self.library_of[number] not in self._hidden:
                     headers.append(number)

@@ -6,7 +6,6 @@ only the page and its actions are served, no files. The page is passed in as a `
 
 from __future__ import annotations
 
-import json
 import secrets
 import socket
 from collections.abc import Mapping
@@ -15,7 +14,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from threading import Lock
 from typing import Any, Protocol
 
-from robosmi.data_text import json_written
+from robosmi.data_text import json_of, json_written
 from robosmi.errors import RobosmiError, UsageError
 from robosmi.quoting import html
 
@@ -132,7 +131,7 @@ class _Handler(BaseHTTPRequestHandler):
             self._json(HTTPStatus.BAD_REQUEST, _refused("the request has another form than the page's"))
         else:
             try:
-                about = json.loads(self.rfile.read(int(length)))
+                about = json_of(self.rfile.read(int(length)))
             except (ValueError, RecursionError):
                 about = None
             if not isinstance(about, dict) or path not in ("choose", "undo", "tick"):

@@ -6,7 +6,6 @@ coverage tool which lines and branches the counters stand for.
 
 from __future__ import annotations
 
-import json
 import tempfile
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -14,6 +13,7 @@ from typing import Any
 
 from msgspec import Struct
 
+from robosmi.data_text import as_table, json_of
 from robosmi.errors import InternalError, MissingToolError
 from robosmi.typed import sum_of
 from robosmi.verify.original_build import OriginalProgram
@@ -118,7 +118,7 @@ def _ask(program: OriginalProgram, data: Path) -> dict[str, Any]:
         except MissingToolError as error:
             raise MissingToolError(error.message, fix=program.model.install) from error
     try:
-        answer: dict[str, Any] = json.loads(done.stdout)
+        answer: dict[str, Any] = as_table(json_of(done.stdout))
     except ValueError:
         raise InternalError(f"'{tool}' answered what is no coverage: {done.stderr.strip()[-300:]}") from None
     return answer

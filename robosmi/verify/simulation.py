@@ -9,7 +9,6 @@ microseconds of simulated time, counted from reset.
 
 from __future__ import annotations
 
-import json
 import os
 import subprocess
 import sys
@@ -20,7 +19,7 @@ from typing import Any, NamedTuple, Protocol
 from msgspec import Struct
 from msgspec.structs import asdict
 
-from robosmi.data_text import Json, json_written
+from robosmi.data_text import Json, as_table, json_of, json_written
 from robosmi.errors import EngineCrashError, InternalError, MissingToolError, UsageError, VerificationError
 from robosmi.plugins import content, registry
 from robosmi.typed import kept, replaced
@@ -279,7 +278,7 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
         ended = f"its process was ended by signal {-code}" if code < 0 else f"its process ended with {code}"
         last = (complaint.strip().splitlines() or [ended])[-1]
         raise EngineCrashError(f"the engine '{chosen.name}' crashed: {last}", fix="try another engine: --engine NAME")
-    return _trace(json.loads(answer), chosen.name)
+    return _trace(as_table(json_of(answer)), chosen.name)
 
 
 def end_simulations() -> None:

@@ -7,11 +7,10 @@ of another licence than this package; it is loaded here and nowhere else.
 from __future__ import annotations
 
 import gc
-import json
 import sys
 from typing import Any
 
-from robosmi.data_text import json_written
+from robosmi.data_text import as_table, json_of, json_written
 from robosmi.errors import RobosmiError
 from robosmi.plugins import content
 from robosmi.typed import class_name
@@ -48,4 +47,4 @@ def answer(question: dict[str, Any]) -> dict[str, Any]:
 
 if __name__ == "__main__":
     gc.disable()  # a run makes many small things, keeps them, and ends
-    sys.stdout.write(json_written(answer(json.load(sys.stdin))))  # `json.dump` to a file takes seven times as long
+    sys.stdout.write(json_written(answer(as_table(json_of(sys.stdin.read())))))  # `json.dump` to a file takes seven times as long

@@ -9,6 +9,7 @@ import pytest
 
 from robosmi.cli.main import main
 from robosmi.errors import SourceError, VerificationError
+from robosmi.inputs import DATA, read_bytes
 from robosmi.transformations.verification.originals import original_program
 from robosmi.trust import acting
 from robosmi.verify.host_model import load_host_model
@@ -85,11 +86,25 @@ def test_a_function_without_a_model_is_told_as_the_program_writes_it(tmp_path: P
 def test_a_found_model_runs_only_when_it_is_trusted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     shutil.copytree(OUTSIDE / "platform_repo", tmp_path / ".robosmi" / "platform_repo")
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(SourceError, match="not trusted"), acting():
+    with pytest.raises(SourceError, match="not trusted"), acting(host=True):
         pass
     assert main(["trust", str(tmp_path)]) == 0
-    with acting():
+    with acting(host=True):
         assert tmp_path / ".robosmi" / HOST / "libraries" / "signal_mast.c" in load_host_model("propeller").libraries
     (tmp_path / ".robosmi" / HOST / "libraries" / "more.c").write_text("int more(void) { return 1; }\n")
-    with pytest.raises(SourceError, match="changed since"), acting():
+    with pytest.raises(SourceError, match="changed since"), acting(host=True):
+        pass
+
+
+def test_a_command_that_runs_no_model_needs_no_trust_for_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    shutil.copytree(OUTSIDE / "platform_repo", tmp_path / ".robosmi" / "platform_repo")
+    monkeypatch.chdir(tmp_path)
+    with acting():
+        pass
+    with acting(), pytest.raises(SourceError, match="not trusted"):  # a file of it that is read all the same
+        read_bytes(tmp_path / ".robosmi" / HOST / "libraries" / "signal_mast.c", DATA)
+    program = tmp_path / ".robosmi" / "platform_repo" / "arduino" / "compile.toml"
+    program.parent.mkdir()
+    program.write_text("")
+    with pytest.raises(SourceError, match=r"read them \(platform_repo/arduino/compile\.toml\)"), acting():
         pass

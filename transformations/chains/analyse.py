@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -13,7 +14,7 @@ from robosmi.chain.run import Progress
 from robosmi.diagnostics import Finding
 from robosmi.inputs import read_once
 from robosmi.metamodels import ccode
-from robosmi.project import default_text
+from robosmi.project import default_text, project_of
 from robosmi.resources import project_of_input
 from robosmi.transformations.chains.reading import check_source_platform, read_program
 from robosmi.transformations.knowledge.platform_api import ApiIndex
@@ -46,7 +47,9 @@ class Analysis(Struct, frozen=True):
             if symbols:
                 lines.append(f"  platform symbols: {symbols}")
             for call in unit["unknown_calls"]:
-                lines.append(f"  unknown: {call['name']} ({call['count']} calls)")
+                adapter = call.get("adapter")
+                of = f"with an own adapter ({os.path.relpath(adapter)})" if adapter else "unknown"
+                lines.append(f"  {of}: {call['name']} ({call['count']} calls)")
         return lines
 
 
@@ -87,10 +90,26 @@ def read_program_and_findings(
     return read_program(paths, api.name, include_dirs, defines)
 
 
-def analysed(read: tuple[ccode.Program, list[Finding]], api: ApiIndex) -> Analysis:
-    """Determine what the program uses of its platform."""
+def analysed(read: tuple[ccode.Program, list[Finding]], api: ApiIndex, paths: Sequence[Path]) -> Analysis:
+    """Determine what the program uses of its platform, and which adapters of one's own there are for what nobody else knows.
+
+    Raises:
+        PlatformDataError: an adapter file of the project is wrong.
+    """
     program, findings = read
-    return Analysis(program, analysis(program, findings, api), findings)
+    result = analysis(program, findings, api)
+    if any(finding.rule in ("RS103", "RS109") for finding in findings):
+        from robosmi.transformations.chains.own_adapters import adapter_files_of, still_unknown  # most programs are known
+        from robosmi.transformations.knowledge.target_platform import target_facts
+
+        settings = project_of(Path(paths[0]))
+        index = adapter_files_of(settings, target_facts(settings.target or default_text("migrate", "target")), api)
+        findings = still_unknown(findings, index)
+        for unit in result["units"]:
+            for call in unit["unknown_calls"]:
+                if (piece := index.own_adapter(call["name"])) is not None:
+                    call["adapter"] = piece.location.path
+    return Analysis(program, result, findings)
 
 
 def analyse(

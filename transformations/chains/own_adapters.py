@@ -30,6 +30,8 @@ from robosmi.transformations.queries.signature_text import taken_apart
 from robosmi.typed import distinct
 
 _UNKNOWN = re.compile(r"['‘](\w+)['’] (?:was not declared|undeclared)|implicit declaration of function ['‘](\w+)['’]")
+UNKNOWN = ("RS103", "RS109")
+"""The rules for a header that is not found, and for a function that nobody knows."""
 _MISSING_HEADER = "RS803"
 """The rule for a header that the compiler does not find."""
 _FIRST_STATEMENT = 3
@@ -58,6 +60,26 @@ def adapter_files_of(settings: Project, target: TargetFacts, api: ApiIndex) -> A
     index = adapter_index(target.platform, api.name, beside=beside, language=target.language)
     index.check_those_of("project")
     return index
+
+
+def still_unknown(findings: Iterable[Finding], index: AdapterIndex | None) -> list[Finding]:
+    """The findings about a program, without those about unknown headers and functions for which a person keeps adapters.
+
+    Args:
+        findings: of the program, with what they are about as their evidence.
+        index: the adapter files of the target; None where they are not asked.
+
+    Raises:
+        PlatformDataError: an adapter file cannot be read, or says something wrong.
+    """
+
+    def known(finding: Finding) -> bool:
+        if index is None or finding.rule not in UNKNOWN:
+            return False
+        header, function = finding.evidence.get("header", ""), finding.evidence.get("function", "")
+        return header in index.own_headers() or index.own_adapter(str(function)) is not None
+
+    return [finding for finding in findings if not known(finding)]
 
 
 def unread_adapters(settings: Project, folders: Iterable[Path]) -> list[Finding]:

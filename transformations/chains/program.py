@@ -14,6 +14,7 @@ from robosmi.errors import SourceError
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.chains.local_headers import from_outside, with_headers
+from robosmi.transformations.chains.own_adapters import still_unknown
 from robosmi.transformations.chains.reading import read_program
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, PLAIN_C, TargetFacts
@@ -125,6 +126,7 @@ def stored_program(files: ProgramFiles, api: ApiIndex, target: TargetFacts) -> S
     seen = views(program, api)
     for view in seen:
         findings = [*findings, *library_cogs(view), *unknown_functions(view)]
+    findings = still_unknown(findings, api.adapters.index if api.adapters is not None else None)
     places = _store_units(program, target.own_headers | {ADAPTERS_FILE})
     copies = {places[str(path)]: inputs.read_bytes(path, inputs.SOURCE) for path in files.paths}
     names = {place: path for path, place in places.items()}

@@ -257,7 +257,7 @@ def _original(models: MigrationModels, folder: Path, place: Path) -> OriginalPro
     assert plan.source is not None
     stored = with_stored_names(list(plan.program.units), folder, place / "stored")
     sources = [stored / unit.path for unit in plan.program.units if not is_header(unit)]
-    with acting():
+    with acting(host=True):
         return original_program(sources, load_host_model(str(plan.source.name)), place, limit_s=LIMIT_S)
 
 

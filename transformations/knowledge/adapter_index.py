@@ -16,6 +16,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapter_data import adapter_paths, load
 from robosmi.transformations.knowledge.adapter_files import MARK, AdapterFile, AdapterPiece
+from robosmi.typed import distinct
 
 BUILT_IN = "built-in"
 OWN = "adapters"
@@ -74,6 +75,19 @@ class AdapterIndex:
         for folder in (folder for folder, kept in self.own.items() if kept == whose):
             for header, _ in self._listed(folder):
                 self.files(header)
+
+    def own_headers(self) -> list[str]:
+        """The headers for which a person keeps adapter files."""
+        return distinct(header for folder in self.folders if folder in self.own for header, _ in self._listed(folder))
+
+    def own_adapter(self, function: str) -> AdapterPiece | None:
+        """The adapter that a person keeps for a function, of whatever header; None if there is none.
+
+        Raises:
+            PlatformDataError: as for `files`.
+        """
+        pieces = (piece for header in self.own_headers() for file in self.files(header) for piece in file.pieces)
+        return next((p for p in pieces if p.kind == "adapter" and p.name == function and self.kept_by(p) != BUILT_IN), None)
 
     def kept_by(self, piece: AdapterPiece) -> str:
         """The owner of a piece: `project`, `user` or `built-in`."""

@@ -19,7 +19,7 @@ class AdapterPins:
     """
 
     def __init__(self, index: AdapterIndex) -> None:
-        self._index = index
+        self.index = index
         self._known: dict[tuple[str, str], PinFacts | None] = {}
 
     def of(self, function: str, header: str) -> PinFacts | None:
@@ -34,9 +34,9 @@ class AdapterPins:
         """
         key = function, header
         if key not in self._known:
-            headers = [header] if header else self._index.headers
+            headers = [header] if header else self.index.headers
             found = (
-                _pins(piece) for each in headers for group in self._index.of(each) for piece in group if piece.name == function
+                _pins(piece) for each in headers for group in self.index.of(each) for piece in group if piece.name == function
             )
             self._known[key] = next((pins for pins in found if pins is not None), None)
         return self._known[key]

@@ -31,7 +31,7 @@ class ApiIndex:
     """
 
     def __init__(self, facts: ApiFacts, adapters: AdapterPins | None = None) -> None:
-        self._facts, self._adapters = facts, adapters
+        self._facts, self.adapters = facts, adapters
         self._headers, self._entries = facts.headers, facts.entries
         self._closures: dict[tuple[str, ...], tuple[str, ...]] = {}
         self._declared: dict[str, set[str]] = {}
@@ -175,7 +175,7 @@ class ApiIndex:
     def pins(self, function: str, header: str) -> PinFacts | None:
         """The pins of a function: from its header, else from its adapter; None if neither declares any."""
         known = self._facts.pins.get((function, header))
-        return known if known is not None or self._adapters is None else self._adapters.of(function, header)
+        return known if known is not None or self.adapters is None else self.adapters.of(function, header)
 
     def meaning(self, function: str) -> FunctionMeaning:
         """The known facts about a function: parameters, blocking, startsCog."""

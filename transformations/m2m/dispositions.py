@@ -80,6 +80,8 @@ def includes(known: Known) -> ETL:
         kind = known.api.header_kind(include.header)
         if own_header(include):
             return "own"
+        if kind is None and include.header in known.served:
+            return "served"
         if kind not in ("platform", "standard", "posix"):
             return "unknown"
         if kind == "platform":
@@ -96,6 +98,10 @@ def includes(known: Known) -> ETL:
     @t.rule(guard=lambda i: means(i) == "platform")
     def PlatformInclude(i: ccode.Include, d: Disposition) -> None:
         decide(d, i, drop, "platform-include", "the header belongs to the source platform")
+
+    @t.rule(guard=lambda i: means(i) == "served")
+    def ServedInclude(i: ccode.Include, d: Disposition) -> None:
+        decide(d, i, drop, "platform-include", "adapters take the place of what the header declares")
 
     @t.rule(guard=lambda i: means(i) == "missing")
     def MissingInclude(i: ccode.Include, d: Disposition) -> None:

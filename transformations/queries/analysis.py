@@ -58,7 +58,8 @@ def unknown_functions(view: code.CodeView) -> list[Finding]:
             place = function.callee
         else:
             message = f"nothing is known of the function {function.name}: its signature is inferred as {function.signature}"
-        found.append(_finding(view, "RS109", Severity.warning, place, message, "add the file that defines it"))
+        evidence = {"function": function.name}
+        found.append(_finding(view, "RS109", Severity.warning, place, message, "add the file that defines it", evidence))
     return found
 
 

@@ -21,7 +21,7 @@ from robosmi.transformations.queries.number_names import holder_of
 from robosmi.transformations.queries.pin_uses import pin_number
 from robosmi.transformations.queries.pointers import gives_access, moved_pointer, pointed_functions, takes_number
 from robosmi.transformations.queries.value_flows import Flows, PinArgument, PortPlace
-from robosmi.typed import class_name, distinct, matches, paired
+from robosmi.typed import class_name, distinct, matches, paired, side_by_side
 
 _WRITTEN = re.compile(rb"[0-9']")
 """Matches what a number or character begins with that is written in the text itself, not made by a macro."""
@@ -172,7 +172,8 @@ class FlowReader:
     def _cast(self, cast: ccode.Cast) -> None:
         """Join the members at equal positions of two records between whose pointers a cast converts."""
         records = records_of_cast(cast)
-        for one, other in zip(*(record.fields for record in records), strict=False) if records is not None else ():
+        fields = [record.fields for record in records] if records is not None else []
+        for one, other in side_by_side(fields, strict=False):
             keys = [self._field(str(field.name), record_key(field.eContainer())) for field in (one, other)]
             self.flows.join(*keys)
 

@@ -251,7 +251,16 @@ class UnitContext:
         return os.path.basename(path)
 
     def find(
-        self, rule: str, severity: Severity, message: str, start: int, end: int | None = None, fix: str | None = None
+        self,
+        rule: str,
+        severity: Severity,
+        message: str,
+        start: int,
+        end: int | None = None,
+        fix: str | None = None,
+        *,
+        header: str = "",
     ) -> None:
-        """Add a finding about a range of the text."""
-        self.findings.append(Finding(rule, severity, message, self.source.location(start, end), fix=fix))
+        """Add a finding about a range of the text, and about a header where one is named."""
+        evidence = {"header": header} if header else {}
+        self.findings.append(Finding(rule, severity, message, self.source.location(start, end), fix=fix, evidence=evidence))

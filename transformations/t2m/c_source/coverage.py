@@ -122,9 +122,8 @@ def notes(context: UnitContext, includes: list[ccode.Include], conditionals: lis
         known = include.resolvedPath or context.api.header_kind(str(include.header))
         if not known and not _is_there(context, str(include.header)):  # in a circle of includes (RS114) none is read
             message = f"the header {include.header} was not found: names that it declares are inferred from their uses"
-            context.find(
-                "RS103", Severity.warning, message, int(include.startOffset), int(include.endOffset), "give its folder with -I"
-            )
+            start, end, fix = int(include.startOffset), int(include.endOffset), "give its folder with -I"
+            context.find("RS103", Severity.warning, message, start, end, fix, header=str(include.header))
     for start, end in context.parsed.cut[:20]:
         context.find(
             "RS104",
