@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from robosmi.transformations.knowledge.api_data import FunctionMeaning, PlatformSettings
 from robosmi.transformations.knowledge.api_facts import HEADER_KINDS, ApiEntry, ApiFacts, PinFacts
@@ -16,7 +16,24 @@ from robosmi.transformations.knowledge.platform_folder import facts_of, forget_f
 
 if TYPE_CHECKING:
     from robosmi.metamodels import platform as pf
-    from robosmi.transformations.knowledge.adapter_pins import AdapterPins
+    from robosmi.transformations.knowledge.adapter_index import AdapterIndex
+
+
+class DeclaredPins(Protocol):
+    """The pins of functions that a platform's own data does not cover."""
+
+    @property
+    def index(self) -> AdapterIndex | None:
+        """The adapter files that declare them; None if a stored plan does."""
+
+    def of(self, function: str, header: str) -> PinFacts | None:
+        """The pins of a function; None where none are declared.
+
+        Args:
+            function: its name.
+            header: where it is declared; empty where nobody knows it.
+        """
+
 
 _PORTS = 32
 """Number of ports if the platform states none: the bits of a word."""
@@ -30,7 +47,7 @@ class ApiIndex:
         adapters: the target's adapters, which declare the pins of functions that the facts do not cover.
     """
 
-    def __init__(self, facts: ApiFacts, adapters: AdapterPins | None = None) -> None:
+    def __init__(self, facts: ApiFacts, adapters: DeclaredPins | None = None) -> None:
         self._facts, self.adapters = facts, adapters
         self._headers, self._entries = facts.headers, facts.entries
         self._closures: dict[tuple[str, ...], tuple[str, ...]] = {}
@@ -52,7 +69,7 @@ class ApiIndex:
 
         return ApiIndex(StoredFacts(model))
 
-    def adapted(self, adapters: AdapterPins) -> ApiIndex:
+    def adapted(self, adapters: DeclaredPins) -> ApiIndex:
         """The same platform, extended by what a target's adapters declare about the pins of its functions."""
         return ApiIndex(self._facts, adapters)
 

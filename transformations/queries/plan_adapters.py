@@ -5,7 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from robosmi.metamodels import migration, platform
+from robosmi.transformations.knowledge.adapter_checks import parameters_of
+from robosmi.transformations.knowledge.api_facts import PinFacts, PinParameter
+from robosmi.transformations.knowledge.platform_model import DIRECTIONS
 from robosmi.typed import distinct
+
+_WORDS = {literal: word for word, literal in DIRECTIONS.items()}
 
 
 def closure(adapters: Iterable[platform.Adapter]) -> list[platform.Adapter]:
@@ -45,3 +50,45 @@ def limits(use: migration.AdapterUse) -> list[str]:
     """The limits of a use's adapter and of the pieces it depends on: what they do not do, as sentences."""
     pieces = closure([use.adapter]) if use.adapter is not None else []
     return distinct(str(limit) for piece in reversed(pieces) for limit in piece.limits)
+
+
+class OwnFunctionPins:
+    """The pins of the functions of a plan that its source platform does not know, as the markers of their adapters declare them.
+
+    Args:
+        plan: a stored plan.
+    """
+
+    index = None
+
+    def __init__(self, plan: migration.MigrationPlan) -> None:
+        self._adapters = {
+            str(use.name): use.adapter for use in plan.adapterUses if use.function is None and use.adapter is not None
+        }
+
+    def of(self, function: str, header: str) -> PinFacts | None:
+        """The pins of a function; None where its adapter declares none, or the platform knows it.
+
+        Args:
+            function: its name.
+            header: not asked, since a program calls one function of a name.
+        """
+        adapter = self._adapters.get(function)
+        if adapter is None:
+            return None
+        names = parameters_of(str(adapter.text), str(adapter.targetName or adapter.name))
+        pins = [
+            PinParameter(names.index(str(pin.name)), str(pin.name), _WORDS[pin.direction.name])
+            for pin in adapter.pins
+            if pin.name in names
+        ]
+        return PinFacts(tuple(pins), ()) if pins else None
+
+    def levels_read(self) -> frozenset[str]:
+        """The functions that read digital levels at a pin where no component of a certain kind is expected."""
+        return frozenset(name for name, adapter in self._adapters.items() if any(_reads_levels(pin) for pin in adapter.pins))
+
+
+def _reads_levels(pin: platform.AdapterPin) -> bool:
+    digital = pin.capability == platform.PinCapability.digital and pin.direction == platform.Direction.input
+    return digital and not pin.componentRole

@@ -23,7 +23,7 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.queries.component_kinds import kinds_of
 from robosmi.transformations.queries.pin_uses import PinUse, pin_uses
-from robosmi.transformations.queries.plan_adapters import rest_levels
+from robosmi.transformations.queries.plan_adapters import OwnFunctionPins, rest_levels
 from robosmi.transformations.queries.port_flows import port_flows
 from robosmi.transformations.queries.ports import program_ports
 from robosmi.transformations.queries.split_wires import answering_pin, asking_pin
@@ -126,7 +126,8 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
     """
     assert plan.program is not None
     assert plan.source is not None
-    seen = views(plan.program, ApiIndex.of(plan.source))
+    own = OwnFunctionPins(plan)
+    seen = views(plan.program, ApiIndex.of(plan.source).adapted(own))
     uses: dict[int, dict[str, set[str]]] = {}
     for use in _uses(plan, seen, folder):
         if use.pin is not None:
@@ -149,6 +150,8 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
         used = uses.get(number, {}) if channel is None else {}
         line = not lines.isdisjoint(used)
         device, called, near = ("", "", None) if line else _device(rules, used, channel is not None)
+        if not (device or line) and any("in" in used[function] for function in used.keys() & own.levels_read()):
+            device, called = _LEVELS_DEVICE, _LEVELS_PIN
         port = BoundPort(
             str(binding.name), source, str(pin.label) if pin is not None else "",
             str(component.title or component.partTitle) if component is not None else "",

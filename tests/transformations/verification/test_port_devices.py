@@ -238,6 +238,35 @@ def test_a_port_at_which_an_own_adapter_reads_is_played(tmp_path: Path) -> None:
     assert [(found[name].target, found[name].device) for name in ("gate.switch", "P5")] == [("D4", "levels"), ("D5", "")]
 
 
+KNOB = """//# header knob.h
+
+//# adapter knob_is
+//#   for: int knob_is(int level, int pin)
+//#   kind: oneToOne
+//#   pin: at digital {way}
+//#   fidelity: whether the pin has that level
+inline int32_t knob_is(int32_t level, int32_t at) {{
+  pinMode(at, INPUT);
+  return digitalRead(at) == level;
+}}
+"""
+
+
+@pytest.mark.parametrize(("way", "device"), [("in", "levels"), ("out", ""), ("both", ""), ("in ranger", "")])
+def test_a_port_that_an_own_adapter_reads_by_its_argument_is_played(tmp_path: Path, way: str, device: str) -> None:
+    (tmp_path / "adapters").mkdir()
+    (tmp_path / "adapters" / "knob.cpp").write_text(KNOB.format(way=way))
+    (tmp_path / "robosmi.toml").write_text('[bind]\nP4 = "D4"\nP5 = "D5"\n')
+    (tmp_path / "robot.c").write_text(
+        '#include "simpletools.h"\n#include "knob.h"\nint main() { while (1) { if (knob_is(1, 4)) high(5); else low(5); } }\n'
+    )
+    robosmi.migrate([tmp_path / "robot.c"], tmp_path / "out")
+    found = {port.name: port for port in bound_ports(load_models(tmp_path / "out" / "models" / "plan.xmi").plan)}
+    assert [(found[name].target, found[name].device) for name in ("P4", "P5")] == [("D4", device), ("D5", "")]
+    if device:
+        signals_of(list(found.values()), Scenario("pressed", 1_000.0, {"D4": {"points": ((0.0, 0), (700.0, 1))}}))
+
+
 def test_the_texts_of_tables_are_typed_where_a_program_compares_with_variables(tmp_path: Path) -> None:
     (tmp_path / "menu.c").write_text("""#include "simpletools.h"
 struct cmd { const char *name; int step; } cmds[] = { {"faster", 5}, {"slower", -5}, {0, 0} };
