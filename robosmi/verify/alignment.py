@@ -23,7 +23,7 @@ _NUMBER = re.compile(r"(?<![\w.])-?\d{1,15}(?:\.\d{1,15})?(?![\w.])")
 _DUTY = 0.02
 _FASTEST_HZ = 5_000.0
 """Edges that a program makes itself at a higher rate are only counted, since the source's exact speed is not known."""
-_FEW_FRAMES = 2
+FEW_FRAMES = 2
 """A servo width with at most this many frames may have one less, and so be invisible, when the frames begin at another time."""
 _OWN_STEPS_US = 50.0
 """The most by which a width varies with the cost of the program's steps: twice as much is not known of the source's times."""
@@ -216,7 +216,7 @@ def _pairs(way: _Way | None) -> list[tuple[int, int]]:
 def _needless(events: Sequence[ActivityEvent], number: int, last: int) -> bool:
     """Whether an event may lack a counterpart: it is marginal, very short, or repeats the value from before such an event."""
     event = events[number]
-    if event.barely or (event.kind == PULSES and 0 < event.frames <= _FEW_FRAMES):
+    if event.barely or (event.kind == PULSES and 0 < event.frames <= FEW_FRAMES):
         return True
     before = number if event.kind == PULSES else number - 1  # what is between two widths that are the same may not be seen
     return before > last >= 0 and alike(event, events[last])

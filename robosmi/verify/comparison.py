@@ -15,6 +15,7 @@ from msgspec import Struct
 from robosmi.typed import replaced
 from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.alignment import aligned, alike, larger, parts_off
+from robosmi.verify.brief_widths import first_stray_width
 from robosmi.verify.difference_words import lasts_otherwise, told_difference
 from robosmi.verify.self_difference import SelfDifference, first_self_difference, first_wrong_line
 
@@ -214,6 +215,10 @@ def compare(
             told = told_difference(source, target, found, in_time, lambda own: _tau(source[own], off[own].time_ms))
             difference = FirstDifference(told.at_us / 1000, channel, told.message, told.source, told.target)
             return ChannelComparison(channel, DIFFERENT, difference, max(0, len(source) - 1), greatest)
+    if (stray := first_stray_width((source, *varied), target[: found.other], found.pairs)) is not None:
+        message = f"{stray}, beyond the widths that the source shows around them"
+        difference = FirstDifference(stray.at_us / 1000, channel, message, None, stray)
+        return ChannelComparison(channel, DIFFERENT, difference, max(0, len(source) - 1), greatest)
     matched = len(found.pairs) - bool(source and source[0].kind not in _PRINTED)
     if matched <= 0:
         return ChannelComparison(channel, NOT_EXERCISED)
