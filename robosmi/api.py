@@ -219,20 +219,22 @@ def load_code(
     return found.program
 
 
-def load_hardware(sketch: str | Path, *, roles: Mapping[str, str] | None = None) -> hardware.Circuit:
+def load_hardware(sketch: str | Path, *, roles: Mapping[str, str] | None = None, target: str | None = None) -> hardware.Circuit:
     """Read a drawing.
 
     Args:
         sketch: the file.
         roles: component -> role, where the catalogue of parts is wrong or silent.
+        target: the target whose board it has, for a file that does not say which.
 
     Returns:
         A `hardware.Circuit`.
 
     Raises:
-        SourceError: it cannot be read, or has no board.
+        SourceError: it cannot be read, has no board, or another one than the target's.
+        UsageError: there is no such target.
     """
-    found: AnalysedDrawing = content("chain", "hardware")(Path(sketch), roles=roles or {})
+    found: AnalysedDrawing = content("chain", "hardware")(Path(sketch), roles=roles or {}, target=target)
     return found.circuit
 
 

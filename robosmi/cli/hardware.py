@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("sketch", metavar="SKETCH", type=Path, help="the drawing, or a pin table (.csv, .toml)")
+    parser.add_argument("--target", metavar="NAME", help="target whose board it has (default: as in migrate)")
     parser.add_argument("-o", dest="output", metavar="hardware.xmi", type=Path, help="store the hardware model as XMI")
     parser.add_argument("--svg", metavar="FILE", type=Path, help="draw board, nets and components, with what is wrong")
     parser.add_argument("--write-table", metavar="FILE", type=Path, help="write the wiring as a pin table (.csv or .toml)")
@@ -30,6 +31,7 @@ class _Arguments(argparse.Namespace):
     """The options and arguments of the command."""
 
     sketch: Path
+    target: str | None
     output: Path | None
     svg: Path | None
     write_table: Path | None
@@ -40,7 +42,8 @@ def run(arguments: _Arguments) -> Report:
     report = Report("hardware")
     project = project_of(arguments.sketch)
     with progress() as told:
-        done: AnalysedDrawing = content("chain", "hardware")(arguments.sketch, roles=project.roles, progress=told)
+        given, target = arguments.sketch, arguments.target
+        done: AnalysedDrawing = content("chain", "hardware")(given, roles=project.roles, target=target, progress=told)
     report.result, report.findings, report.lines = done.result, list(done.findings), done.lines()
     report.judge(project.severity, project.accept)
     if arguments.output:

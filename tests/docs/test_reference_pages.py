@@ -108,7 +108,11 @@ def through(found: Iterable[str]) -> set[str]:
 
 
 RESULTS: dict[str, list[list[str | Path]]] = {
-    "analyse": [["analyse", LINE_FOLLOWER / "line_follower.c"], ["analyse", ROOT / "tests" / "docs" / "uses_all.c"]],
+    "analyse": [
+        ["analyse", LINE_FOLLOWER / "line_follower.c"],
+        ["analyse", ROOT / "tests" / "docs" / "uses_all.c"],
+        ["analyse", ROOT / "tests" / "cli" / "own_header" / "signal.c"],
+    ],
     "hardware": [["hardware", LINE_FOLLOWER / "line_following_robot.fzz"]],
     "recommend": [["recommend", LINE_FOLLOWER / "line_following_robot.fzz"]],
     "metamodels export": [["metamodels", "export", "out"]],

@@ -53,7 +53,7 @@ def stored_drawing(path: Path, roles: Mapping[str, str], target: TargetFacts) ->
     drawing = read_drawing(path, roles, target.board)
     component = _board_of(drawing)
     connections = of_board(drawing.connections, component)
-    board = _checked(component, drawing.board_models.get(component.elementId), target, path)
+    board = checked_board(component, drawing.board_models.get(component.elementId), target, path)
     lost = next((finding for finding in drawing.findings if finding.rule == "RS223"), None)
     if lost is not None and any(connection.pin is None for connection in connections):
         labels = ", ".join(pin.label for pin in board.pins)
@@ -81,7 +81,7 @@ def _tool(component: hw.Component) -> str:
     return str(component.circuit.tool) if component.circuit is not None else "the tool"
 
 
-def _checked(component: hw.Component, board: platform.Board | None, facts: TargetFacts, path: Path) -> platform.Board:
+def checked_board(component: hw.Component, board: platform.Board | None, facts: TargetFacts, path: Path) -> platform.Board:
     """The drawn board, if it is known and is the target's.
 
     Raises:

@@ -106,25 +106,47 @@ def _pins(net: hw.Net) -> str:
 def hardware_chain() -> Chain:
     """The steps from a drawing to the value `analysis`; each can be replaced by its name (`Chain.replace`)."""
     chain = Chain(None, "hardware")
-    chain.given("path", "roles")
+    chain.given("path", "roles", target_name=None)
     chain.call(drawing, makes="drawing", step="read the drawing")
     chain.call(faults, makes="faults", step="check the circuit")
     chain.call(analysed, makes="analysis", step="put the result together")
     return chain
 
 
-def drawing(path: Path, roles: Mapping[str, str]) -> Drawing:
+def drawing(path: Path, roles: Mapping[str, str], target_name: str | None) -> Drawing:
     """The circuit with its connections.
 
     A schematic may be one sheet of several, so one without a board is read, too; the reader has reported that.
 
     Raises:
-        SourceError: the drawing cannot be read, or has no board and is no schematic.
+        SourceError: the drawing cannot be read, has no board and is no schematic, or has another board than the target's.
+        UsageError: there is no such target.
     """
+    if target_name:
+        return _drawing_for(target_name, path, roles)
     made = read_drawing(path, roles)
+    _check_board(made)
+    return made
+
+
+def _drawing_for(target_name: str, path: Path, roles: Mapping[str, str]) -> Drawing:
+    """The circuit for a target, one of whose boards is that target's."""
+    from robosmi.transformations.chains.drawn import checked_board  # wanted with --target only
+    from robosmi.transformations.knowledge.target_platform import target_facts
+
+    facts = target_facts(target_name)
+    made = read_drawing(path, roles, facts.board)
+    _check_board(made)
+    drawn = [(board, made.board_models.get(board.elementId)) for board in boards(made.circuit)]
+    if drawn and not any(model is not None and model.name == facts.board for _, model in drawn):
+        checked_board(*drawn[0], facts, path)
+    return made
+
+
+def _check_board(made: Drawing) -> None:
+    """Refuse a drawing without a board, unless it may be one sheet of several."""
     if not boards(made.circuit) and not any(finding.rule in (HEADERS_ONLY, NO_BOARD) for finding in made.findings):
         the_board(made.circuit)  # says what is missing
-    return made
 
 
 def faults(drawing: Drawing) -> list[Finding]:
@@ -140,19 +162,26 @@ def analysed(drawing: Drawing, faults: list[Finding]) -> HardwareAnalysis:
 
 
 def hardware(
-    path: Path, *, roles: Mapping[str, str] | None = None, progress: Progress | None = None, chain: Chain | None = None
+    path: Path,
+    *,
+    roles: Mapping[str, str] | None = None,
+    target: str | None = None,
+    progress: Progress | None = None,
+    chain: Chain | None = None,
 ) -> HardwareAnalysis:
     """Analyse a drawing.
 
     Args:
         path: the drawing.
         roles: COMPONENT -> role, as the project file says.
+        target: the target whose board it has, for a file that does not say which; if None that of the project file beside it.
         progress: told of each step.
         chain: steps of one's own, which make `analysis`; `hardware_chain()` if None.
 
     Raises:
-        SourceError: it cannot be read, or has no board and is no schematic.
+        SourceError: it cannot be read, has no board and is no schematic, or has another board than the target's.
+        UsageError: there is no such target.
     """
-    run = (chain or hardware_chain()).start(progress=progress, path=path, roles=roles or {})
+    run = (chain or hardware_chain()).start(progress=progress, path=path, roles=roles or {}, target_name=target)
     with project_of_input(path), read_once():
         return run.value("analysis", HardwareAnalysis)

@@ -201,3 +201,23 @@ def test_the_level_at_which_a_relay_rests_is_in_a_table(ending: str, tmp_path: P
         found = {c.title: c for c in load_hardware(drawn).components}
         rests = {title: facts.rest for title in ("r1", "r2") if (facts := electrical().facts(found[title])) is not None}
         assert rests == {"r1": "high", "r2": "low"}
+
+
+def test_a_table_without_a_board_is_for_the_target_that_is_given(tmp_path: Path) -> None:
+    table = tmp_path / "lamp.csv"
+    table.write_text("pin,part\nD30,Red LED\n")
+    assert [b["module_id"] for b in hardware(table, target="mega").result["boards"]] == ["mega"]
+    assert load_hardware(table, target="mega").components[0].boardName == "mega"
+    assert [f.rule for f in hardware(table, target="mega").findings if "D30" in f.message] == []
+    assert [f.rule for f in hardware(table).findings if "D30" in f.message] == ["RS223"]  # the Uno has no such pin
+    assert [b["module_id"] for b in hardware(HERE / "robot.csv", target="uno").result["boards"]] == ["uno"]
+
+
+def test_a_target_with_another_board_than_the_table_s_is_refused(tmp_path: Path) -> None:
+    table = tmp_path / "lamp.csv"
+    table.write_text("pin,part,board\nD9,Red LED,nano\n")
+    with pytest.raises(SourceError, match="the target is 'mega'") as told:
+        hardware(table, target="mega")
+    assert "--target nano" in str(told.value.fix)
+    with pytest.raises(UsageError, match="did you mean 'mega'"):
+        hardware(table, target="mgea")
