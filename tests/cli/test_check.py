@@ -139,3 +139,44 @@ def test_a_model_of_several_metamodels_is_checked_with_all_of_them(tmp_path: Pat
     assert code == 0, document["findings"]
     assert document["result"]["models"] == [{"model": "x", "elements": 2, "constraints": 0}]
     assert run("check", model, *both[:2], capsys=capsys)[0] == 3
+
+
+ODD = """<?xml version="1.0" encoding="UTF-8"?>
+<ecore:EPackage xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"
+    xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore" name="odd" nsURI="http://nowhere/odd" nsPrefix="odd">
+  <eClassifiers xsi:type="ecore:EClass" name="A">
+    <eStructuralFeatures xsi:type="ecore:EReference" name="bs" upperBound="-1" eType="#//B" containmnt="true" eOpposite="#//B/a"/>
+    <eStructuralFeatures xsi:type="ecore:EReference" name="cs" lowerBound="3" upperBound="2" eType="#//B" eOpposite="#//C/a"/>
+  </eClassifiers>
+  <eClassifiers xsi:type="ecore:EClass" name="B">
+    <eStructuralFeatures xsi:type="ecore:EReference" name="a" eType="#//A"/>
+  </eClassifiers>
+  <eClassifiers xsi:type="ecore:EClass" name="C">
+    <eStructuralFeatures xsi:type="ecore:EReference" name="a" eType="#//A" eOpposite="#//A/cs"/>
+  </eClassifiers>
+</ecore:EPackage>
+"""
+
+
+def test_what_is_odd_in_a_metamodel_is_found(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "odd.ecore").write_text(ODD)
+    _, document = run("check", tmp_path / "odd.ecore", capsys=capsys)
+    found = [(f["location"]["line"], f["message"]) for f in document["findings"] if f["rule"] == "RS607"]
+    assert found == [
+        (5, "'containmnt' is no attribute of an EReference (did you mean 'containment'?): it is read over"),
+        (5, "'odd.A.bs' names 'odd.B.a' as its opposite, which names none"),
+        (6, "'odd.A.cs' has at least 3 values and at most 2: no model has both"),
+        (6, "'odd.A.cs' has the type 'odd.B', and its opposite 'odd.C.a' is a feature of another class"),
+    ]
+
+
+def test_a_sound_metamodel_is_said_to_be_one(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "shelf.ecore").write_text(ECORE)
+    assert main(["check", str(tmp_path / "shelf.ecore")]) == 0
+    assert "nothing is wrong with this metamodel (1 classes)" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("name", ["ccode", "hardware", "platform", "migration"])
+def test_nothing_is_odd_in_the_built_in_metamodels(name: str) -> None:
+    (path,) = (Path(__file__).parents[2] / "metamodels").rglob(f"{name}.ecore")
+    assert [f.message for f in robosmi.check_model(path).findings if f.rule == "RS607"] == []

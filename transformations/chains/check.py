@@ -15,6 +15,8 @@ from robosmi.diagnostics import Finding
 from robosmi.metamodels import hardware, migration
 from robosmi.model import EmfModel, Metamodel, Model, open_model
 from robosmi.model.codegen import render
+from robosmi.model.ecore_doubts import doubts
+from robosmi.model.ecore_loader import load_metamodels
 from robosmi.model.metamodels import built_in
 from robosmi.model.versions import read_current
 from robosmi.plugins import registry
@@ -36,6 +38,8 @@ class Checked:
     def __init__(self) -> None:
         self.models: list[dict[str, Any]] = []
         self.findings: list[Finding] = Findings()
+        self.sound: str | None = None
+        """What is said of a metamodel, "" where there are findings about it; None for other models."""
 
     @property
     def result(self) -> dict[str, Any]:
@@ -44,6 +48,8 @@ class Checked:
 
     def lines(self) -> list[str]:
         """Text for a terminal."""
+        if self.sound is not None and not any(m["constraints"] for m in self.models):
+            return [self.sound] if self.sound else []
         if not any(m["constraints"] for m in self.models):
             known = ", ".join(registry().names(KIND))
             return [f"no constraints are registered for this model; there are some for: {known}"]
@@ -74,7 +80,10 @@ def _checked(file: Path, metamodels: Sequence[Path]) -> Checked:
         done.findings += read.findings
         return _validated(done, [EmfModel(read.circuit, name="hardware")])
     if file.suffix == ".ecore":
-        done.findings += render([file]).findings  # whatever keeps a metamodel from being used is an error with all its reasons
+        made = render([file])
+        odd = [*made.findings, *doubts(file, load_metamodels([file]))]
+        done.findings += odd  # whatever keeps a metamodel from being used is an error with all its reasons
+        done.sound = "" if odd else f"{file}: nothing is wrong with this metamodel ({made.classes} classes)"
     if file.suffix != ".xmi":
         return _validated(done, [open_model(file)])
     root = first_of(read_current(file, built_in(), inside=Path(os.path.realpath(file)).parent).values())
