@@ -116,7 +116,10 @@ class _Build(Struct, dict=True):
         flags = [*self._flags("machine"), *self._flags("program"), *self._flags("hooks")]
         flags += [f"-I{path}" for path in include_folders] + self._headers() + ["-isystem", str(more)]
         objects = [self.folder / f"{number}-{path.stem}.o" for number, path in enumerate(sources)]
-        jobs = [["command", *flags, "-c", str(path), "-o", str(target)] for path, target in paired(sources, objects)]
+        jobs = [
+            ["command", *flags, f"-fmacro-prefix-map={path.parent}/=", "-c", str(path), "-o", str(target)]  # of __FILE__
+            for path, target in paired(sources, objects)
+        ]
         for _ in self._map(jobs):
             pass
         joined, named = self.folder / "joined.o", self.folder / "program.o"

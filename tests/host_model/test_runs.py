@@ -51,6 +51,16 @@ def test_names_that_only_this_machine_has_are_the_program_s() -> None:
     assert run(program + "int main() { alarm(0); pause(10); low(26); }", 100).trace.pulses("P26")
 
 
+def test_files_are_called_by_their_names_without_a_folder(tmp_path: Path) -> None:
+    source, folder = tmp_path / "where.c", tmp_path / "built"
+    folder.mkdir()
+    (tmp_path / "own.h").write_text("static const char *header(void) { return __FILE__; }\n")
+    source.write_text(
+        '#include <simpletools.h>\n#include "own.h"\nint main() { print("%s %s\\n", __FILE__, header()); high(26); pause(10); }\n'
+    )
+    assert run_original(build_original([source], model(), folder), 100_000).trace.text.split() == ["where.c", "own.h"]
+
+
 def test_a_name_that_the_platform_has_is_told_with_its_line() -> None:
     program = "#include <simpletools.h>\nvoid rmdir(void *par) {}\nint main() { rmdir(0); }"
     with pytest.raises(VerificationError, match="conflicting types for 'rmdir'") as caught:
