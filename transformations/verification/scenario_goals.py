@@ -107,8 +107,24 @@ def beside(border: float, facts: Mapping[str, Any], near: tuple[float, float] | 
     Args:
         border: where the source goes another way.
         facts: of the device that shows the values: `near_percent`, by how many per cent they are off; 100 is half and twice.
+            `rounded_to`, to what programs round the values, and `off_least`, within which two boards measure the same value.
         near: by how many per cent and by how much more, where the port says it instead.
     """
     percent, more = near or (float(facts.get("near_percent", 10)), 0.0)
     factor = 1 + percent / 100
-    return max(0.0, border / factor - more) if more else border / factor, border * factor + more
+    sides = max(0.0, border / factor - more) if more else border / factor, border * factor + more
+    step, off = float(facts.get("rounded_to", 0)), float(facts.get("off_least", 0))
+    return (_clear(sides[0], border, step, off), _clear(sides[1], border, step, off)) if step else sides
+
+
+def _clear(value: float, border: float, step: float, off: float) -> float:
+    """A value beside a border that two boards round alike: where it is too near to a multiple of the step, halfway to the next.
+
+    That is the multiple nearer to the border, unless the value would be too near to that, or beyond it.
+    """
+    whole = round(value / step) * step
+    if abs(value - whole) >= off:
+        return value
+    above = 1 if value > border else -1
+    halfway = [each for each in (whole - step / 2, whole + step / 2) if above * (each - border) >= off]
+    return min(halfway, key=lambda each: abs(each - border), default=value)

@@ -49,6 +49,7 @@ class SimulatedKind(TypedDict, total=False):
     happens: bool
     rests_in: str
     rests_within: float
+    rounded_to: float
     shown: list[str]
     split: Split
     takes_text: bool

@@ -8,7 +8,7 @@ from itertools import pairwise
 import pytest
 
 from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.transformations.verification.scenario_goals import NEGATIVE, behaviour
+from robosmi.transformations.verification.scenario_goals import NEGATIVE, behaviour, beside
 from robosmi.transformations.verification.scenario_inputs import (
     ScenarioInput,
     constant,
@@ -129,3 +129,20 @@ def test_a_text_with_a_number_below_zero_is_a_goal_of_its_own() -> None:
 def test_a_program_that_goes_round_and_shows_nothing_is_looked_at_for_longer(body: str, horizon: float) -> None:
     with built(f"#include <simpletools.h>\nint main() {{ {body} }}") as program:
         assert _horizon(program, [], SearchEffort(240.0), (3_000.0, 6_000.0, 12_000.0)) == horizon
+
+
+@pytest.mark.parametrize("kind", ["ranger", "two_pin_ranger"])
+def test_values_beside_a_border_of_a_ranger_are_no_whole_centimetres(kind: str) -> None:
+    """A program that rounds them and waits that long takes another time where two boards round differently."""
+    facts = device_facts()[kind]
+    assert beside(50, facts) == (49.5, 50.5)
+    assert beside(100, facts) == (98.5, 101.5)
+    for border in range(4, 250):
+        low, high = beside(border, facts)
+        assert border / 1.02 - 0.8 <= low < border - 0.07
+        assert border + 0.07 < high <= border * 1.02 + 0.8
+        assert all(0.3 - 1e-9 <= value % 1 <= 0.7 + 1e-9 for value in (low, high))
+
+
+def test_values_beside_a_border_of_what_nobody_rounds_are_as_near_as_boards_allow() -> None:
+    assert list(beside(1020, {"near_percent": 2, "off_least": 7})) == pytest.approx([1000, 1040.4])
