@@ -11,6 +11,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, TypeAlias
 
+from robosmi.errors import UsageError
 from robosmi.model.driver import Model, TypeHandle, unknown_type
 from robosmi.model.ecore import EClass, EClassifier, EEnum, EEnumLiteral, EPackage, Package
 from robosmi.model.metamodels import Metamodels
@@ -34,6 +35,10 @@ class Metamodel(Metamodels):
     """
 
     def __init__(self, packages: Iterable[Package] = ()) -> None:
+        if isinstance(packages, (str, Path)):
+            raise UsageError("a metamodel is made of packages, and this is a path", fix="read the file: Metamodel.load(PATH)")
+        if not isinstance(packages, Iterable):
+            raise UsageError("a metamodel is made of packages, given as a list", fix="write: Metamodel([PACKAGE])")
         super().__init__(packages)
         for package in self.packages:
             if is_element(package):  # made in pyecore itself, and not a package of generated code

@@ -188,7 +188,8 @@ class _Reader:
             return self.ecore(path, referrer or Location(place))
         except Unreadable as error:
             self._refused.add(path)
-            known = f"give its metamodel (--metamodel X.ecore); known namespaces: {', '.join(self.metamodels.uris())}"
+            ways = "--metamodel X.ecore in a command, Metamodel.load('X.ecore') in Python"
+            known = f"give its metamodel ({ways}); known namespaces: {', '.join(self.metamodels.uris())}"
             self.give_up(Location(place, error.line), error.text, error.fix or known)
             return None
         self.documents[path] = document

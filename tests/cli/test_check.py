@@ -112,7 +112,10 @@ def test_a_model_of_a_metamodel_of_ones_own_is_checked_with_it(
     model.write_text('<s:Shelf xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:s="http://nowhere/shelf"/>')
     for words in (["check", str(model)], ["query", str(model), "1"]):
         assert main(words) == 3
-        assert "give its metamodel (--metamodel X.ecore)" in capsys.readouterr().err
+        assert (
+            "give its metamodel (--metamodel X.ecore in a command, Metamodel.load('X.ecore') in Python)"
+            in capsys.readouterr().err
+        )
     shelves = EVL()
 
     @shelves.context("Shelf").critique(id="SH1")

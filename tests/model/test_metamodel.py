@@ -9,7 +9,8 @@ from pyecore.ecore import EClass, EPackage
 from pyecore.resources import URI, ResourceSet
 
 from robosmi import resources
-from robosmi.errors import ModelError, SourceError
+from robosmi.errors import ModelError, SourceError, UsageError
+from robosmi.metamodels import hardware
 from robosmi.model.emf import EmfModel
 from robosmi.model.metamodel import Metamodel
 from robosmi.model.plantuml import to_plantuml
@@ -167,3 +168,10 @@ def test_an_object_diagram_shows_containment_once_and_says_what_it_leaves_out() 
 def test_a_default_is_any_text_that_emf_takes() -> None:
     data = Metamodel.load(Path(__file__).parent / "generator" / "cases" / "data_types" / "data.ecore")
     assert data.Account().real == 1.5  # "1.5f" in the file
+
+
+def test_a_metamodel_of_what_is_no_list_of_packages_is_told_what_to_write() -> None:
+    with pytest.raises(UsageError, match=r"do: write: Metamodel\(\[PACKAGE\]\)"):
+        Metamodel(hardware)  # type: ignore[arg-type]
+    with pytest.raises(UsageError, match=r"do: read the file: Metamodel\.load\(PATH\)"):
+        Metamodel("shelf.ecore")  # type: ignore[arg-type]
