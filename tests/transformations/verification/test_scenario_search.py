@@ -146,3 +146,9 @@ def test_values_beside_a_border_of_a_ranger_are_no_whole_centimetres(kind: str) 
 
 def test_values_beside_a_border_of_what_nobody_rounds_are_as_near_as_boards_allow() -> None:
     assert list(beside(1020, {"near_percent": 2, "off_least": 7})) == pytest.approx([1000, 1040.4])
+
+
+def test_all_digits_of_a_remote_are_pressed() -> None:
+    """Codes 0 to 9 are the keys 1 to 9 and 0, to which a program that drives a robot gives motions."""
+    values = device_facts()["sony_remote"]["values"]["points"]
+    assert all([code, 1] in values for code in range(10))
