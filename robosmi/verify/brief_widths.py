@@ -1,7 +1,8 @@
 """Compares servo widths that are shown for so few frames that the alignment of two runs may skip them.
 
 Such a width may be missing, since it depends on when frames begin. But one that the target shows must lie between the widths
-that the source shows around it: a width beyond these is no part of the same motion, it makes the servo twitch.
+that the source shows around it: a width beyond these is no part of the same motion, it makes the servo twitch. Marginal widths
+of a slow change are not judged: the source may pass the same width in a single frame.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ def first_stray_width(
     """
     paired = {other: own for own, other in pairs}
     for number, event in enumerate(target):
-        if event.kind != PULSES or not 0 < event.frames <= FEW_FRAMES or number in paired:
+        if event.kind != PULSES or event.barely or not 0 < event.frames <= FEW_FRAMES or number in paired:
             continue
         before = max((own for other, own in paired.items() if other < number), default=None)
         after = min((own for other, own in paired.items() if other > number), default=None)
