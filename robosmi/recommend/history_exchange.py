@@ -9,7 +9,6 @@ import csv
 import io
 from collections.abc import Iterable, Mapping
 from datetime import date
-from typing import Any
 
 from msgspec.structs import asdict, astuple
 
@@ -71,9 +70,10 @@ def from_csv(text: str, location: Location | None = None) -> list[HistoryEntry]:
             raise SourceError(f"the column '{missing[0]}' is missing", location=location, fix=f"begin with {','.join(COLUMNS)}")
         found = []
         for row in table:
-            item: dict[str, Any] = {name: csv_text(row.get(name) or "") for name in COLUMNS}
-            item["count"] = int(item["count"]) if item["count"].isascii() and item["count"].isdigit() else None
-            found.append(entry_of(item, f"line {table.line_num}", location))
+            item = {name: csv_text(row.get(name) or "") for name in COLUMNS}
+            text_of_count = item.pop("count")
+            count = int(text_of_count) if text_of_count.isascii() and text_of_count.isdigit() else None
+            found.append(entry_of(item | {"count": count}, f"line {table.line_num}", location))
         return found
     except csv.Error as error:
         raise SourceError(f"this is no CSV: {error}", location=location, fix="correct the quotes") from error

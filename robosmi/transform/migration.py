@@ -74,7 +74,10 @@ class ModelMigration(Struct, dict=True):
         Raises:
             RuleError: a rule raises, or there are not as many roots as before.
         """
-        old = Metamodel([*self._metamodel.packages, *self._new.packages])
+        given = {
+            root.eClass.ePackage.nsURI: root.eClass.ePackage for root in roots.values()
+        }  # an earlier step's, loaded on their own
+        old = Metamodel([*(given.get(p.nsURI, p) for p in self._metamodel.epackages), *self._new.packages])
         original = EmfModel(list(roots.values()), old, "Old", next(iter(roots), None))
         f = Flock(original, EmfModel((), self._new, "New"), keep_order=True)
         self.rules(f)

@@ -14,6 +14,7 @@ from robosmi.errors import RobosmiError
 from robosmi.model import Session, open_model, versions
 from robosmi.model.driver import Model
 from robosmi.model.emf import EmfModel
+from robosmi.model.metamodel import Metamodel
 from robosmi.plugins import Registry, registry
 from robosmi.query import ModelView
 from robosmi.query.expression import evaluate
@@ -59,6 +60,17 @@ def test_a_model_of_an_older_version_of_ones_own_metamodel_is_migrated(opened: C
     again = EmfModel.load(tmp_path / "new.xmi", METAMODEL, "H")
     assert evaluate("Gate.all.label", [again]) == ["front", "back"]
     assert OLD.encode() in MODEL.read_bytes()
+
+
+def test_migrations_follow_each_other(monkeypatch: pytest.MonkeyPatch) -> None:
+    first = ModelMigration(HERE / "doors1.ecore", rules, Metamodel.load(METAMODEL))
+    second = ModelMigration(METAMODEL, lambda f: f.retype("Gate", "Portal"))
+    entries = {**registry().entries, versions.KIND: {OLD: "first", OLD[:-1] + "2": "second"}}
+    monkeypatch.setattr(versions, "registry", lambda: Registry(entries))
+    monkeypatch.setattr(versions, "load", {"first": first, "second": second}.__getitem__)
+    for _ in range(2):  # the steps are kept, and their models are not
+        model = EmfModel.load(MODEL, HERE / "doors3.ecore", "H")
+        assert evaluate("Portal.all.label", [model]) == ["front", "back"]
 
 
 @pytest.mark.usefixtures("registered")
