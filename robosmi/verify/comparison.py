@@ -33,6 +33,8 @@ _RESOLUTION_MS = 0.25
 _FRAME_MS = 21.0
 _REST_MS = 5.0
 """Tolerance in ms for a low level, which ends when the program's loop comes round: the code in between takes other times."""
+_OWN_HZ = 0.05
+"""Relative difference of a wave that a program makes edge by edge, between runs of the source: its steps set the frequency."""
 RESONATOR = 0.005
 """Relative error of a board's ceramic resonator, by which times drift."""
 
@@ -136,6 +138,7 @@ def tolerances(source: Sequence[ActivityEvent], varied: Sequence[Sequence[Activi
         source: the nominal run's events.
         varied: those of runs with other costs and slightly moved inputs; each may be longer or shorter at its end.
     """
+    source = _loose_waves(source)
     times, spans = [0.0] * len(source), [0.0] * len(source)
     parts: list[tuple[float, ...]] = [()] * len(source)
     for run in varied:
@@ -157,6 +160,11 @@ def tolerances(source: Sequence[ActivityEvent], varied: Sequence[Sequence[Activi
             for at in range(own + 1, len(times)):
                 times[at] = max(times[at], off_ms)
     return [EventTolerance(2 * time, 2 * spans[at], tuple(2 * part for part in parts[at])) for at, time in enumerate(times)]
+
+
+def _loose_waves(source: Sequence[ActivityEvent]) -> list[ActivityEvent]:
+    """The events, with the waves that the program makes edge by edge as vague in their frequency as its steps are."""
+    return [replaced(each, off=(_OWN_HZ,)) if each.kind == WAVE and each.pulses else each for each in source]
 
 
 def compare(
@@ -289,6 +297,7 @@ def _ends_differ(
 ) -> bool:
     """Whether a varied run has more or fewer events, except near its end, where the others may come after it."""
     late_ms = max((each.time_ms for each in allowed), default=0.0)
+    source = _loose_waves(source)
     for run in varied:
         found = aligned(source, run)
         for events, number in ((source, found.own), (run, found.other)):

@@ -207,3 +207,13 @@ def test_how_often_a_source_says_the_same_in_a_row_is_not_sure_where_its_runs_di
     target: list[ActivityEvent], status: str
 ) -> None:
     assert compare("console", counted(100, "100"), target, [counted(96, "96"), counted(104, "104")], 4000).status == status
+
+
+@pytest.mark.parametrize(("theirs", "status"), [(120.5, "same"), (126.0, "same"), (140.0, "different")])
+def test_a_wave_of_single_edges_may_be_off_by_twice_what_the_steps_of_the_source_make_of_it(theirs: float, status: str) -> None:
+    def steps(hz: float, ended_ms: float) -> list[ActivityEvent]:
+        wave = ActivityEvent(100_000.0, WAVE, (hz, 0.5), pulses=int(hz * (ended_ms - 100) / 1000))
+        return [ActivityEvent(0.0, LEVEL, (0,)), wave, ActivityEvent(1000 * ended_ms, LEVEL, (0,))]
+
+    source, varied = steps(123.4, 1100.0), [steps(120.6, 1123.0), steps(124.8, 1089.0)]
+    assert compare("coil", source, steps(theirs, 1100.0), varied, 3000.0).status == status
