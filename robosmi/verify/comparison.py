@@ -224,7 +224,7 @@ def compare(
             difference = FirstDifference(told.at_us / 1000, channel, told.message, told.source, told.target)
             return ChannelComparison(channel, DIFFERENT, difference, max(0, len(source) - 1), greatest)
     if (stray := first_stray_width((source, *varied), target[: found.other], found.pairs)) is not None:
-        message = f"{stray}, beyond the widths that the source shows around them"
+        message = f"{stray}, beyond all widths that the source shows"
         difference = FirstDifference(stray.at_us / 1000, channel, message, None, stray)
         return ChannelComparison(channel, DIFFERENT, difference, max(0, len(source) - 1), greatest)
     matched = len(found.pairs) - bool(source and source[0].kind not in _PRINTED)
