@@ -38,6 +38,7 @@ from robosmi.transformations.verification.played_devices import signals_of
 from robosmi.transformations.verification.port_devices import (
     BoundPort,
     bound_ports,
+    numbers_understood,
     reads_console,
     resting_pins,
     texts_understood,
@@ -283,7 +284,8 @@ def _cases(
     known: frozenset[Place] = frozenset().union(*(places_reached(program, runs.nominal, ports) for _, runs in cases))
     assert plan.program is not None
     steps = most_steps(plan.program)
-    found = search(program, ports, texts_understood(plan), reads_console(plan), seed, known, budget_s, steps)
+    texts, numbers = texts_understood(plan), numbers_understood(plan)
+    found = search(program, ports, texts, reads_console(plan), seed, known, budget_s, steps, numbers)
     fresh = [(s, r) for s, r in found.scenarios if not known or not places_reached(program, r.nominal, ports) <= known]
     verdict.racy = found.racy
     made.racy_counts = found.racy_counts

@@ -21,6 +21,7 @@ from robosmi.project import read_data
 from robosmi.query import all_contents
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.code import CodeView, views
+from robosmi.transformations.queries.compared_numbers import compared_numbers
 from robosmi.transformations.queries.component_kinds import kinds_of
 from robosmi.transformations.queries.pin_uses import PinUse, pin_uses
 from robosmi.transformations.queries.plan_adapters import OwnFunctionPins, rest_levels
@@ -36,6 +37,9 @@ _MOST_TEXTS = 24
 _LEVELS = {"low": 0, "high": 1}
 _NUMBERS = (50, 70000)
 _NUMBER_LINES = ("70000\r", "-40000\r", "4\r30\r-5\r12\r7\r")
+_MOST_COMPARED = 12
+"""So many numbers that a program compares are typed, each with its neighbours."""
+_LARGEST = 2**31 - 1
 _LEVELS_DEVICE, _LEVELS_PIN = "levels", "pin"
 """What plays a port at which a program reads levels."""
 _CHANNEL = re.compile(r"AD(\d+)|.*\.channel_(\d+)")
@@ -261,6 +265,29 @@ def texts_understood(plan: migration.MigrationPlan) -> list[str]:
     Where it makes numbers of texts, each of these stands with a number behind it, too, one of them beyond 16 bits, and several
     numbers follow one another.
     """
+    shown, words, reads_numbers = _understood(plan)
+    texts = [*shown, *(f"{word}\r" for word in words)][:_MOST_TEXTS]
+    if not reads_numbers:
+        return texts
+    behind = [f"{before}{number}\r" for number in _NUMBERS for before in (*(f"{word} " for word in words), *shown)]
+    return [*texts, *_NUMBER_LINES, *behind[:_MOST_TEXTS]]
+
+
+def numbers_understood(plan: migration.MigrationPlan) -> list[tuple[str, int]]:
+    """The numbers with which a plan's program compares those that it reads, each with what may be typed before it.
+
+    That is nothing, and each text that the program may understand.
+    """
+    assert plan.program is not None
+    assert plan.source is not None
+    shown, words, _ = _understood(plan)
+    before = ["", *[*(f"{word} " for word in words), *shown, *(f"{word}\r" for word in words)][:_MOST_TEXTS]]
+    numbers = compared_numbers(plan.program, _table(str(plan.source.name)).table("console").texts("numbers", ()))
+    return [(each, number) for number in numbers[:_MOST_COMPARED] if abs(number) < _LARGEST for each in before]
+
+
+def _understood(plan: migration.MigrationPlan) -> tuple[list[str], list[str], bool]:
+    """The letters and the texts that a plan's program may understand, and whether it makes numbers of texts."""
     assert plan.program is not None
     assert plan.source is not None
     console = _table(str(plan.source.name)).table("console")
@@ -280,12 +307,7 @@ def texts_understood(plan: migration.MigrationPlan) -> list[str]:
     if of_tables:  # what is read is compared with what a variable holds
         lists = [e for unit in plan.program.units for e in all_contents(unit) if isinstance(e, ccode.InitializerList)]
         words |= {str(e.text).strip('"'): None for each in lists for e in each.elements if isinstance(e, ccode.StringLiteral)}
-    shown = [letter for letter in letters if letter.isprintable()]
-    texts = [*shown, *(f"{word}\r" for word in words)][:_MOST_TEXTS]
-    if not reads_numbers:
-        return texts
-    behind = [f"{before}{number}\r" for number in _NUMBERS for before in (*(f"{word} " for word in words), *shown)]
-    return [*texts, *_NUMBER_LINES, *behind[:_MOST_TEXTS]]
+    return [letter for letter in letters if letter.isprintable()], list(words), reads_numbers
 
 
 def _device(

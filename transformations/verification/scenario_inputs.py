@@ -22,7 +22,7 @@ Signals = Mapping[str, Mapping[str, Points]]
 
 _APART_MS = 250.0
 """Inputs do not change nearer to one another than this: which of two is seen first would be a matter of luck."""
-_TEXT_MS = 900.0
+FIRST_TEXT_MS = 900.0
 """When a text is sent that is the only thing that happens: libraries for serial lines take up to half a second to begin."""
 LONGEST_MS = 24_000.0
 """A series ends there, however many values are left."""
@@ -56,6 +56,11 @@ class ScenarioInput(Struct, frozen=True):
     def happens(self) -> bool:
         """Whether a value is something that happens at an instant."""
         return bool(device_facts().get(self.device, {}).get("happens", False))
+
+    @property
+    def takes_text(self) -> bool:
+        """Whether its values are texts that a program reads."""
+        return self.device == TYPING or bool(device_facts().get(self.device, {}).get("takes_text", False))
 
     @property
     def is_contact(self) -> bool:
@@ -117,7 +122,7 @@ def series_points(each: ScenarioInput, slower: int = 1) -> Points:
         slower: by how much longer than usual each value is held.
     """
     step = max(_APART_MS, each.hold_ms) * slower
-    times = [_TEXT_MS + number * step for number in range(len(each.series))]
+    times = [FIRST_TEXT_MS + number * step for number in range(len(each.series))]
     return tuple((at, value) for at, value in zip(times, each.series, strict=True) if at + step <= LONGEST_MS)
 
 
@@ -144,7 +149,7 @@ def random_signals(inputs: Sequence[ScenarioInput], horizon: float, chance: rand
 
 def constant(each: ScenarioInput, value: Json) -> dict[str, dict[str, Points]]:
     """Signals in which one input shows one value all the time; what happens once comes when the program has begun."""
-    return {each.name: {each.setting: ((_TEXT_MS if each.happens else 0.0, value),)}}
+    return {each.name: {each.setting: ((FIRST_TEXT_MS if each.happens else 0.0, value),)}}
 
 
 def in_turn(each: ScenarioInput, values: Sequence[Json], horizon: float) -> Points:
@@ -171,7 +176,7 @@ def turned(one: ScenarioInput, other: ScenarioInput, backwards: bool) -> dict[st
     """
     signals: dict[str, dict[str, Points]] = {}
     for each, late in ((other, False), (one, True)) if backwards else ((one, False), (other, True)):
-        begin = _TEXT_MS + late * each.hold_ms
+        begin = FIRST_TEXT_MS + late * each.hold_ms
         times = [begin + number * 2 * each.hold_ms for number in range(_QUARTERS)]
         signals.setdefault(each.name, {})[each.setting] = tuple(
             (at, value) for at, value in zip(times, each.series, strict=False)

@@ -15,6 +15,7 @@ from itertools import pairwise
 
 from msgspec import Struct
 
+from robosmi.data_text import Json
 from robosmi.doing import doing
 from robosmi.transformations.verification.original_side import LIMITS, Place, SourceRuns, places_reached, run_source, run_varied
 from robosmi.transformations.verification.port_devices import BoundPort
@@ -30,6 +31,7 @@ from robosmi.transformations.verification.scenario_goals import (
     values_told,
 )
 from robosmi.transformations.verification.scenario_inputs import (
+    FIRST_TEXT_MS,
     LONGEST_MS,
     ScenarioInput,
     Signals,
@@ -57,6 +59,8 @@ _PATIENCE = 30
 _RETRIES = 30
 _MOST_BACKGROUNDS = 4
 _MOST_SERIES = 8
+_NUMBERS_SHARE = 0.5
+"""Of the effort, behind which no more numbers are typed."""
 _PROBE_MS = 600.0
 """A short run that tells which way a program goes, beside what a device holds its value for."""
 
@@ -88,6 +92,7 @@ def search(
     known: frozenset[Place] = frozenset(),
     budget_s: float = 240.0,
     steps: int = 0,
+    numbers: Sequence[tuple[str, int]] = (),
 ) -> FoundScenarios:
     """Make scenarios for a program.
 
@@ -100,6 +105,7 @@ def search(
         known: what other scenarios reach of the source.
         budget_s: seconds of a usual machine's time, after which the search ends wherever it is; three times as long by the clock.
         steps: how many steps of a variable the program tells apart.
+        numbers: those with which it compares what is typed or sent to it, each with the text before it.
     """
     effort = SearchEffort(budget_s)
     made = _Search(program, ports, set(known), effort)
@@ -116,6 +122,9 @@ def search(
         made.try_signals(together(levels, number))
     made.try_ends(inputs)
     made.try_series(inputs)
+    for each in inputs:
+        if each.takes_text:
+            made.try_numbers(each, numbers)
     inputs = [made.with_borders(each.with_ends()) for each in inputs]
     chance = random.Random(seed)
     while inputs and made.found.tried < _MOST and made.fruitless < _PATIENCE and not effort.is_over():
@@ -219,17 +228,38 @@ class _Search:
     def try_series(self, inputs: Sequence[ScenarioInput]) -> None:
         """Let each input show one value after the other, slower where the program does not come along."""
         for each in [each for each in inputs if each.series][:_MOST_SERIES]:
-            for slower in (1, 2, 4):
-                points, racy = series_points(each, slower), self.found.racy
-                ends_ms = min(LONGEST_MS, 1000 * math.ceil(points[-1][0] / 1000 + 1)) if points else 0.0
-                goal: Place = (SERIES, each.name, each.setting)
-                self.try_signals({each.name: {each.setting: points}}, frozenset([goal]), max(self.horizon, ends_ms))
-                if self.found.racy == racy:
-                    break
+            self._try_in_series(each, (SERIES, each.name, each.setting), (1, 2, 4))
         contacts = [each for each in inputs if each.is_contact and each.series][:_MOST_SERIES]
         for one, other in pairwise(contacts):
             for backwards in (False, True):
                 self.try_signals(turned(one, other, backwards))
+
+    def try_numbers(self, each: ScenarioInput, numbers: Sequence[tuple[str, int]]) -> None:
+        """Let an input give the numbers around each one at which the source goes another way.
+
+        Where several texts with a number lead the source the same ways, as where it does not heed what stands before the number,
+        the first one does for all.
+        """
+        known: set[tuple[int, frozenset[Place]]] = set()
+        for before, number in numbers:
+            if self.effort.is_over(_NUMBERS_SHARE):
+                return
+            texts = [f"{before}{number + more}\r" for more in (-1, 0, 1)]
+            ways = [self._probe(each, text, {}) for text in texts]
+            apart = frozenset().union(*ways) - ways[0].intersection(*ways)
+            if apart and (number, apart) not in known:
+                known.add((number, apart))
+                there: Place = (BESIDE, each.name, each.setting, texts[1])
+                self._try_in_series(replaced(each, series=tuple(texts)), there, (4, 16))
+
+    def _try_in_series(self, each: ScenarioInput, goal: Place, slower: Sequence[int]) -> None:
+        """Let an input show one value after the other, slower where the program does not come along."""
+        for times in slower:
+            points, racy = series_points(each, times), self.found.racy
+            ends_ms = min(LONGEST_MS, 1000 * math.ceil(points[-1][0] / 1000 + 1)) if points else 0.0
+            self.try_signals({each.name: {each.setting: points}}, frozenset([goal]), max(self.horizon, ends_ms))
+            if self.found.racy == racy:
+                break
 
     def with_borders(self, each: ScenarioInput) -> ScenarioInput:
         """Halve the span between two values at which the source goes different ways, down to where these meet.
@@ -278,11 +308,11 @@ class _Search:
             self.try_signals({**background, **turns}, frozenset([there]))
         return values
 
-    def _probe(self, each: ScenarioInput, value: float, background: Signals) -> frozenset[Place]:
+    def _probe(self, each: ScenarioInput, value: Json, background: Signals) -> frozenset[Place]:
         """What a short run reaches in which an input shows one value, and what it tells; nothing when the search is over."""
         if self.effort.is_over():
             return frozenset()
-        lasts = self.probe_ms + (each.hold_ms if each.hold_ms > 1000 else 0)
+        lasts = self.probe_ms + (FIRST_TEXT_MS if each.happens else each.hold_ms if each.hold_ms > 1000 else 0)
         scenario = Scenario("probe", min(self.horizon, lasts), {**background, **constant(each, value)})
         run = run_source(self.program, self.ports, scenario)
         self.effort.add(run)
