@@ -22,6 +22,7 @@ from robosmi.errors import InternalError, MissingToolError, VerificationError
 from robosmi.typed import distinct, kept, matches, paired
 from robosmi.verify import archives
 from robosmi.verify.host_model import HostModel
+from robosmi.verify.machine_faults import check_machine
 from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.tools import run, tool_version
 
@@ -267,7 +268,7 @@ class _Build(Struct, dict=True):
 
     def _start(self, command: Sequence[str]) -> subprocess.CompletedProcess[str]:
         try:
-            return run(command, self.folder, _environment(), self.until - monotonic())
+            return check_machine(command[0], run(command, self.folder, _environment(), self.until - monotonic()))
         except MissingToolError as error:
             raise MissingToolError(error.message, fix=self.model.install) from error
 

@@ -9,6 +9,7 @@ visible here, such as one in another container.
 from __future__ import annotations
 
 import atexit
+import errno
 import os
 import re
 import shutil
@@ -19,7 +20,9 @@ from pathlib import Path
 from secrets import token_hex
 from time import time
 
-from robosmi.typed import kept
+from robosmi.diagnostics import Location
+from robosmi.errors import SourceError
+from robosmi.typed import attribute_of, kept
 
 try:
     import fcntl
@@ -33,6 +36,11 @@ _MADE_S = 10.0
 """So long at most a folder may be there before it is locked."""
 
 
+_NO_SPACE = (errno.ENOSPC, errno.EDQUOT)
+_LEAST_SPACE = 2**16
+"""A disk with less bytes is full: what was written in part may have been removed again."""
+
+
 _OPEN: set[Path] = set()
 """The folders of this process that are still there: an interruption may come while one is made or removed."""
 
@@ -43,6 +51,9 @@ def temporary_folder(what: str) -> Iterator[str]:
 
     Args:
         what: a word in lower case that tells what it is for.
+
+    Raises:
+        SourceError: there is no space for the folder, or for a file in it.
     """
     _sweep_once(os.getpid())
     locks = fcntl is not None
@@ -53,10 +64,24 @@ def temporary_folder(what: str) -> Iterator[str]:
         path.mkdir(mode=0o700)
         lock = _locked(path)
         yield str(path)
+    except OSError as error:
+        if error.errno not in _NO_SPACE or not _is_about(error, path):
+            raise
+        raise SourceError(
+            f"a file cannot be written in the folder for temporary files: {error.strerror}", location=Location(str(path.parent)),
+            fix="make space there, or let TMPDIR name a folder with more",
+        ) from error  # fmt: skip
     finally:
         _remove(path)
         if lock is not None:
             os.close(lock)
+
+
+def _is_about(error: OSError, folder: Path) -> bool:
+    """Whether an error is about a file in a temporary folder: by its name, else (a write has none) by the space that is left."""
+    if (name := attribute_of(error, "filename", str)) is not None:
+        return Path(name).is_relative_to(folder)
+    return shutil.disk_usage(folder.parent).free < _LEAST_SPACE
 
 
 def _locked(path: Path) -> int | None:

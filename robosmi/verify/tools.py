@@ -19,6 +19,7 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, VerificationError
 from robosmi.typed import distinct, matches
+from robosmi.verify.machine_faults import check_machine
 from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.toolchain_data import Toolchain, ToolEntry, places
 
@@ -43,8 +44,12 @@ class Installed(NamedTuple):
     environment: Mapping[str, str]
 
     def run(self, tool: str, arguments: Sequence[str], cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
-        """Run a tool to its end, with its output as text."""
-        return run([self.commands[tool], *arguments], cwd, self.environment)
+        """Run a tool to its end, with its output as text.
+
+        Raises:
+            SourceError: the machine let it down, as a full disk does.
+        """
+        return check_machine(self.commands[tool], run([self.commands[tool], *arguments], cwd, self.environment))
 
 
 def run(

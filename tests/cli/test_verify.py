@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 
-from tests.running import run
+from tests.running import run, tree
 from tests.tools import require_verification
 
 HERE = Path(__file__).parent
@@ -133,6 +135,17 @@ def test_scenarios_are_made_stored_and_used_again(out: Path) -> None:
     again = run("verify", out, "--json").result
     assert {s["origin"] for s in again["scenarios"]} == {"stored"}
     assert sorted((out / "models" / "scenarios").glob("*.toml")) == stored
+
+
+def test_two_runs_at_once_store_each_scenario_once(out: Path, tmp_path: Path) -> None:
+    shutil.copytree(out, tmp_path / "alone")
+    assert run("verify", tmp_path / "alone").code == 0
+    command = [sys.executable, "-m", "robosmi", "verify", str(out)]
+    both = [subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) for _ in range(2)]
+    for each in both:
+        said, _ = each.communicate(timeout=300)
+        assert each.returncode == 0, said
+    assert tree(out / "models" / "scenarios") == tree(tmp_path / "alone" / "models" / "scenarios")
 
 
 def test_what_does_not_compile_is_said(out: Path, pressed: Path) -> None:

@@ -10,6 +10,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -167,16 +168,46 @@ def test_a_full_disk_leaves_what_was_there(before: bool, out: Path) -> None:
     assert tree(out / "after") == tree(out / "before")
 
 
-def test_where_the_compiler_itself_has_no_space_that_is_said_and_no_program_is_left(out: Path) -> None:
+def test_where_the_compiler_may_write_no_long_file_the_program_is_not_blamed(out: Path) -> None:
     def little_space() -> None:
         signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
         resource.setrlimit(resource.RLIMIT_FSIZE, (3000, 3000))
 
     command = [sys.executable, "-m", "robosmi", "compile", str(out)]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, preexec_fn=little_space, check=False)
-    assert done.returncode == 6
-    assert "File size limit exceeded" in done.stdout
-    assert [path.name for path in (out / "build").iterdir()] == ["compile_commands.json"]
+    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}  # Python stores cut ones without a word
+    done = subprocess.run(
+        command, cwd=ROOT, env=environment, capture_output=True, text=True, preexec_fn=little_space, check=False
+    )
+    assert done.returncode == 3
+    assert f"error: {tempfile.gettempdir()}: 'avr-g" in done.stderr
+    assert "was ended by the system: File size limit exceeded" in done.stderr
+    assert "(ulimit -f)" in done.stderr
+    assert not list(out.glob("build/*"))
+
+
+FULL_TEMPORARY = """
+mkdir "$1/small"
+mount -t tmpfs -o size="$3"k none "$1/small" || exit 99
+mkdir "$1/small/tmp"
+dd if=/dev/zero of="$1/small/filler" bs=1k count="$4" 2>"$1/dd"
+TMPDIR="$1/small/tmp" "$2" -m robosmi compile "$1"
+"""
+
+
+@pytest.mark.parametrize(("size_k", "taken_k"), [(300, 296), (300, 290), (300, 276), (300, 240)])
+def test_a_full_folder_for_temporary_files_is_no_fault_of_the_program(size_k: int, taken_k: int, out: Path) -> None:
+    require_tools("unshare")
+    done = subprocess.run(
+        ["unshare", "-rm", "sh", "-c", FULL_TEMPORARY, "sh", str(out), sys.executable, str(size_k), str(taken_k)],
+        cwd=ROOT, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    if done.returncode in (1, 99) and ("unshare" in done.stderr or "mount" in done.stderr):
+        pytest.skip(f"no file system of one's own here: {done.stderr}")
+    assert done.returncode == 3, done.stdout + done.stderr
+    assert f"error: {out / 'small' / 'tmp'}: " in done.stderr
+    assert "No space left on device" in done.stderr
+    assert "let TMPDIR name a folder with more" in done.stderr
+    assert "variant" not in done.stderr
 
 
 def test_a_place_that_cannot_be_written(out: Path) -> None:

@@ -17,6 +17,7 @@ from robosmi.doing import doing
 from robosmi.errors import SourceError, VerificationError
 from robosmi.metamodels import migration, platform
 from robosmi.model.files import write_atomic
+from robosmi.model.runs import alone
 from robosmi.transformations.chains.models import MigrationModels, stored_models
 from robosmi.transformations.chains.output import Generated, produce
 from robosmi.transformations.chains.simulate import plan_beside
@@ -48,7 +49,7 @@ from robosmi.transformations.verification.scenario_verdicts import Case, Compare
 from robosmi.transformations.verification.source_reached import cover
 from robosmi.transformations.verification.target_side import LIMIT_S, TargetSide
 from robosmi.trust import acting
-from robosmi.typed import sum_of
+from robosmi.typed import replaced, sum_of
 from robosmi.verify.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.libraries import STAND_IN
@@ -300,19 +301,30 @@ def _cases(
 
 
 def _store(scenarios: Sequence[Scenario], folder: Path, done: Verified) -> None:
-    """Write each new scenario to a file beside the models."""
+    """Write each new scenario to a file beside the models, but for those that another run has stored meanwhile."""
+    if not scenarios:
+        return
     try:
-        for scenario in scenarios:
-            number = 1
-            while (path := folder / f"generated_{number:02}.toml").exists():
-                number += 1
-            folder.mkdir(exist_ok=True)
-            write_atomic(path, scenario.text().encode())
-            done.written.append((path, "scenario"))
+        with alone(folder.parent.parent):
+            stored = {_played(read_scenario(path)) for path in folder.glob("*.toml")}
+            for scenario in scenarios:
+                if _played(scenario) in stored:
+                    continue
+                number = 1
+                while (path := folder / f"generated_{number:02}.toml").exists():
+                    number += 1
+                folder.mkdir(exist_ok=True)
+                write_atomic(path, scenario.text().encode())
+                done.written.append((path, "scenario"))
     except OSError as error:
         raise SourceError(
             f"the scenarios cannot be stored: {error.strerror or error}", fix="check the folder's permissions"
         ) from error
+
+
+def _played(scenario: Scenario) -> str:
+    """What happens in a scenario, whatever it is called."""
+    return replaced(scenario, name="").text()
 
 
 def _shown(verdict: Verdict) -> int:

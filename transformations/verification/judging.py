@@ -236,7 +236,14 @@ def why_nothing_was_compared(verdict: Verdict, ports: Sequence[BoundPort]) -> st
         ports: the ports.
     """
     idle = [str(channel["name"]) for channel in verdict.channels()]
-    parts = [f"{', '.join(idle)}: nothing happens in any scenario (give one in which it does: --scenario FILE)"] if idle else []
+    where = "in any scenario (give one in which it does: --scenario FILE)"
+    if verdict.racy:
+        others = f"{verdict.racy} other{'s' * (verdict.racy != 1)}"
+        where = (
+            f"in the scenarios that are left; in {others} the source differs from itself, by chance or by exact times "
+            "(give one in which it does the same each time: --scenario FILE, or look at it on the bench)"
+        )
+    parts = [f"{', '.join(idle)}: nothing happens {where}"] if idle else []
     if none := [port.title for port in ports if not port.target and port.given_up]:
         parts.append(f"{', '.join(none)}: on no pin of the target, as the plan says")
     if unbound := [port for port in ports if not port.target and not port.given_up]:

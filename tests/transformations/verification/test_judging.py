@@ -8,10 +8,11 @@ from msgspec.structs import replace
 from robosmi.transformations.verification.judging import judged, why_nothing_was_compared
 from robosmi.transformations.verification.original_side import SourceRuns, channel_events
 from robosmi.transformations.verification.port_devices import BoundPort
+from robosmi.verify.comparison import ChannelComparison
 from robosmi.verify.original_run import OriginalRun
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import ConsoleByte, PinChange, PinTrace
-from robosmi.verify.verdict import Verdict
+from robosmi.verify.verdict import ScenarioVerdict, Verdict
 
 SCENARIO = Scenario("s", 1000.0)
 
@@ -110,6 +111,15 @@ def test_only_an_open_port_is_advised_to_be_bound() -> None:
     assert "--bind P3=PIN" in said
     assert "--bind P21" not in said
     assert "P21: on no pin of the target, as the plan says" in said
+
+
+@pytest.mark.parametrize(("racy", "said"), [(0, "in any scenario (give one"), (1, "in 1 other the"), (26, "in 26 others the")])
+def test_where_racy_scenarios_were_dropped_nobody_is_told_that_nothing_happens_in_any(racy: int, said: str) -> None:
+    idle = ScenarioVerdict(SCENARIO, "no-difference-found", (ChannelComparison("P5", "not-exercised"),), 1000.0)
+    reason = why_nothing_was_compared(Verdict([idle], racy=racy), [])
+    assert said in reason
+    assert ("in any scenario" in reason) == (racy == 0)
+    assert "--scenario FILE" in reason
 
 
 def at_pins(**levels: tuple[tuple[float, int | str], ...]) -> PinTrace:
