@@ -22,6 +22,7 @@ SOURCES = {
     "every_verdict": [PROGRAMS / "every_verdict" / name for name in ("every_verdict.c", "wheel.c")],
     "whole_main": [PROGRAMS / "whole_main.c"],
     "left_main": [PROGRAMS / "left_main.c"],
+    "own_header": [Path(__file__).parents[2] / "cli" / "own_header" / "signal.c"],
 }
 
 
