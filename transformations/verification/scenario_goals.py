@@ -114,17 +114,25 @@ def beside(border: float, facts: Mapping[str, Any], near: tuple[float, float] | 
     factor = 1 + percent / 100
     sides = max(0.0, border / factor - more) if more else border / factor, border * factor + more
     step, off = float(facts.get("rounded_to", 0)), float(facts.get("off_least", 0))
-    return (_clear(sides[0], border, step, off), _clear(sides[1], border, step, off)) if step else sides
+    sure = off + border * float(facts.get("off_percent", 0)) / 100
+    return (_clear(sides[0], border, step, off, sure), _clear(sides[1], border, step, off, sure)) if step else sides
 
 
-def _clear(value: float, border: float, step: float, off: float) -> float:
+def _clear(value: float, border: float, step: float, off: float, sure: float) -> float:
     """A value beside a border that two boards round alike: where it is too near to a multiple of the step, halfway to the next.
 
-    That is the multiple nearer to the border, unless the value would be too near to that, or beyond it.
+    Of the two such values it is the one nearer to the border that is further from it than two boards differ.
+
+    Args:
+        value: beside the border.
+        border: where the source goes another way.
+        step: programs round to its multiples.
+        off: the distance from a multiple below which two boards may round differently.
+        sure: the distance from the border beyond which both boards are on the same side of it.
     """
     whole = round(value / step) * step
     if abs(value - whole) >= off:
         return value
     above = 1 if value > border else -1
-    halfway = [each for each in (whole - step / 2, whole + step / 2) if above * (each - border) >= off]
+    halfway = [each for each in (whole - step / 2, whole + step / 2) if above * (each - border) >= sure]
     return min(halfway, key=lambda each: abs(each - border), default=value)
