@@ -11,7 +11,7 @@ from robosmi.errors import ModelError
 from robosmi.model.emf import EmfModel
 from robosmi.query import ModelView
 
-ECORE = Path(__file__).parent / "damaged" / "box.ecore"
+ECORE = Path(__file__).parent / "damaged" / "no_default.ecore"
 
 
 def test_check_tells_a_default_that_is_no_value() -> None:

@@ -33,6 +33,7 @@ ODD = {
     "lambda": "names that are none in Java",
     "generics": "a wildcard in the place of a type",
     "defaults": "defaults that are no values",
+    "no_default": "a default that is no value",
 }
 """Files that are so on purpose, and what EMF's validation has against them."""
 USED = [
