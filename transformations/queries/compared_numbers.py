@@ -11,10 +11,10 @@ from collections.abc import Collection, Iterator
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.query import all_contents
+from robosmi.transformations.queries.numbers import COMPARISONS
+from robosmi.transformations.queries.place_names import named, names_within
 from robosmi.transformations.queries.values import Values
 from robosmi.typed import distinct
-
-_COMPARISONS = frozenset(["==", "!=", "<", ">", "<=", ">="])
 
 
 def compared_numbers(program: ccode.Program, reads: Collection[str]) -> list[int]:
@@ -24,17 +24,17 @@ def compared_numbers(program: ccode.Program, reads: Collection[str]) -> list[int
         program: the program.
         reads: the names of the functions that read numbers, and give them as results or through arguments.
     """
-    elements = [element for unit in program.units for element in all_contents(unit)]
+    units = [(unit, list(all_contents(unit))) for unit in program.units]
     holders = {f"{name}()" for name in reads}
     known = 0
     while known < len(holders):
         known = len(holders)
-        for element in elements:
+        for element in (each for _, elements in units for each in elements):
             holders.update(_given(element, holders, reads))
     found: list[int] = []
-    for unit in program.units:
+    for unit, elements in units:
         values = Values(program, unit)
-        for element in all_contents(unit):
+        for element in elements:
             for constant in _compared(element, holders):
                 if not any(isinstance(each, ccode.CharacterLiteral) for each in (constant, *all_contents(constant))):
                     found += [value.number for value in values.of(constant) if value.number is not None]
@@ -64,7 +64,7 @@ def _given(element: Element, holders: set[str], reads: Collection[str]) -> Itera
 
 def _compared(element: Element, holders: set[str]) -> Iterator[Element]:
     """The expressions with which an element compares a number that was read."""
-    if isinstance(element, ccode.Binary) and str(element.operator) in _COMPARISONS:
+    if isinstance(element, ccode.Binary) and str(element.operator) in COMPARISONS:
         for side, other in ((element.left, element.right), (element.right, element.left)):
             if other is not None and _holds(side, holders):
                 yield other
@@ -82,19 +82,9 @@ def _holder(expression: Element | None) -> Iterator[str]:
     """The name of the variable or member that an expression denotes, or points to; a member's name begins with a point."""
     while isinstance(expression, (ccode.Index, ccode.Unary, ccode.Cast)):
         expression = expression.array if isinstance(expression, ccode.Index) else expression.operand
-    yield from _name(expression)
+    yield from named(expression)
 
 
 def _holds(expression: Element | None, holders: set[str]) -> bool:
     """Whether an expression has a number that was read."""
-    within = () if expression is None else (expression, *all_contents(expression))
-    return any(name in holders for each in within for name in _name(each))
-
-
-def _name(expression: Element | None) -> Iterator[str]:
-    if isinstance(expression, ccode.NameReference):
-        yield str(expression.name)
-    elif isinstance(expression, ccode.Member):
-        yield f".{expression.name}"
-    elif isinstance(expression, ccode.Call):
-        yield f"{expression.calleeName}()"
+    return not holders.isdisjoint(names_within(expression))

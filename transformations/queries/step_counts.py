@@ -13,9 +13,10 @@ from collections.abc import Iterator
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.query import all_contents
+from robosmi.transformations.queries.numbers import COMPARISONS
+from robosmi.transformations.queries.place_names import named, names_within
 from robosmi.transformations.queries.values import Values
 
-_COMPARISONS = frozenset(["==", "!=", "<", ">", "<=", ">="])
 _STEPS = frozenset(["+=", "-="])
 _SIZE = re.compile(r"\[\s*(\d+)\s*\]")
 _STATES = 3
@@ -46,12 +47,12 @@ def _moved(elements: list[Element], values: Values) -> set[str]:
     constants: dict[str, set[int]] = {}
     for element in elements:
         if isinstance(element, ccode.Unary) and str(element.operator) in ("++", "--") and not _counts_a_loop(element):
-            moved.update(_named(element.operand))
+            moved.update(named(element.operand))
         elif isinstance(element, ccode.Assignment) and not _counts_a_loop(element):
-            name = next(_named(element.left), None)
+            name = next(named(element.left), None)
             if name is None:
                 continue
-            if str(element.operator) in _STEPS or name in set(_names_within(element.right)):
+            if str(element.operator) in _STEPS or name in names_within(element.right):
                 moved.add(name)
             constants.setdefault(name, set()).update(v.number for v in values.of(element.right) if v.number is not None)
     return moved | {name for name, numbers in constants.items() if len(numbers) >= _STATES}
@@ -61,18 +62,18 @@ def _told_apart(element: Element, moved: set[str], values: Values) -> Iterator[i
     """The numbers of steps after which an element distinguishes values of an advanced variable."""
     if isinstance(element, ccode.Binary):
         for side, other in ((element.left, element.right), (element.right, element.left)):
-            if moved.isdisjoint(_names_within(side)):
+            if moved.isdisjoint(names_within(side)):
                 continue
             numbers = [v.number for v in values.of(other) if v.number is not None]
-            if str(element.operator) in _COMPARISONS:
+            if str(element.operator) in COMPARISONS:
                 yield from (number + 1 for number in numbers)
             elif str(element.operator) == "%" and side is element.left:
                 yield from numbers
-    elif isinstance(element, ccode.Switch) and not moved.isdisjoint(_names_within(element.selector)):
+    elif isinstance(element, ccode.Switch) and not moved.isdisjoint(names_within(element.selector)):
         for case in all_contents(element):
             if isinstance(case, ccode.Case):
                 yield from (v.number + 1 for v in values.of(case.constant) if v.number is not None)
-    elif isinstance(element, ccode.Index) and not moved.isdisjoint(_names_within(element.index)):
+    elif isinstance(element, ccode.Index) and not moved.isdisjoint(names_within(element.index)):
         target = element.array.target if isinstance(element.array, ccode.NameReference) else None
         if isinstance(target, ccode.Variable) and target.valueType is not None:
             size = _SIZE.match(str(target.valueType.arrayDims))
@@ -88,19 +89,3 @@ def _counts_a_loop(element: Element) -> bool:
             return True
         within = holder
     return False
-
-
-def _named(expression: Element | None) -> Iterator[str]:
-    """The name that an expression denotes: of a variable, or of a member with a point before it."""
-    if isinstance(expression, ccode.NameReference):
-        yield str(expression.name)
-    elif isinstance(expression, ccode.Member):
-        yield f".{expression.name}"
-
-
-def _names_within(expression: Element | None) -> Iterator[str]:
-    """The names of the variables and members in an expression; a member's name begins with a point."""
-    if expression is None:
-        return
-    for each in (expression, *all_contents(expression)):
-        yield from _named(each)

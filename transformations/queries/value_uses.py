@@ -11,10 +11,10 @@ from robosmi.model.strict import Element
 from robosmi.query import all_contents, ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.flow_reader import FlowReader
+from robosmi.transformations.queries.numbers import COMPARISONS
 from robosmi.transformations.queries.pointers import gives_access
 from robosmi.typed import class_name
 
-_COMPARISONS = frozenset(["==", "!=", "<", ">", "<=", ">="])
 _LOGICAL = frozenset(["&&", "||"])
 _HARMLESS = frozenset(["Cast", "Variable", "Return", "ExpressionStatement", "SizeOf", "Member"])
 _TESTS = frozenset(["If", "While", "DoWhile", "For", "Switch", "Case"])
@@ -78,7 +78,7 @@ class ValueUses:
             operator = str(parent.operator)
             if operator == ",":
                 return ""
-            if operator in _COMPARISONS:
+            if operator in COMPARISONS:
                 return f"{name} is compared {line}"
             return f"{name} is {'tested' if operator in _LOGICAL else 'calculated with'} {line}"
         if isinstance(parent, ccode.Call):
