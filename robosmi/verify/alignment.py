@@ -23,7 +23,7 @@ _NUMBER = re.compile(r"(?<![\w.])-?\d{1,15}(?:\.\d{1,15})?(?![\w.])")
 _DUTY = 0.02
 _FASTEST_HZ = 5_000.0
 """Edges that a program makes itself at a higher rate are only counted, since the source's exact speed is not known."""
-FEW_FRAMES = 2
+_FEW_FRAMES = 2
 """A servo width with at most this many frames may have one less, and so be invisible, when the frames begin at another time."""
 _OWN_STEPS_US = 50.0
 """The most by which a width varies with the cost of the program's steps: twice as much is not known of the source's times."""
@@ -38,13 +38,12 @@ def alike(one: ActivityEvent, other: ActivityEvent) -> bool:
         return False
     if one.kind == WAVE:
         (hz, duty), (other_hz, other_duty) = one.value, other.value
-        loose = one.off[0] if one.off else other.off[0] if other.off else 0.0
+        loose = _looseness(one, other)
         near = abs(float(hz) - float(other_hz)) <= (_HZ + loose) * max(float(hz), float(other_hz))
         return near and abs(float(duty) - float(other_duty)) <= _DUTY
     if one.kind == PULSES:
-        loose = one.off[0] if one.off else other.off[0] if other.off else 0.0
         width = float(one.value[0])
-        return abs(width - float(other.value[0])) <= tolerated_us(width) + loose * width
+        return abs(width - float(other.value[0])) <= tolerated_us(width) + _looseness(one, other) * width
     if one.kind == HELD:
         return one.value[0] == other.value[0] and lengths_alike(float(one.value[1]), float(other.value[1]))
     if one.kind == PULSE:
@@ -53,6 +52,11 @@ def alike(one: ActivityEvent, other: ActivityEvent) -> bool:
         told = one if one.exact or one.off else other
         return _reads_alike(str(one.value[0]), str(other.value[0]), told)
     return one.value == other.value
+
+
+def _looseness(one: ActivityEvent, other: ActivityEvent) -> float:
+    """The relative tolerance of a wave or width in addition to the usual one: that of the first event which has one."""
+    return next((each.off[0] for each in (one, other) if each.off), 0.0)
 
 
 def _reads_alike(one: str, other: str, told: ActivityEvent) -> bool:
@@ -213,10 +217,15 @@ def _pairs(way: _Way | None) -> list[tuple[int, int]]:
     return found[::-1]
 
 
+def is_brief(event: ActivityEvent) -> bool:
+    """Whether an event is a servo width that is shown for so few frames that another run may not show it."""
+    return event.kind == PULSES and 0 < event.frames <= _FEW_FRAMES
+
+
 def _needless(events: Sequence[ActivityEvent], number: int, last: int) -> bool:
     """Whether an event may lack a counterpart: it is marginal, very short, or repeats the value from before such an event."""
     event = events[number]
-    if event.barely or (event.kind == PULSES and 0 < event.frames <= FEW_FRAMES):
+    if event.barely or is_brief(event):
         return True
     before = number if event.kind == PULSES else number - 1  # what is between two widths that are the same may not be seen
     return before > last >= 0 and alike(event, events[last])

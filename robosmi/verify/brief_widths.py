@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from robosmi.verify.activity import PULSES, ActivityEvent
-from robosmi.verify.alignment import FEW_FRAMES
+from robosmi.verify.alignment import is_brief
 
 _BEYOND_US = 20.0
 """How far beyond the source's widths one may lie, in microseconds: the distance of the marks by which ramps are compared."""
@@ -32,7 +32,7 @@ def first_stray_width(
     least, most = min(widths) - _BEYOND_US, max(widths) + _BEYOND_US
     paired = {other for _, other in pairs}
     for number, event in enumerate(target):
-        brief = event.kind == PULSES and not event.barely and 0 < event.frames <= FEW_FRAMES
-        if brief and number not in paired and not least <= float(event.value[0]) <= most:
+        judged = is_brief(event) and not event.barely and number not in paired
+        if judged and not least <= float(event.value[0]) <= most:
             return event
     return None

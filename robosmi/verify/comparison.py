@@ -138,7 +138,6 @@ def tolerances(source: Sequence[ActivityEvent], varied: Sequence[Sequence[Activi
         source: the nominal run's events.
         varied: those of runs with other costs and slightly moved inputs; each may be longer or shorter at its end.
     """
-    source = _loose_waves(source)
     times, spans = [0.0] * len(source), [0.0] * len(source)
     parts: list[tuple[float, ...]] = [()] * len(source)
     for run in varied:
@@ -186,10 +185,11 @@ def compare(
             what the source does after it.
         loop: how the program waits for what it drives, if it does.
     """
-    allowed = tolerances(source, varied)
+    vague = _loose_waves(source)
+    allowed = tolerances(vague, varied)
     if allowed is not None and loop is not None:
         allowed = loop.loosened(source, allowed)
-    if allowed is None or _ends_differ(source, varied, horizon_ms, allowed):
+    if allowed is None or _ends_differ(vague, varied, horizon_ms, allowed):
         return _racy(channel, source, target, varied, horizon_ms)
     off = allowed or [EventTolerance()]
     source = [replaced(event, off=allowed[at].parts or event.off) for at, event in enumerate(source)]
@@ -297,7 +297,6 @@ def _ends_differ(
 ) -> bool:
     """Whether a varied run has more or fewer events, except near its end, where the others may come after it."""
     late_ms = max((each.time_ms for each in allowed), default=0.0)
-    source = _loose_waves(source)
     for run in varied:
         found = aligned(source, run)
         for events, number in ((source, found.own), (run, found.other)):

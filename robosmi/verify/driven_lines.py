@@ -13,7 +13,7 @@ from statistics import median
 
 from robosmi.typed import replaced, sum_of
 from robosmi.verify.activity import HELD, LEVEL, PULSE, ActivityEvent
-from robosmi.verify.pulses import few_periods
+from robosmi.verify.pulses import TONE_DUTY, few_periods
 from robosmi.verify.servo_widths import EQUAL_US
 from robosmi.verify.simulation import PinTrace
 
@@ -28,7 +28,7 @@ _LEAST_PAUSE_US, _PAUSES, _CLEAR = 500_000.0, 5, 1.5
 
 The end is marginal if the pause is less than the third times this limit.
 """
-_TONE_DUTY, _TONE_STEADY = (0.4, 0.6), 1.3
+_TONE_STEADY = 1.3
 """The duty cycle of a tone, and the factor within which its periods are equal to the neighbouring ones."""
 _TONE_PULSES = 3
 """The least number of pulses of a tone."""
@@ -100,7 +100,7 @@ def _without_tones(held: list[tuple[float, float]], longest: float = inf) -> lis
     for at, period in enumerate(periods):
         near = [periods[other] for other in (at - 1, at + 1) if 0 <= other < len(periods)]
         steady = any(period / _TONE_STEADY <= each <= period * _TONE_STEADY for each in near)
-        tone[at] = steady and _TONE_DUTY[0] <= held[at][1] / period <= _TONE_DUTY[1]
+        tone[at] = steady and TONE_DUTY[0] <= held[at][1] / period <= TONE_DUTY[1]
     whole = [sum_of(tone[at : at + _TONE_PULSES]) == _TONE_PULSES for at in range(len(tone))]
     sure = [any(whole[max(0, at - _TONE_PULSES + 1) : at + 1]) for at in range(len(tone))]
 

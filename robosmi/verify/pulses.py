@@ -27,7 +27,7 @@ _FAST_US = 200.0
 """Waves with a period up to this are fast: a single interrupt stretches it by a large part."""
 _FAST_AHEAD = 20
 _STRETCHED = 2.2
-_TONE_DUTY = (0.4, 0.6)
+TONE_DUTY = (0.4, 0.6)
 _APART, _DELAYED_US = 3, 100.0
 """A pulse stands apart from a tone after so many of its periods, and is longer than its pulses if it is longer than they become
 by an interrupt."""
@@ -72,17 +72,17 @@ def pulses_of(trace: PinTrace, pin: str) -> list[Pulse]:
     if up is not None:
         high.append(Pulse(up, trace.simulated_us))
     outside = [p for p in high if not any(w.begin <= p.begin < w.end for w in waves)] if waves else high
-    made = [pulse for number in range(len(waves)) for pulse in _few_periods(waves, number) if pulse.end > pulse.begin]
+    made = [pulse for number in range(len(waves)) for pulse in _high_times(waves, number) if pulse.end > pulse.begin]
     return sorted([*made, *outside], key=lambda pulse: pulse.begin)
 
 
 def few_periods(trace: PinTrace, pin: str) -> list[Pulse]:
     """The high times of a timer's tones at a pin that have fewer periods than a wave needs, in order of time."""
-    edges = {(at_us, level) for at_us, level in trace.levels(pin) if level == 1}
-    return [pulse for pulse in pulses_of(trace, pin) if pulse.hz == 0 and (pulse.begin, 1) not in edges]
+    edges = {at_us for at_us, level in trace.levels(pin) if level == 1}
+    return [pulse for pulse in pulses_of(trace, pin) if pulse.hz == 0 and pulse.begin not in edges]
 
 
-def _few_periods(waves: Sequence[Pulse], number: int) -> list[Pulse]:
+def _high_times(waves: Sequence[Pulse], number: int) -> list[Pulse]:
     """A timer's wave as its high times if it is a tone of a few periods and no part of a wave that changes; else the wave.
 
     A timer begins a tone with the half of a period that is low.
@@ -125,7 +125,7 @@ def _apart(wave: list[Pulse]) -> list[tuple[bool, list[Pulse]]]:
     These stand apart from the tone and are of another length. Fast waves are not divided, since they are sent in bursts.
     """
     period, high = _usual(wave), median(pulse.end - pulse.begin for pulse in wave)
-    if not _is_sure(True, wave) or period <= _FAST_US or not _TONE_DUTY[0] <= high / period <= _TONE_DUTY[1]:
+    if not _is_sure(True, wave) or period <= _FAST_US or not TONE_DUTY[0] <= high / period <= TONE_DUTY[1]:
         return [(True, wave)]
     last = len(wave) - 1
     pieces: list[tuple[bool, list[Pulse]]] = []
