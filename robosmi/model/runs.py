@@ -14,17 +14,14 @@ import tempfile
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 
 from robosmi import resources
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
+from robosmi.file_locks import lock_now, unlock
 from robosmi.inputs import OUTPUT, RECORD, flags, read_text
-
-try:
-    import fcntl
-except ImportError:  # Windows
-    fcntl = None  # type: ignore[assignment]
 
 PATIENCE = 60.0
 """Seconds that a run waits for another one in the same folder."""
@@ -65,23 +62,8 @@ def _locked_at_once(path: Path) -> Callable[[], None] | None:
 
     None where somebody has it, and where the system locks in another way or not at all: filelock knows what to do then.
     """
-    if fcntl is None:
-        return None
-    try:
-        handle = os.open(path, os.O_RDWR | os.O_CREAT | flags("O_NOFOLLOW", "O_CLOEXEC"), 0o644)
-    except OSError:
-        return None
-    try:
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        os.close(handle)
-        return None
-
-    def release() -> None:
-        fcntl.flock(handle, fcntl.LOCK_UN)
-        os.close(handle)
-
-    return release
+    handle = lock_now(path, os.O_RDWR | os.O_CREAT | flags("O_NOFOLLOW", "O_CLOEXEC"))
+    return partial(unlock, handle) if handle is not None else None
 
 
 def _locked(path: Path, patience: float, folder: Path) -> Callable[[], None]:

@@ -17,8 +17,8 @@ from pathlib import Path
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.typed import matches
+from robosmi.verify.temporary import MAKE_SPACE
 
-_SPACE = "make space there, or let TMPDIR name a folder with more"
 _WRITABLE = "make that folder writable, or let TMPDIR name another one"
 _MEMORY = "free memory, or raise the limit of it (ulimit -v), then run again"
 _FILES = "raise the limit of open files (ulimit -n), then run again"
@@ -26,7 +26,7 @@ _LENGTH = "raise the limit of a file's length (ulimit -f), then run again"
 _ENDED = "see what ends processes here (too little memory does, and limits), then run again"
 
 _ERRORS = {
-    "ENOSPC": _SPACE, "EDQUOT": _SPACE, "EROFS": _WRITABLE, "EIO": _SPACE, "EFBIG": _LENGTH, "ENOMEM": _MEMORY,
+    "ENOSPC": MAKE_SPACE, "EDQUOT": MAKE_SPACE, "EROFS": _WRITABLE, "EIO": MAKE_SPACE, "EFBIG": _LENGTH, "ENOMEM": _MEMORY,
     "EMFILE": _FILES, "ENFILE": _FILES,
 }  # fmt: skip
 """Name of an error of the system -> what to do. A file that may not be read is none: the program may include one."""

@@ -22,13 +22,12 @@ from time import time
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
+from robosmi.file_locks import LOCKS, lock_now, unlock
+from robosmi.inputs import flags
 from robosmi.typed import attribute_of, kept
 
-try:
-    import fcntl
-except ImportError:  # not on this system
-    fcntl = None  # type: ignore[assignment]
-
+MAKE_SPACE = "make space there, or let TMPDIR name a folder with more"
+"""What to do if the folder for temporary files is full."""
 _NAME = re.compile(r"robosmi-[a-z]+-(\d+)-(held_)?\w+")
 _LEAST_AGE_S = 3600.0
 """A younger folder without a lock stays: its process may run where this one cannot see it, such as in another container."""
@@ -56,8 +55,7 @@ def temporary_folder(what: str) -> Iterator[str]:
         SourceError: there is no space for the folder, or for a file in it.
     """
     _sweep_once(os.getpid())
-    locks = fcntl is not None
-    path = Path(tempfile.gettempdir()) / f"robosmi-{what}-{os.getpid()}-{'held_' if locks else ''}{token_hex(6)}"
+    path = Path(tempfile.gettempdir()) / f"robosmi-{what}-{os.getpid()}-{'held_' if LOCKS else ''}{token_hex(6)}"
     _OPEN.add(path)  # before it is there: nobody else knows its name
     lock: int | None = None
     try:
@@ -69,12 +67,12 @@ def temporary_folder(what: str) -> Iterator[str]:
             raise
         raise SourceError(
             f"a file cannot be written in the folder for temporary files: {error.strerror}", location=Location(str(path.parent)),
-            fix="make space there, or let TMPDIR name a folder with more",
+            fix=MAKE_SPACE,
         ) from error  # fmt: skip
     finally:
         _remove(path)
         if lock is not None:
-            os.close(lock)
+            unlock(lock)
 
 
 def _is_about(error: OSError, folder: Path) -> bool:
@@ -86,18 +84,7 @@ def _is_about(error: OSError, folder: Path) -> bool:
 
 def _locked(path: Path) -> int | None:
     """An open folder on which this process holds a lock; None where another has it, or there are no locks."""
-    if fcntl is None:
-        return None
-    try:
-        opened = os.open(path, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
-    except OSError:
-        return None
-    try:
-        fcntl.flock(opened, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        os.close(opened)
-        return None
-    return opened
+    return lock_now(path, os.O_RDONLY | flags("O_DIRECTORY", "O_NOFOLLOW"))
 
 
 def _remove(path: Path) -> None:
@@ -143,7 +130,7 @@ def _is_left(path: Path, held: bool) -> bool:
         return age_s > _LEAST_AGE_S
     lock = _locked(path) if age_s > _MADE_S else None
     if lock is not None:
-        os.close(lock)
+        unlock(lock)
     return lock is not None
 
 
