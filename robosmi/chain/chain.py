@@ -91,8 +91,8 @@ class Chain:
         """
         own, named = (None, driver) if driver is None or isinstance(driver, str) else (driver, None)
         title = step or f"load {name}"
-        options = {"lenient": True} if lenient else {}
-        self._add(title, "load", own, (), makes=name, file=file, metamodel=metamodel, driver=named, reads=reads, **options)
+        options = {"metamodel": metamodel, "driver": named, "lenient": lenient, "reads": reads}
+        self._add(title, "load", own, (), makes=name, file=file, **options)
 
     def validate(self, function: Function, *, models: Names, stop_at: str = "error", reads: Paths = (), step: str = "") -> None:
         """Check constraints; later steps that use one of the models are done only if they hold.

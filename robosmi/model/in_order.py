@@ -33,10 +33,15 @@ def in_order(element: EObject, name: str) -> Contents | InheritedOrHeld | None:
         name: one of `IN_ORDER`.
     """
     if name == "eContents":
-        return Contents(structure.contents(element))
+        return contents(element)
     if name == "eAllContents":
         return InheritedOrHeld(all_contents, element)
     return InheritedOrHeld(inherited, element, name) if isinstance(element, EClass) and name in INHERITED else None
+
+
+def contents(element: EObject) -> Contents:
+    """What an element contains itself."""
+    return Contents(structure.contents(element))
 
 
 def all_contents(element: EObject) -> Contents:

@@ -20,10 +20,9 @@ from robosmi.model.feature_errors import (
     unknown_feature,
     value_refused,
 )
-from robosmi.model.feature_values import Contents
-from robosmi.model.in_order import all_contents
+from robosmi.model.in_order import all_contents, contents
 from robosmi.model.lean import is_prepared, prepare
-from robosmi.model.structure import contents, resource_of
+from robosmi.model.structure import resource_of
 from robosmi.typed import class_name, dynamic_attribute
 
 __all__ = ["Element", "EnumLiteral", "FeatureValueError", "UnknownFeatureError", "enum_literal"]
@@ -92,7 +91,7 @@ class Element(_Base):
         @property
         def eContents(self) -> list[Any]:
             """The elements that this one contains, in EMF's order: those in features of supertypes first."""
-            return Contents(contents(self))
+            return contents(self)
 
         def eAllContents(self) -> list[Any]:
             """All that this one contains, in EMF's order: an element before its contents."""

@@ -10,13 +10,11 @@ from typing import Any
 
 from robosmi.errors import did_you_mean
 from robosmi.model import ecore
-from robosmi.model.ecore import EObject, EPackage
+from robosmi.model.ecore import EPackage
 from robosmi.model.feature_errors import UnknownFeatureError, literal_wanted, value_refused
-from robosmi.model.feature_values import Contents
-from robosmi.model.in_order import all_contents
+from robosmi.model.in_order import all_contents, contents
 from robosmi.model.pyecore_internals import is_static
 from robosmi.model.strict import INTERNAL, Element
-from robosmi.model.structure import contents
 from robosmi.typed import dynamic_attribute
 
 
@@ -36,12 +34,8 @@ def make_strict(package: EPackage) -> None:
                 continue
             if not is_static(cls) and "__setattr__" not in cls.__dict__:
                 cls.__setattr__ = _set
-                cls.eContents = property(_contents)
+                cls.eContents = property(contents)
                 cls.eAllContents = all_contents
-
-
-def _contents(self: EObject) -> Contents:
-    return Contents(contents(self))
 
 
 def _set(self: Any, name: str, value: Any) -> None:

@@ -48,12 +48,12 @@ class Checked:
 
     def lines(self) -> list[str]:
         """Text for a terminal."""
-        if self.sound is not None and not any(m["constraints"] for m in self.models):
-            return [self.sound] if self.sound else []
-        if not any(m["constraints"] for m in self.models):
+        if any(m["constraints"] for m in self.models):
+            return [f"{m['model']}: {m['elements']} elements, {m['constraints']} constraints" for m in self.models]
+        if self.sound is None:
             known = ", ".join(registry().names(KIND))
             return [f"no constraints are registered for this model; there are some for: {known}"]
-        return [f"{m['model']}: {m['elements']} elements, {m['constraints']} constraints" for m in self.models]
+        return [self.sound] if self.sound else []
 
 
 def check(path: str | Path, metamodels: Sequence[Path] = ()) -> Checked:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
@@ -21,6 +21,9 @@ from robosmi.transformations.constraints.electrical import electrical_findings
 from robosmi.transformations.queries.circuit import boards, hardware_report, of_board, pin_label, the_board
 from robosmi.transformations.queries.connector_names import told_name, told_names
 from robosmi.typed import paired
+
+if TYPE_CHECKING:
+    from robosmi.transformations.knowledge.target_platform import TargetFacts
 
 
 class HardwareAnalysis(Struct, frozen=True):
@@ -122,31 +125,24 @@ def drawing(path: Path, roles: Mapping[str, str], target_name: str | None) -> Dr
         SourceError: the drawing cannot be read, has no board and is no schematic, or has another board than the target's.
         UsageError: there is no such target.
     """
-    if target_name:
-        return _drawing_for(target_name, path, roles)
-    made = read_drawing(path, roles)
-    _check_board(made)
+    from robosmi.transformations.knowledge.target_platform import target_facts  # wanted with --target only
+
+    facts = target_facts(target_name) if target_name else None
+    made = read_drawing(path, roles, facts.board if facts is not None else None)
+    if not boards(made.circuit) and not any(finding.rule in (HEADERS_ONLY, NO_BOARD) for finding in made.findings):
+        the_board(made.circuit)  # says what is missing
+    if facts is not None:
+        _check_target(made, facts, path)
     return made
 
 
-def _drawing_for(target_name: str, path: Path, roles: Mapping[str, str]) -> Drawing:
-    """The circuit for a target, one of whose boards is that target's."""
+def _check_target(made: Drawing, facts: TargetFacts, path: Path) -> None:
+    """Refuse a drawing with boards of which none is the target's."""
     from robosmi.transformations.chains.drawn import checked_board  # wanted with --target only
-    from robosmi.transformations.knowledge.target_platform import target_facts
 
-    facts = target_facts(target_name)
-    made = read_drawing(path, roles, facts.board)
-    _check_board(made)
     drawn = [(board, made.board_models.get(board.elementId)) for board in boards(made.circuit)]
     if drawn and not any(model is not None and model.name == facts.board for _, model in drawn):
         checked_board(*drawn[0], facts, path)
-    return made
-
-
-def _check_board(made: Drawing) -> None:
-    """Refuse a drawing without a board, unless it may be one sheet of several."""
-    if not boards(made.circuit) and not any(finding.rule in (HEADERS_ONLY, NO_BOARD) for finding in made.findings):
-        the_board(made.circuit)  # says what is missing
 
 
 def faults(drawing: Drawing) -> list[Finding]:

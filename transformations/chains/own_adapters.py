@@ -25,13 +25,12 @@ from robosmi.transformations.knowledge.target_platform import TargetFacts, targe
 from robosmi.transformations.m2m.adapter_choice import AdapterChoice
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from robosmi.transformations.queries.analysis import UNKNOWN
 from robosmi.transformations.queries.port_pins import UNBOUND
 from robosmi.transformations.queries.signature_text import taken_apart
 from robosmi.typed import distinct
 
 _UNKNOWN = re.compile(r"['‘](\w+)['’] (?:was not declared|undeclared)|implicit declaration of function ['‘](\w+)['’]")
-UNKNOWN = ("RS103", "RS109")
-"""The rules for a header that is not found, and for a function that nobody knows."""
 _MISSING_HEADER = "RS803"
 """The rule for a header that the compiler does not find."""
 _FIRST_STATEMENT = 3

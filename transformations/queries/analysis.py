@@ -16,6 +16,8 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries import code, cores, main_program, pin_uses
 
 _STORAGE = {"externStorage": "extern", "staticStorage": "static", "registerStorage": "register", "autoStorage": "auto"}
+UNKNOWN = ("RS103", "RS109")
+"""The rules for a header that is not found, and for a function that nobody knows."""
 _RECORDS = {"structType": "struct", "unionType": "union", "classType": "class"}
 
 
