@@ -1,8 +1,8 @@
-"""Where the ports of a program are on both boards, and which simulated device stands at each: the binding of a verification.
+"""Where the ports of a program are on both boards, and which simulated device is at each: the binding of a verification.
 
-The ports, their pins on the target and the functions that use them are those of a stored plan. Which device a use means is data
-of the source platform (`devices.toml`), what devices show at rest data of simulation. Devices at several ports are found by
-`wired_devices`; what a scenario makes of all of them is in `played_devices`. Nothing is run here.
+The ports, their pins on the target and the functions that use them are those of a stored plan. Which device a function stands
+for is data of the source platform (`devices.toml`), what devices show at rest is data of the simulation. `wired_devices` finds
+devices with several ports; `played_devices` plays the signals of a scenario with all of them. Nothing is run here.
 """
 
 from __future__ import annotations
@@ -38,10 +38,10 @@ _LEVELS = {"low": 0, "high": 1}
 _NUMBERS = (50, 70000)
 _NUMBER_LINES = ("70000\r", "-40000\r", "4\r30\r-5\r12\r7\r")
 _MOST_COMPARED = 12
-"""So many numbers that a program compares are typed, each with its neighbours."""
+"""At most this many numbers that a program compares are typed, each with its neighbours."""
 _LARGEST = 2**31 - 1
 _LEVELS_DEVICE, _LEVELS_PIN = "levels", "pin"
-"""What plays a port at which a program reads levels."""
+"""Kind of the device, and its pin, that plays a port at which the program reads levels."""
 _CHANNEL = re.compile(r"AD(\d+)|.*\.channel_(\d+)")
 
 
@@ -55,23 +55,24 @@ class BoundPort(Struct, frozen=True):
         component: title of the component there, or empty.
         identity: of the component in the drawing, or empty.
         functions: the platform's functions that use it.
-        device: kind of the device that plays it, or empty where the program's own doing is watched.
-        line: whether it is a line of a bus or of a serial connection, which is neither played nor compared.
-        pin: what the device calls it; several names, with spaces, where it is several of its pins.
-        group: the device's name where it has several ports: the first one's `source`; empty where it has this one alone.
-        settings: of the device, as far as the program says them.
+        device: kind of the device that is simulated there; empty if none is and what the program itself does is compared.
+        line: whether it is a line of a bus or of a serial connection, which is neither simulated nor compared.
+        pin: the device's name of the port; several names, separated by spaces, if it is several of its pins.
+        group: `source` of the first port of the device if that has several ports; otherwise empty.
+        settings: those settings of the device that the program's calls give.
         shown: whether what the program does there is compared although a device is there.
-        pulsed: whether all pulses there are made by a function that makes each in one go, so that how long they are is exact.
-        averaged: whether it stands for a voltage, so that of a wave there only the share that is high counts.
-        kinds: what the component is, by what it is called (`parts/port_roles.toml`).
-        split: labels of the target's pins by which the component is asked and answers, where these are two; else none.
+        pulsed: whether one function makes all pulses there, each in one go, so that their widths are exact.
+        averaged: whether it represents a voltage, so that only the duty cycle of a wave there is compared.
+        kinds: kinds of the component, known by its name (`parts/port_roles.toml`).
+        split: labels of the target's pins that trigger the component and receive its answer, if these are two; otherwise empty.
         given_up: whether a person or a rule said that it is on no pin of the target.
-        shares_with: title of another port that is the same pin of the source and another of the target; empty for none. What the
-            program does at either cannot be told apart there.
-        near: by how many per cent, and how much more, values are tried beside a border of the program; None for what is usual.
-        loop_ms: where the program waits for the device by what that tells, how much earlier or later such a wait may end.
-        placed: whether the program drives the device to places that it tells.
-        timed: whether the program drives it for a time.
+        shares_with: title of another port that has the same pin of the source and another one of the target; otherwise empty.
+            In the source's trace the two cannot be told apart.
+        near: how far from a border of the program values are tried, as per cent and an addition; None for the device's usual
+            distance.
+        loop_ms: tolerance of the end of a wait in milliseconds, if the program waits for the device in a closed loop.
+        placed: whether the program drives the device to positions that the device reports.
+        timed: whether the program drives the device for a time.
     """
 
     name: str
@@ -113,7 +114,7 @@ class BoundPort(Struct, frozen=True):
         return f"{self.component} ({self.name})" if self.component else self.name
 
     def to_json(self) -> dict[str, Any]:
-        """The contract's form (`binding[]`)."""
+        """The port as an element of `binding[]` in the JSON contract."""
         return {
             "port": self.name, "component": self.component or None, "source": self.source, "target": self.target or None,
             "device": self.device or None,
@@ -125,8 +126,8 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
 
     Args:
         plan: a stored plan with its program and its source platform.
-        folder: where the program's files are stored, as the plan names them; without it uses of ports in the bodies of macros
-            and those that only the running program decides are not seen.
+        folder: where the program's files are stored under the paths of the plan; without it, uses of ports in the bodies of
+            macros and those that are decided at run time are not found.
     """
     assert plan.program is not None
     assert plan.source is not None
@@ -180,7 +181,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
 
 
 def _asked_by_convention(plan: migration.MigrationPlan) -> list[str]:
-    """The pins of ports of which an adapter says that it reads levels there, of no component that is known."""
+    """The source pins of conventional ports that are digital inputs and belong to no particular component."""
     return [
         f"P{int(binding.sourcePin)}"
         for binding in plan.portBindings
@@ -193,7 +194,7 @@ def _asked_by_convention(plan: migration.MigrationPlan) -> list[str]:
 
 
 def _split(plan: migration.MigrationPlan, binding: migration.PortBinding) -> tuple[str, ...]:
-    """The pins of a component with a wire for each direction: the one that asks, and the one that answers."""
+    """The pins of a component with a wire for each direction: the one that triggers it, and the one that answers."""
     pins = (asking_pin(binding, list(plan.connections)), answering_pin(binding))
     return tuple(str(pin.label) for pin in pins if pin is not None)
 
@@ -206,7 +207,7 @@ def _uses(plan: migration.MigrationPlan, seen: Sequence[CodeView], folder: Path 
     try:
         sources = {str(u.path): inputs.read_bytes(folder / str(u.path), inputs.SOURCE) for u in plan.program.units}
     except OSError:
-        return pin_uses(seen)  # who needs the files says that they are not there
+        return pin_uses(seen)  # the caller that needs the files reports that they are missing
     ports = program_ports(seen, port_flows(seen, sources)).ports
     return [use if use.pin == port.pin else replaced(use, pin=port.pin) for port in ports for use in port.uses]
 
@@ -217,7 +218,7 @@ def _roles(plan: migration.MigrationPlan) -> dict[str, int]:
 
 
 def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice]) -> None:
-    """Put devices with several ports at these; one on the bus is at its address, as on a port of its own."""
+    """Assign devices with several ports to these; a device on the bus gets a port of its own, named by its address."""
     for device in devices:
         if not device.pins:
             place = f"I2C {device.settings['address']:#04x}"
@@ -240,7 +241,9 @@ def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice]) -> Non
 
 
 def resting_pins(plan: migration.MigrationPlan) -> dict[str, int]:
-    """The pins that a migrated program holds from its start so that what is there does nothing: label -> level, 0 or 1."""
+    """Label -> level (0 or 1) of the pins that a migrated program holds from its start so that the component there does
+    nothing.
+    """
     return {str(c.pin.label): _LEVELS[str(c.restLevel)] for c in rest_levels(plan) if c.pin is not None}
 
 
@@ -258,12 +261,10 @@ def _table(platform: str) -> DataTable:
 
 
 def texts_understood(plan: migration.MigrationPlan) -> list[str]:
-    """Texts that a plan's program may understand: the characters in its code, and the texts that it compares with, as lines.
+    """Texts that a plan's program may react to: the characters in its code, and, as lines, the texts that it compares with.
 
-    Where it compares with variables, the texts of its tables are these.
-
-    Where it makes numbers of texts, each of these stands with a number behind it, too, one of them beyond 16 bits, and several
-    numbers follow one another.
+    If it compares with variables, these are the texts in its initializers. If it converts text to numbers, each text is also
+    given with a number after it, one of them beyond 16 bits, and there are lines of several numbers.
     """
     shown, words, reads_numbers = _understood(plan)
     texts = [*shown, *(f"{word}\r" for word in words)][:_MOST_TEXTS]
@@ -274,9 +275,9 @@ def texts_understood(plan: migration.MigrationPlan) -> list[str]:
 
 
 def numbers_understood(plan: migration.MigrationPlan) -> list[tuple[str, int]]:
-    """The numbers with which a plan's program compares those that it reads, each with what may be typed before it.
+    """The numbers that a plan's program compares with those that it reads, each with a text to type before it.
 
-    That is nothing, and each text that the program may understand.
+    That text is empty, or one that the program may react to.
     """
     assert plan.program is not None
     assert plan.source is not None
@@ -287,7 +288,7 @@ def numbers_understood(plan: migration.MigrationPlan) -> list[tuple[str, int]]:
 
 
 def _understood(plan: migration.MigrationPlan) -> tuple[list[str], list[str], bool]:
-    """The letters and the texts that a plan's program may understand, and whether it makes numbers of texts."""
+    """The characters and the texts that a plan's program may react to, and whether it converts text to numbers."""
     assert plan.program is not None
     assert plan.source is not None
     console = _table(str(plan.source.name)).table("console")
@@ -304,7 +305,7 @@ def _understood(plan: migration.MigrationPlan) -> tuple[list[str], list[str], bo
             of_tables = of_tables or not literals
         elif isinstance(element, ccode.Call):
             reads_numbers = reads_numbers or element.calleeName in numbers
-    if of_tables:  # what is read is compared with what a variable holds
+    if of_tables:  # input is compared with the content of a variable
         lists = [e for unit in plan.program.units for e in all_contents(unit) if isinstance(e, ccode.InitializerList)]
         words |= {str(e.text).strip('"'): None for each in lists for e in each.elements if isinstance(e, ccode.StringLiteral)}
     return [letter for letter in letters if letter.isprintable()], list(words), reads_numbers
@@ -313,7 +314,7 @@ def _understood(plan: migration.MigrationPlan) -> tuple[list[str], list[str], bo
 def _device(
     rules: Sequence[DataTable], used: Mapping[str, set[str]], channel: bool
 ) -> tuple[str, str, tuple[float, float] | None]:
-    """The kind of the device at a port, what it calls the port, and how near to borders it is tried; two empty texts for none."""
+    """The kind of the device at a port (empty: none), its name of the port, and how far from borders values are tried."""
     ways = {way for told in used.values() for way in told}
     for rule in rules:
         if rule.flag("channels", False) != channel:
@@ -331,7 +332,7 @@ def at_rest(device: str, kinds: frozenset[str]) -> Mapping[str, Json]:
 
     Args:
         device: its kind.
-        kinds: those of the component that it stands for.
+        kinds: kinds of the component there.
     """
     facts = device_facts().get(device, {})
     own = [shown for kind, shown in facts.get("rest_of", {}).items() if kind in kinds]

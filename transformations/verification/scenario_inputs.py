@@ -1,6 +1,6 @@
-"""What a search for scenarios lets the inputs of a program show: values at rest, one after the other, together, and at random.
+"""The values that a search for scenarios gives to a program's inputs: constant, in sequence, combined, and at random.
 
-Each is made of the signals that the devices at the ports have. What is found with them is `scenario_search`'s to tell.
+The signals are those of the devices at the program's ports; `scenario_search` runs the program with them.
 """
 
 from __future__ import annotations
@@ -21,22 +21,28 @@ from robosmi.verify.scenario import POINTS, Points
 Signals = Mapping[str, Mapping[str, Points]]
 
 _APART_MS = 250.0
-"""Inputs do not change nearer to one another than this: which of two is seen first would be a matter of luck."""
+"""Least time between changes of two inputs, in milliseconds: which of two closer ones a program sees first would be chance."""
 FIRST_TEXT_MS = 900.0
-"""When a text is sent that is the only thing that happens: libraries for serial lines take up to half a second to begin."""
+"""Time at which a single text is sent, in milliseconds: libraries for serial lines take up to half a second to start."""
 LONGEST_MS = 24_000.0
-"""A series ends there, however many values are left."""
+"""Time at which a series ends, in milliseconds, even if values are left."""
 _LEAST_PRESSES = 5
 _QUARTERS = 8
-"""So often a contact of a knob that is turned changes."""
+"""How often each contact of a turned knob changes."""
 
 
 class ScenarioInput(Struct, frozen=True):
-    """A signal of a port: the port's name, the setting, the values that it takes, how long it keeps one, and its device.
+    """An input of a program in a search: one signal of a device at a port, with the values to try.
 
-    `ends` are the least and the most that the device can give, where it measures something. With `happens` a value is something
-    that happens at an instant, such as a text that is sent. `series` are values that come one after the other in one scenario,
-    `near` is how near to a border values are tried, as a port has it.
+    Attributes:
+        name: the port's name.
+        setting: the setting of the device that the signal changes.
+        values: the values to try.
+        hold_ms: how long a value is held, in milliseconds.
+        device: kind of the device.
+        ends: the least and the greatest value, if the device measures something.
+        series: values that follow one another in one scenario.
+        near: how far from a border of the program values are tried, as in `BoundPort`.
     """
 
     name: str
@@ -49,12 +55,12 @@ class ScenarioInput(Struct, frozen=True):
     near: tuple[float, float] | None = None
 
     def with_ends(self) -> ScenarioInput:
-        """The signal with its ends among its values."""
+        """The input with its least and greatest value among those to try."""
         return replaced(self, values=(*self.values, *(end for end in self.ends if end not in self.values)))
 
     @property
     def happens(self) -> bool:
-        """Whether a value is something that happens at an instant."""
+        """Whether a value is an event at an instant, such as a text that is sent."""
         return bool(device_facts().get(self.device, {}).get("happens", False))
 
     @property
@@ -64,18 +70,18 @@ class ScenarioInput(Struct, frozen=True):
 
     @property
     def is_contact(self) -> bool:
-        """Whether it has two values, as a button."""
+        """Whether it is a contact such as a button, with exactly two values."""
         return not self.happens and len(self.values) == 2
 
 
 def scenario_inputs(ports: Sequence[BoundPort], texts: Sequence[str], types: bool, steps: int = 0) -> list[ScenarioInput]:
-    """The inputs of a program, with what they may show.
+    """The inputs of a program, with the values to try.
 
     Args:
         ports: the ports.
-        texts: what the program may understand, of what is typed or sent to it.
-        types: whether it reads what is typed.
-        steps: how many steps of a variable the program tells apart: as often, and once more round, buttons are pressed.
+        texts: texts that the program may react to, typed or sent.
+        types: whether the program reads what is typed on the console.
+        steps: the number of steps of a variable that the program tells apart; buttons are pressed twice as often and once more.
     """
     facts = device_facts()
     made = []
@@ -96,14 +102,14 @@ def scenario_inputs(ports: Sequence[BoundPort], texts: Sequence[str], types: boo
 
 
 def _keys(port: BoundPort, ports: Sequence[BoundPort], lines: Sequence[str]) -> list[Json]:
-    """The places of a matrix at some ports: each number of a pin of the first kind with each one of the second."""
+    """The keys of a matrix at some ports: each number of a pin of the first line's kind with each one of the second's."""
     called = [name for each in ports if each.group == port.group for name in each.pin.split()] if lines else []
     numbers = [sorted(int(name.removeprefix(line)) for name in called if name.startswith(line)) for line in lines]
     return [list(place) for place in product(*numbers)] if lines else []
 
 
 def _series(each: ScenarioInput, rest: Json, steps: int) -> tuple[Json, ...]:
-    """What an input shows one after the other: all that happens, all keys of a matrix, or the presses of a button."""
+    """What an input shows in sequence: all events, all keys of a matrix (each released afterwards), or presses of a button."""
     if each.happens:
         return each.values
     if device_facts().get(each.device, {}).get("keys"):
@@ -115,11 +121,11 @@ def _series(each: ScenarioInput, rest: Json, steps: int) -> tuple[Json, ...]:
 
 
 def series_points(each: ScenarioInput, slower: int = 1) -> Points:
-    """The instants of an input's series, as far as the longest scenario goes.
+    """The points of an input's series, as far as the longest scenario goes.
 
     Args:
         each: the input.
-        slower: by how much longer than usual each value is held.
+        slower: the factor by which each value is held longer than usual.
     """
     step = max(_APART_MS, each.hold_ms) * slower
     times = [FIRST_TEXT_MS + number * step for number in range(len(each.series))]
@@ -127,7 +133,7 @@ def series_points(each: ScenarioInput, slower: int = 1) -> Points:
 
 
 def random_signals(inputs: Sequence[ScenarioInput], horizon: float, chance: random.Random) -> Mapping[str, Mapping[str, Points]]:
-    """Some inputs that change some times, no two of them at nearly the same instant."""
+    """Random signals for some of the inputs, whose changes are at least `_APART_MS` apart."""
     chosen = [each for each in inputs if chance.random() < 0.7] or list(inputs[:1])
     slots = [at * _APART_MS for at in range(1, int((horizon - 500) / _APART_MS))]
     chance.shuffle(slots)
@@ -148,18 +154,18 @@ def random_signals(inputs: Sequence[ScenarioInput], horizon: float, chance: rand
 
 
 def constant(each: ScenarioInput, value: Json) -> dict[str, dict[str, Points]]:
-    """Signals in which one input shows one value all the time; what happens once comes when the program has begun."""
+    """Signals in which one input has one value throughout; an event happens once the program has started."""
     return {each.name: {each.setting: ((FIRST_TEXT_MS if each.happens else 0.0, value),)}}
 
 
 def in_turn(each: ScenarioInput, values: Sequence[Json], horizon: float) -> Points:
-    """A signal that shows values one after the other, each for as long as the input keeps one, as far as the horizon goes."""
+    """The points of a signal that takes values in sequence, each for at least `hold_ms`, up to the horizon."""
     step = max(each.hold_ms, horizon / 4)
     return tuple((at * step, value) for at, value in enumerate(values) if at * step < horizon)
 
 
 def together(inputs: Sequence[ScenarioInput], number: int) -> dict[str, dict[str, Points]]:
-    """Signals in which all inputs show one of their values all the time, each that of a number, counted round and round."""
+    """Signals in which each input holds the value with this index, modulo the number of its values."""
     signals: dict[str, dict[str, Points]] = {}
     for each in inputs:
         signals.setdefault(each.name, {})[each.setting] = ((0.0, each.values[number % len(each.values)]),)
@@ -167,12 +173,12 @@ def together(inputs: Sequence[ScenarioInput], number: int) -> dict[str, dict[str
 
 
 def turned(one: ScenarioInput, other: ScenarioInput, backwards: bool) -> dict[str, dict[str, Points]]:
-    """Signals of two contacts as a knob makes them that is turned: the second one follows the first one, or goes before it.
+    """Signals of the two contacts of a knob that is turned: the second one follows the first one, or precedes it.
 
     Args:
         one: the first contact, an input of two values.
         other: the second one.
-        backwards: whether the second one goes before.
+        backwards: whether the second one precedes the first one.
     """
     signals: dict[str, dict[str, Points]] = {}
     for each, late in ((other, False), (one, True)) if backwards else ((one, False), (other, True)):

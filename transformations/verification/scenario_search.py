@@ -1,9 +1,9 @@
-"""Scenarios made by a search: random signals at the inputs of a program, kept where they reach what no other has reached.
+"""A search for scenarios: signals at the inputs of a program, kept if they reach what no other scenario has reached.
 
-The measure is lines and branches of the source, and what it does one after the other (`scenario_goals`). The dice have a seed;
-the search ends when nothing new is reached for a while, or when its runs have taken too much (`search_effort`). Scenarios on
-which the source differs from itself are dropped and counted, since nothing could be decided with them. Of the others the fewest
-are kept that reach all that was reached.
+Counted are lines and branches of the source, and the goals of `scenario_goals`. The random generator has a seed; the search
+ends when nothing new is reached for a while, or when its effort is used up (`search_effort`). Scenarios in which the source
+differs from itself are dropped and counted, since nothing can be decided with them. Of the others, a small set is kept that
+reaches everything that was reached.
 """
 
 from __future__ import annotations
@@ -52,26 +52,27 @@ from robosmi.verify.scenario import Points, Scenario
 
 _HORIZONS_MS = (3_000.0, 6_000.0, 12_000.0, 24_000.0)
 _HORIZON_ALONE_MS = 48_000.0
-"""That of a program without inputs, which has one scenario and no other, may be as long."""
+"""A further horizon for a program without inputs, which has only one scenario, in milliseconds."""
 _MOST = 120
-"""So many scenarios are tried at most."""
+"""At most this many scenarios are tried."""
 _PATIENCE = 30
 _RETRIES = 30
 _MOST_BACKGROUNDS = 4
 _MOST_SERIES = 8
 _NUMBERS_SHARE = 0.5
-"""Of the effort, behind which no more numbers are typed."""
+"""Share of the effort after which no more numbers are typed."""
 _PROBE_MS = 600.0
-"""A short run that tells which way a program goes, beside what a device holds its value for."""
+"""Initial length in milliseconds of a probe, a short run that shows which way a program takes, without a device's holding time.
+"""
 
 
 class FoundScenarios(Struct):
-    """What a search found.
+    """The result of a search.
 
     Attributes:
-        scenarios: those to verify with, each with its runs of the source.
+        scenarios: the scenarios to verify with, each with its runs of the source.
         racy: how many were dropped because the source differs from itself.
-        racy_counts: what dropped ones left, for the branches that only they reach.
+        racy_counts: coverage counters of the dropped ones, for the branches that only they reach.
         least_racy: the first dropped one, in which least happens, with its nominal run.
         tried: how many were run.
     """
@@ -94,18 +95,18 @@ def search(
     steps: int = 0,
     numbers: Sequence[tuple[str, int]] = (),
 ) -> FoundScenarios:
-    """Make scenarios for a program.
+    """Search scenarios for a program.
 
     Args:
         program: the original.
         ports: its ports.
-        texts: what it may understand, of what is typed or sent to it.
-        types: whether it reads what is typed.
-        seed: of all that is random.
-        known: what other scenarios reach of the source.
-        budget_s: seconds of a usual machine's time, after which the search ends wherever it is; three times as long by the clock.
-        steps: how many steps of a variable the program tells apart.
-        numbers: those with which it compares what is typed or sent to it, each with the text before it.
+        texts: texts that the program may react to, typed or sent.
+        types: whether the program reads what is typed on the console.
+        seed: seed of the random generator.
+        known: places of the source that other scenarios reach.
+        budget_s: seconds of a typical machine's time after which the search ends; at most three times as many by the clock.
+        steps: the number of steps of a variable that the program tells apart.
+        numbers: the numbers that the program compares with what is typed or sent, each with the text to type before it.
     """
     effort = SearchEffort(budget_s)
     made = _Search(program, ports, set(known), effort)
@@ -133,7 +134,7 @@ def search(
 
 
 class _Search:
-    """The state of a search: what was found, what is reached, and for how long nothing new was."""
+    """The state of a search: what was found and reached, and how many scenarios in a row have reached nothing new."""
 
     def __init__(self, program: OriginalProgram, ports: Sequence[BoundPort], seen: set[Place], effort: SearchEffort) -> None:
         self.program = program
@@ -152,7 +153,7 @@ class _Search:
     def try_signals(
         self, signals: Mapping[str, Mapping[str, Points]], also: frozenset[Place] = frozenset(), horizon: float = 0.0
     ) -> frozenset[Place]:
-        """Run a scenario, keep it if it reaches what no other does and is not racy; what it reaches, and `also`."""
+        """Run a scenario, and keep it if it is new and not racy; returns the places that it reaches, with `also`."""
         found = self.found
         doing(f"look for scenarios: {found.tried} tried, {len(found.scenarios)} kept")
         if found.tried and self.effort.is_over():
@@ -164,19 +165,19 @@ class _Search:
         if found.tried == 1:
             self.at_rest = shown(run, self.ports)
         if any(place[0] in (ENDS, SERIES) for place in also) and shown(run, self.ports) == self.at_rest:
-            also = frozenset()  # the program does not heed it
+            also = frozenset()  # the program does not react to it
         places = places_reached(self.program, run, self.ports) | behaviour(run, self.ports) | also
         self.fruitless += 1
         if found.scenarios and places <= self.seen:
             return places
-        first = not found.scenarios and not found.racy  # which is kept though it reaches nothing: the verdict says why
+        first = not found.scenarios and not found.racy  # kept even if it reaches nothing: the verdict says why
         if not first and places <= self.seen | self.only_racy and not self._worth_another(places):
             return places
         runs = run_varied(self.program, self.ports, scenario, run, until_racy=True)
         self.effort.add(run, len(runs.varied))
         if runs.given_up and not first:
             return places
-        if runs.given_up:  # others would be, too
+        if runs.given_up:  # other scenarios would be given up as well
             self.effort.given_up = True
         elif runs.racy_channels or runs.unsteady:
             found.least_racy = found.least_racy or (scenario, run)
@@ -191,12 +192,14 @@ class _Search:
         return places
 
     def _worth_another(self, places: frozenset[Place]) -> bool:
-        """Whether to try again what only racy scenarios have reached: of the source itself, and not for ever."""
+        """Whether to vary a scenario that only reaches what racy ones did: if places of the source are among it, and not too
+        often.
+        """
         self.retried += any(place[0] not in GOALS for place in places - self.seen)
         return self.retried <= _RETRIES and any(place[0] not in GOALS for place in places - self.seen)
 
     def try_rest(self) -> None:
-        """Let nothing happen, for a shorter time where the source differs from itself on a longer way."""
+        """Try the scenario without signals, with ever shorter horizons as long as the source differs from itself."""
         self.try_signals({})
         for shorter in reversed([each for each in _HORIZONS_MS if each < self.horizon]):
             if self.found.scenarios or not self.found.racy or self.effort.is_over():
@@ -206,19 +209,19 @@ class _Search:
             self.try_signals({})
 
     def find_probe(self) -> None:
-        """Make short runs as long as it takes until the program has come wherever it comes while its inputs rest."""
+        """Lengthen the probe until a run without signals reaches in it all that it reaches up to the horizon."""
         wanted = self._at_rest(self.horizon)
         while self.probe_ms < self.horizon and not wanted <= self._at_rest(self.probe_ms) and not self.effort.is_over(0.25):
             self.probe_ms *= 2
 
     def _at_rest(self, horizon_ms: float) -> frozenset[Place]:
-        """What a run reaches whose inputs rest."""
+        """The places that a run without signals reaches."""
         run = run_source(self.program, self.ports, Scenario("rest", horizon_ms))
         self.effort.add(run)
         return places_reached(self.program, run, self.ports)
 
     def try_ends(self, inputs: Sequence[ScenarioInput]) -> None:
-        """Let each device show the least that it can, and the most, of all that it measures."""
+        """Try the least and the greatest values that each device measures."""
         for name in distinct(each.name for each in inputs if each.ends):
             its = [each for each in inputs if each.name == name and each.ends]
             for end in (0, -1):
@@ -226,7 +229,7 @@ class _Search:
                 self.try_signals({name: signals}, frozenset([(ENDS, name, end)]))
 
     def try_series(self, inputs: Sequence[ScenarioInput]) -> None:
-        """Let each input show one value after the other, slower where the program does not come along."""
+        """Try the series of each input, and knobs made of two contacts."""
         for each in [each for each in inputs if each.series][:_MOST_SERIES]:
             self._try_in_series(each, (SERIES, each.name, each.setting), (1, 2, 4))
         contacts = [each for each in inputs if each.is_contact and each.series][:_MOST_SERIES]
@@ -235,10 +238,10 @@ class _Search:
                 self.try_signals(turned(one, other, backwards))
 
     def try_numbers(self, each: ScenarioInput, numbers: Sequence[tuple[str, int]]) -> None:
-        """Let an input give the numbers around each one at which the source goes another way.
+        """Let an input give the numbers around each one at which the source takes another way.
 
-        Where several texts with a number lead the source the same ways, as where it does not heed what stands before the number,
-        the first one does for all.
+        If the source takes the same ways after several texts in front of a number, as if it ignores them, the first text is
+        enough.
         """
         known: set[tuple[int, frozenset[Place]]] = set()
         for before, number in numbers:
@@ -253,7 +256,7 @@ class _Search:
                 self._try_in_series(replaced(each, series=tuple(texts)), there, (4, 16))
 
     def _try_in_series(self, each: ScenarioInput, goal: Place, slower: Sequence[int]) -> None:
-        """Let an input show one value after the other, slower where the program does not come along."""
+        """Try an input's series, with values held longer and longer by the factors `slower` as long as the scenario is racy."""
         for times in slower:
             points, racy = series_points(each, times), self.found.racy
             ends_ms = min(LONGEST_MS, 1000 * math.ceil(points[-1][0] / 1000 + 1)) if points else 0.0
@@ -262,10 +265,11 @@ class _Search:
                 break
 
     def with_borders(self, each: ScenarioInput) -> ScenarioInput:
-        """Halve the span between two values at which the source goes different ways, down to where these meet.
+        """Find by bisection where the source's way changes between two values of an input.
 
-        What a program does at the border itself, as when a count equals a limit, is reached by no other value. Beside it faults
-        show that move it: the input gets these values, too, and a scenario in which it goes from one side to the other.
+        Some behaviour shows only at the border itself, such as that of a count that equals a limit, and faults that move a
+        border show beside it: the input gets these values as well, and a scenario that goes from one side to the other is
+        tried.
         """
         values = list(each.values)
         for background in self._backgrounds(each):
@@ -273,7 +277,7 @@ class _Search:
         return replaced(each, values=tuple(values))
 
     def _backgrounds(self, each: ScenarioInput) -> list[Signals]:
-        """What the other inputs show while borders are sought: nothing, then what has led the source elsewhere."""
+        """Constant signals of the other inputs while borders are sought: none, and those of the scenarios that were kept."""
         found: list[Signals] = [{}]
         for scenario, _ in self.found.scenarios:
             others = {name: settings for name, settings in scenario.signals.items() if name != each.name}
@@ -283,7 +287,7 @@ class _Search:
         return found[:_MOST_BACKGROUNDS]
 
     def _borders(self, each: ScenarioInput, background: Signals) -> list[float]:
-        """The values at both sides of each border that is found while other inputs show something."""
+        """The values at both sides of each border that is found with a background of other signals."""
         numbers = sorted({v for v in each.values if isinstance(v, (int, float)) and not isinstance(v, bool)})
         ways = {value: self._probe(each, value, background) for value in numbers} if len(numbers) > 2 else {}
         facts = device_facts().get(each.device, {})
@@ -309,7 +313,7 @@ class _Search:
         return values
 
     def _probe(self, each: ScenarioInput, value: Json, background: Signals) -> frozenset[Place]:
-        """What a short run reaches in which an input shows one value, and what it tells; nothing when the search is over."""
+        """The places that a short run with one value reaches, and the values that it shows; empty if the search is over."""
         if self.effort.is_over():
             return frozenset()
         lasts = self.probe_ms + (FIRST_TEXT_MS if each.happens else each.hold_ms if each.hold_ms > 1000 else 0)
@@ -322,10 +326,10 @@ class _Search:
 def _horizon(
     program: OriginalProgram, ports: Sequence[BoundPort], effort: SearchEffort, horizons: Sequence[float] = _HORIZONS_MS
 ) -> float:
-    """How long scenarios last: until a program whose inputs rest has come wherever it comes by itself, and as long again.
+    """The length of scenarios in milliseconds: until a program without signals reaches nothing new for as long again.
 
-    A way may be long: all horizons are looked at, and what a longer one reaches for the first time counts. A horizon at which its
-    run is given up is too long, and so is one behind a quarter of the effort.
+    All horizons are tried, since a program may reach something new late. A horizon whose run is given up is too long, and so is
+    one after a quarter of the effort.
     """
     before: frozenset[Place] | None = None
     reached, settled = 0.0, 0.0
@@ -346,7 +350,7 @@ def _horizon(
 
 
 def _fewest(found: FoundScenarios, places: list[frozenset[Place]], known: frozenset[Place]) -> FoundScenarios:
-    """The first scenario, and of the others again and again the one that reaches most of what is still missing."""
+    """Keep the first scenario, then repeatedly the one that reaches most of what is still missing."""
     keep = [0] if places else []
     missing = frozenset().union(*places) - known - (places[0] if places else frozenset())
     while missing:

@@ -1,7 +1,7 @@
-"""Devices at several ports of a program, or whose settings stand in its calls: serial lines, keypads, servos with feedback.
+"""Devices at several ports of a program, or with settings in its calls: serial lines, keypads, servos with feedback.
 
-Which calls and conventional ports mean such a device is data of the source platform (`[[wired]]` in `devices.toml`). Devices at a
-single port, which the functions that use it tell, are found by `port_devices`.
+Which calls and conventional ports stand for such a device is data of the source platform (`[[wired]]` in `devices.toml`).
+`port_devices` finds devices at a single port by the functions that use it.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ class WiredDevice(Struct, frozen=True):
         closed_by: functions that control the device in a closed loop on its own signals, so that every microsecond changes
             what the program does at its pins; what the device does is compared instead.
         loop_ms: by how much such a function may end earlier or later, in milliseconds.
-        placed_by: functions that drive the device to a place that it tells, whatever time that takes.
-        timed_by: functions that drive it for as long as the program lets them.
+        placed_by: functions that drive the device to a position that it reports, however long that takes.
+        timed_by: functions that drive it until the program stops it.
     """
 
     kind: str
@@ -76,7 +76,7 @@ def wired_devices(views: Sequence[CodeView], rules: Sequence[DataTable], roles: 
 
 
 def _of_rule(views: Sequence[CodeView], rule: DataTable, roles: Mapping[str, int]) -> Iterator[WiredDevice]:
-    """The devices that a rule finds: by parts, by pairs of calls, or by single calls."""
+    """The devices that a rule finds: by arguments of several calls, by pairs of calls, or by single calls."""
     if "parts" in rule.values:
         return _of_parts(views, rule.text("kind"), rule.table("parts"), roles)
     if "pair" in rule.values:
@@ -101,7 +101,9 @@ def _of_calls(views: Sequence[CodeView], rule: DataTable) -> Iterator[WiredDevic
 
 
 def _of_parts(views: Sequence[CodeView], kind: str, parts: DataTable, roles: Mapping[str, int]) -> Iterator[WiredDevice]:
-    """The device whose pins several calls say, or conventions: the first place that tells a pin counts."""
+    """The device whose pins are arguments of several calls or conventional ports; the first of these that is known for a pin
+    counts.
+    """
     pins: dict[str, int] = {}
     for name in parts.values:
         for place in parts.texts(name):
@@ -114,9 +116,10 @@ def _of_parts(views: Sequence[CodeView], kind: str, parts: DataTable, roles: Map
 
 
 def _of_pairs(views: Sequence[CodeView], kind: str, pair: DataTable) -> Iterator[WiredDevice]:
-    """A device for each two calls of a function of the program of which one asks and the next one after it hears the answer.
+    """A device for each pair of calls in a function of the program: one triggers, and the next one after it measures the
+    answer.
 
-    Where their ports are parameters of that function, those of each call of it belong together.
+    If their ports are parameters of that function, the two ports given at the same call of it belong together.
     """
     asking, answering = pair.values
     for view in views:
@@ -136,7 +139,7 @@ def _of_pairs(views: Sequence[CodeView], kind: str, pair: DataTable) -> Iterator
 
 
 def _placed(view: CodeView, places: Sequence[str]) -> list[tuple[ccode.Call, list[int]]]:
-    """The calls of a unit that arguments (`function position`) are of, with the ports that these say."""
+    """The calls of a unit with one of these arguments (`function position`), each with the ports that the argument can be."""
     values = Values(view.program, view.unit)
     found = []
     for place in places:
@@ -146,7 +149,7 @@ def _placed(view: CodeView, places: Sequence[str]) -> list[tuple[ccode.Call, lis
 
 
 def _function_of(call: ccode.Call) -> ccode.Function | None:
-    """The function in whose body a call stands; None for one outside of any."""
+    """The function whose body contains a call; None outside of functions."""
     around = call.eContainer()
     while around is not None and not isinstance(around, ccode.Function):
         around = around.eContainer()
@@ -154,7 +157,7 @@ def _function_of(call: ccode.Call) -> ccode.Function | None:
 
 
 def _told(views: Sequence[CodeView], place: str) -> list[int]:
-    """The ports that an argument says (`function position`), by the calls; none for a place that is no argument."""
+    """The ports that an argument (`function position`) can be, over all calls; none for a text without a position."""
     function, _, position = place.partition(" ")
     numbers: list[int] = []
     for view, call in _calls(views, (function,)) if position else ():
@@ -170,7 +173,7 @@ def _calls(views: Sequence[CodeView], names: Sequence[str]) -> Iterator[tuple[Co
 
 
 def _ports(view: CodeView, call: ccode.Call, position: int, values: Values) -> list[int]:
-    """The ports that an argument says; none where the text does not say all of them."""
+    """The ports that an argument can be; none if not all of them are constant."""
     arguments = list(call.arguments)
     function = next((f for f in view.called().values() if call in f.calls), None)
     facts = view.api.pins(function.name, function.header) if function is not None else None
@@ -182,7 +185,7 @@ def _ports(view: CodeView, call: ccode.Call, position: int, values: Values) -> l
 
 
 def _number(call: ccode.Call, position: int, values: Values) -> int | None:
-    """The number that an argument always has, None where it has several or the text does not say it."""
+    """The constant value of an argument; None if it can have several, or is not constant."""
     arguments = list(call.arguments)
     found = values.of(arguments[position]) if position < len(arguments) else []
     return found[0].number if len(found) == 1 else None

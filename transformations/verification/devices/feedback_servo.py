@@ -1,4 +1,4 @@
-"""A servo that turns all round and tells its angle, such as Parallax's Feedback 360 (data sheet of #900-00360)."""
+"""A servo that turns continuously and reports its angle, such as Parallax's Feedback 360 (data sheet of #900-00360)."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from robosmi.data_text import Json
 from robosmi.transformations.verification.devices.servo_pulses import PulseDriven
 
 _HZ, _HZ_APART = 910.0, 0.013
-"""What the data sheet says of the signal, within 5 %; by what part of it two servos differ."""
+"""Frequency of the feedback signal in hertz (data sheet, within 5 %), and by which part of it two servos differ."""
 _LEAST_DUTY, _MOST_DUTY = 0.029, 0.971
 
 
 class FeedbackServo(PulseDriven):
-    """The servo: pulses at `servo` turn it, the duty of the signal at `feedback` tells its angle: 2.9 % up to 97.1 % of 910 Hz.
+    """The servo: pulses at `servo` turn it, the duty cycle at `feedback` shows its angle: 2.9 % to 97.1 % at 910 Hz.
 
-    Settings: `degrees`, where it stands at first, counted counter-clockwise; `neutral_us` and `dead_us`, the width at which it
-    stands and how far a pulse must be from there to turn it; `degrees_per_s_per_us`, its speed for each microsecond beyond;
-    longer pulses turn it counter-clockwise. The signals of two servos are never in step: each has a frequency of its own, some
-    per cent from that of the first. Without pulses for 50 ms it stands. Each 30 degrees of its way are noted
-    as `at`, where it comes to rest as `rests`, where it has got to as `degrees` at the end.
+    Settings: `degrees`, its initial position, counted counter-clockwise; `neutral_us` and `dead_us`, the pulse width at which
+    it stands still and by how much a pulse must differ from it to turn the servo; `degrees_per_s_per_us`, its speed for each
+    further microsecond; longer pulses turn it counter-clockwise. The signals of two servos are never in phase, since their
+    frequencies differ by about a per cent. Without pulses for 50 ms it stops. It notes each 30 degrees of its way as `at`,
+    where it comes to rest as `rests`, and its final position as `degrees`.
     """
 
     mark = 30.0
@@ -33,7 +33,7 @@ class FeedbackServo(PulseDriven):
     }  # fmt: skip
 
     def start(self) -> None:
-        """Stand still, and begin to tell the angle."""
+        """Stand still, and begin to report the angle."""
         super().start()
         self._speed = self._told = 0.0
         self._degrees = float(self.settings["degrees"])
@@ -43,7 +43,7 @@ class FeedbackServo(PulseDriven):
         self._tell()
 
     def pulse(self, width_us: float) -> None:
-        """Take the speed that a pulse of that width asks for."""
+        """Set the speed that a pulse of that width asks for."""
         beyond = width_us - self.settings["neutral_us"]
         turning = max(0.0, abs(beyond) - self.settings["dead_us"]) * self.settings["degrees_per_s_per_us"]
         self._speed = turning if beyond > 0 else -turning
@@ -63,6 +63,6 @@ class FeedbackServo(PulseDriven):
         self.bench.at(self.bench.now + self._cycle_us, self._tell)
 
     def ended(self) -> None:
-        """Note where it has got to."""
+        """Note the final position."""
         super().ended()
         self.note("degrees", self._degrees)

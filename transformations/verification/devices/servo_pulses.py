@@ -1,4 +1,4 @@
-"""What devices on a servo's line have in common: they take the widths of its pulses, and stand when none come any more."""
+"""The common part of devices on a servo's line: they measure its pulses, and stop when no more pulses come."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ _LONGEST_GAP_US = 50_000
 
 
 class PulseDriven(Device):
-    """A device that the pulses at its pin `servo` drive.
+    """A device that is driven by the pulses at its pin `servo`.
 
     Attributes:
-        mark: the distance of two marks of its way that are noted.
-        rest_us: the times after which the device rests, and surely does so (see `places_of_rest`), in microseconds.
+        mark: the distance between two noted marks of its way, in the device's own unit.
+        rest_us: the times in microseconds after which the device rests, and surely rests (see `places_of_rest`).
         least_motion: the shortest path that counts as a motion.
     """
 
@@ -25,14 +25,14 @@ class PulseDriven(Device):
     least_motion: float
 
     def start(self) -> None:
-        """Have seen no pulse yet."""
+        """Start without a pulse."""
         self._begun: float | None = None
         self._last_pulse = 0.0
         self._marks = WayMarks(self.mark, self.note)
         self._rests = PlacesOfRest(*self.rest_us, self.least_motion, self.note)
 
     def pin_changed(self, pin: str, level: Level) -> None:
-        """Take a pulse of the program when it ends."""
+        """Measure a pulse of the program when it ends."""
         if pin != self.pins["servo"]:
             return
         if level == 1:
@@ -45,37 +45,37 @@ class PulseDriven(Device):
         """React to a pulse of that width."""
 
     def moved_to(self, position: float) -> None:
-        """Note as `at` each mark of the way that is passed, and as `barely` one that it only just comes to (see `way_marks`).
+        """Note each mark of the way that is passed as `at`, and one that is only just reached as `barely` (see `way_marks`).
 
-        Where it rests is noted, too (see `places_of_rest`).
+        Places of rest are noted as well (see `places_of_rest`).
 
         Args:
-            position: where the device is now, in its own unit, marks being `mark` apart.
+            position: where the device is now, in its own unit.
         """
         self._marks.moved(position, self.bench.now)
         self._rests.moved(position, self.bench.now)
 
     def put_down_at(self, position: float) -> None:
-        """Take where the device stands at first, from which places of rest are counted.
+        """Set the initial position, from which places of rest are counted.
 
         Args:
-            position: where that is, in its own unit.
+            position: the initial position, in the device's own unit.
         """
         self._rests.begin(position)
 
     def driven(self, speed: float) -> None:
-        """Take the speed at which the device is driven now.
+        """Set the speed at which the device is driven.
 
         Args:
-            speed: in its own unit a second, negative backwards; 0 where a pulse lets it stand.
+            speed: in the device's own unit per second, negative backwards; 0 if it is to stand still.
         """
         self._rests.driven(speed, self.bench.now)
 
     def ended(self) -> None:
-        """Note where it rests."""
+        """Note the last place of rest."""
         self._rests.ended(self.bench.now)
 
     @property
     def left_alone(self) -> bool:
-        """Whether no pulse has come for so long that the device stands."""
+        """Whether no pulse has come for so long that the device stops."""
         return self.bench.now - self._last_pulse > _LONGEST_GAP_US

@@ -1,4 +1,4 @@
-"""A wheel on a continuous-rotation servo, turned by the pulses at the servo's pin, with an encoder at another pin."""
+"""A wheel on a continuous-rotation servo, driven by the pulses at the servo's pin, with an encoder at another pin."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ _STEP_US = 1000.0
 class Wheel(PulseDriven):
     """The wheel.
 
-    Settings: `neutral_us`, the width at which it stands; `ticks_per_s_per_us`, its speed in ticks a second for each
-    microsecond beyond (negative where it is mounted the other way round); `ticks_per_s_limit`, the speed that it cannot
-    exceed; `starts_at`, what part of a tick it has behind it at first. The encoder's level changes at each whole tick, whichever
-    way the wheel comes to it: what turns round just behind one meets the same one again. Without pulses for 50 ms it stands. It
-    notes as `at` each 16th tick of its way, forwards and backwards, and as `rests` where it comes to rest, in ticks.
+    Settings: `neutral_us`, the pulse width at which it stands still; `ticks_per_s_per_us`, its speed in ticks per second for
+    each microsecond of difference (negative if it is mounted the other way round); `ticks_per_s_limit`, its greatest speed;
+    `starts_at`, its initial position as a fraction of a tick. The encoder's level changes at each whole tick in either
+    direction, so a wheel that turns back just after a tick meets the same one again. Without pulses for 50 ms it stops. It
+    notes each 16th tick of its way in either direction as `at`, and where it comes to rest, in ticks, as `rests`.
     """
 
     mark = 16.0
@@ -43,7 +43,7 @@ class Wheel(PulseDriven):
         self.bench.at(_STEP_US, self._turn)
 
     def pulse(self, width_us: float) -> None:
-        """Take the speed that a pulse of that width asks for."""
+        """Set the speed that a pulse of that width asks for."""
         limit = self.settings["ticks_per_s_limit"]
         speed = (width_us - self.settings["neutral_us"]) * self.settings["ticks_per_s_per_us"]
         self._speed = max(-limit, min(limit, speed))
