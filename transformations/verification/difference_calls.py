@@ -1,7 +1,7 @@
-"""What the source calls where a difference is: for that channel, and around it, where calls wait or decide.
+"""The library calls of the source near a difference: the one that acts on that channel, and the ones around it.
 
-An adapter that is wrong is often one of a function that is called there. Which of them it is cannot be told from outside, and
-each may be innocent: a lamp that is on for too short a time was switched by one function, and the wait between was another.
+The fault may lie in the adapter of any of these functions, and nothing seen from outside tells which: if a lamp is on for too
+short a time, one function has switched it and another one has waited.
 """
 
 from __future__ import annotations
@@ -20,23 +20,23 @@ from robosmi.verify.scenario import Scenario
 from robosmi.verify.verdict import CallsAround
 
 _LONGEST_US = 3_000_000.0
-"""Calls that are further away are not told."""
+"""Calls further away from the difference than this, in microseconds, are left out."""
 _MARGIN_US = 1_000.0
 _BEFORE, _AFTER = 6, 4
 _MACRO = re.compile(r"^__builtin_propeller_")
-"""How the platform's headers name what programs call by a shorter name."""
+"""Prefix of functions for which the platform's headers define macros with shorter names."""
 
 
 def calls_around(
     program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, runs: SourceRuns, difference: FirstDifference
 ) -> CallsAround:
-    """The calls of the source around a difference.
+    """The library calls of the source near a difference: those between the channel's events before and after it.
 
     Args:
         program: the original.
         ports: its ports.
-        scenario: in which the difference is.
-        runs: those of the original in it.
+        scenario: the scenario with the difference.
+        runs: the runs of the original in it.
         difference: the difference.
     """
     at_us = difference.at_ms * 1000
@@ -58,11 +58,11 @@ def calls_around(
 
 
 def last_call_for(channel: str, calls: Sequence[LibraryCall], ports: Sequence[BoundPort], at_us: float) -> LibraryCall | None:
-    """The last call until an instant that is one for a channel, else the first one after it; None where there is none.
+    """The last call up to an instant that acts on a channel, otherwise the first one after it; None if there is none.
 
     Args:
-        channel: the console, or what is seen at a port, or of the device there.
-        calls: of the source, by time.
+        channel: the channel's name: the console, or the title of a port, with a suffix if the port has several channels.
+        calls: the calls of the source, in order of time.
         ports: the ports, with the functions that use each.
         at_us: the instant, in microseconds.
     """

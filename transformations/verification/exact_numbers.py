@@ -1,9 +1,9 @@
-"""Which numbers of a text are measured: those that change where what the devices show is a little more or less.
+"""Which numbers of printed text are measured: those that change if the devices show a little more or less.
 
-Two boards never measure quite alike, so that a measured number may be off. All others of the same text, as a counter or a channel
-that a text names, hang on nothing that is measured: they are the same on every board, to the letter. Found by two more runs of
-the source. Where it is known how far off two boards measure the same, further runs tell between which numbers a measured one may
-lie: one that is always more by one is not explained by that.
+Two boards never measure exactly alike, so a measured number may differ. All other numbers of the same text, such as a counter
+or the number of a channel, do not depend on measurements and must be equal on every board. Two further runs of the source with
+other measured values find them. If the accuracy of the measurements is known, more runs yield the range in which a measured
+number may lie, so that a number that is always one too large is not excused.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from robosmi.verify.alignment import numbers_of, shape_of
 from robosmi.verify.simulation import DeviceUse
 
 _PARTS = (0.07, -0.07)
-"""By so much more or less is measured; beyond what two boards may differ by."""
+"""Relative changes of measured values that are larger than two boards may differ by."""
 _OFF = (1.0, -1.0, 0.5, -0.5)
-"""By such parts of how far two boards may be off is measured more or less."""
+"""Changes of measured values, as parts of what two boards may differ by."""
 MEASURED = ("voltages", "capacitor", "ranger", "two_pin_ranger")
-"""Devices whose values two boards never measure quite alike."""
+"""Devices whose values two boards never measure exactly alike."""
 Channels = dict[str, list[list[list[ActivityEvent]]]]
 Otherwise = Callable[[float | None, SimulatedKind, float, float, float], float | None]
-"""Makes another value of one: with the facts of the device's kind, the least and the most that it measures, and by what part."""
+"""Changes a value; further arguments: facts of the device's kind, its least and greatest value, and by which part."""
 
 
 def with_exact_numbers(
@@ -33,12 +33,12 @@ def with_exact_numbers(
     devices: Sequence[DeviceUse],
     run: Callable[[Sequence[DeviceUse]], Mapping[str, list[list[ActivityEvent]]]],
 ) -> Channels:
-    """The channels, of which the nominal run's readings know which of their numbers are not measured.
+    """The channels, with the exact numbers and the ranges of measured ones added to the nominal run's readings.
 
     Args:
-        channels: name -> for each sight the events of the nominal run, then of each varied one.
-        devices: those of the scenario.
-        run: the channels of a run of the source with other devices.
+        channels: name -> for each of `SIGHTS` the events of the nominal run, then those of each varied run.
+        devices: the devices of the scenario.
+        run: runs the source with other devices; returns its channels, name -> for each of `SIGHTS` its events.
     """
     names = [name for name, seen in channels.items() if any(_has_numbers(event) for event in seen[0][0])]
 
@@ -63,7 +63,7 @@ def _has_numbers(event: ActivityEvent) -> bool:
 
 
 def _all_known(devices: Sequence[DeviceUse]) -> bool:
-    """Whether something is measured, and of all that is it is known how far off two boards may be."""
+    """Whether the scenario has measuring devices, and it is known of all of them by how much two boards may differ."""
     kinds = [use.kind for use in devices if use.kind in MEASURED]
     return bool(kinds) and all("off_least" in device_facts()[kind] for kind in kinds)
 
@@ -74,7 +74,7 @@ def _marked(
     wide: Sequence[Sequence[ActivityEvent]],
     near: Sequence[Sequence[ActivityEvent]],
 ) -> list[ActivityEvent]:
-    """Events with what is alike in all runs, and what may be off by how much, as far as all print lines of the same shape."""
+    """The source's events; readings get `exact` and `between`, until the runs print lines of other shapes."""
     marked = list(source)
     for at, event in enumerate(source):
         if not _same_shapes(event, at, [*varied, *wide]):
@@ -102,7 +102,7 @@ def _span(numbers: Iterable[float]) -> tuple[float, float]:
 
 
 def _measured_otherwise(use: DeviceUse, other: Otherwise, part: float) -> DeviceUse:
-    """A device that shows something else of all that it measures."""
+    """A device all of whose measured values are changed."""
     if use.kind not in MEASURED:
         return use
     facts = device_facts()[use.kind]
@@ -115,7 +115,7 @@ def _measured_otherwise(use: DeviceUse, other: Otherwise, part: float) -> Device
 
 
 def _within_accuracy(value: float | None, facts: SimulatedKind, least: float, most: float, part: float) -> float | None:
-    """What a board sees that measures more, by a part of what two boards may be off."""
+    """A measured value that is changed by a part of what two boards may differ by, within the limits of the device."""
     if value is None:
         return None
     by = part * (facts["off_least"] + facts["off_percent"] / 100 * abs(value))
@@ -123,8 +123,9 @@ def _within_accuracy(value: float | None, facts: SimulatedKind, least: float, mo
 
 
 def _beyond_accuracy(value: float | None, facts: SimulatedKind, least: float, most: float, part: float) -> float:
-    """A value that is more by a part of itself, or of a tenth of what the device can measure where that is more; where a device
-    shows nothing, something.
+    """A value that is changed by a part of itself, or of a tenth of the device's range if that is larger.
+
+    If the device shows nothing, it is almost the greatest value instead.
     """
     if value is None:
         return most * (1 - abs(part))

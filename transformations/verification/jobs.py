@@ -29,12 +29,12 @@ def _facts() -> tuple[Path, Mapping[str, Any]]:
 
 
 def simulated_microcontrollers() -> list[str]:
-    """The microcontrollers that engines are told enough about."""
+    """The names of the microcontrollers whose peripherals are described well enough for an engine."""
     return sorted(_facts()[1])
 
 
 def shows_console(mcu: str) -> bool:
-    """Whether what a program prints can be seen on simulators of a microcontroller."""
+    """Whether simulators of a microcontroller show what a program prints."""
     return bool(_facts()[1].get(mcu, {}).get("console", True))
 
 
@@ -42,14 +42,14 @@ def job(elf: Path, hex_file: Path, board: platform.Board, horizon_us: float, dev
     """The job of running a program on a board.
 
     Args:
-        elf, hex_file: the program, in both forms.
+        elf, hex_file: the program, in both formats.
         board: the board.
-        horizon_us: how long to run.
-        devices: what is connected.
+        horizon_us: how long to simulate, in microseconds.
+        devices: the devices that are connected.
 
     Raises:
-        UsageError: too little is known of the board's microcontroller.
-        PlatformDataError: what is known of it is damaged.
+        UsageError: the board's microcontroller is not described.
+        PlatformDataError: its description lacks a key.
     """
     mcu = board.microcontroller.name if board.microcontroller is not None else ""
     path, known = _facts()

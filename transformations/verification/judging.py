@@ -1,7 +1,7 @@
-"""What one scenario says when both sides have run: same, different, or why nothing can be decided; and why nothing was compared.
+"""The verdict on one scenario, from the runs of both sides: same, different, or why nothing can be decided.
 
-The comparison of a single channel is in `original_side` and `robosmi.verify.comparison`, the verdict of all scenarios together
-in `robosmi.verify.verdict`.
+The comparison of a single channel is in `original_side` and `robosmi.verify.comparison`, the verdict on all scenarios together
+in `robosmi.verify.verdict`. If nothing was compared at all, this module says why.
 """
 
 from __future__ import annotations
@@ -40,25 +40,26 @@ _UNSETTLED = {
     "output limit": "it changes its pins or prints more often than can be recorded: simulate less time",
 }
 SAME_MS = 45.0
-"""What is no further apart, beside what resonators are off, is at the same time: as for other events."""
+"""Events no further apart than this (in milliseconds) plus the error of the resonators count as simultaneous."""
 
 
 def judged(
     scenario: Scenario, runs: SourceRuns, trace: PinTrace, ports: Sequence[BoundPort], one_thread: bool,
     at_rest: Mapping[str, int] = NO_LEVELS,
 ) -> ScenarioVerdict:  # fmt: skip
-    """What the two sides have in common in a scenario.
+    """Compare what the two sides have done in a scenario.
 
-    A difference comes first; then a crash of the migrated program that the original does not share, which is a difference, too;
-    then what makes that nothing can be decided. After a crash nothing is compared, nor where a run of the original was given up.
+    A difference on a channel comes first; then a crash of the migrated program that the original does not share, which is a
+    difference as well; then what prevents a decision. Nothing is compared after a crash, nor if a run of the original was given
+    up.
 
     Args:
-        scenario: what happened.
-        runs: those of the original.
-        trace: what the migrated program did.
+        scenario: the scenario.
+        runs: the runs of the original.
+        trace: the run of the migrated program.
         ports: the ports.
-        one_thread: whether one thread of the source does all that is seen, so that the order of near events is its own.
-        at_rest: the pins that the migrated program holds so that what is there does nothing, with their levels.
+        one_thread: whether a single thread of the source does all that is observed, so that the order of close events is fixed.
+        at_rest: the pins that the migrated program holds so that the component there does nothing, with their levels.
     """
     nominal = runs.nominal
     if runs.given_up:
@@ -67,7 +68,7 @@ def judged(
     horizon_ms = scenario.horizon_ms if crashed_ms is None else min(scenario.horizon_ms, crashed_ms)
     if nominal.status not in SETTLED:
         horizon_ms = min(horizon_ms, nominal.trace.simulated_us / 1000)
-    whole, trace = trace, trace.until(1000 * horizon_ms)  # what comes later tells nothing of what was before
+    whole, trace = trace, trace.until(1000 * horizon_ms)  # what happens after the horizon is not compared here
     target = channel_events(trace, ports, target=True)
     found = tuple(compared(name, seen, target[name], horizon_ms, runs.loop) for name, seen in runs.channels.items())
     found = tuple(each for each in found if each.status != NOT_EXERCISED or not each.channel.endswith((DRIVEN, PULSED, STANDING)))
@@ -96,7 +97,7 @@ def _beside(
     ports: Sequence[BoundPort],
     at_rest: Mapping[str, int],
 ) -> tuple[ChannelComparison, ...]:
-    """The channels with what is seen beside them: the console's speed, pins that are not the program's, and pull-ups."""
+    """The channels, with differences that are no events of them: the console's speed, foreign pins, and pull-ups."""
     speed = console_speed(source, target, CONSOLE_CHANNEL) if any(each.channel == CONSOLE_CHANNEL for each in found) else None
     if speed is not None:
         others = [each for each in found if each.channel != CONSOLE_CHANNEL]
@@ -105,7 +106,7 @@ def _beside(
         if pin is None:
             continue
         first_ms = min((each.difference.at_ms for each in found if each.difference is not None), default=0.0)
-        pin = replaced(pin, at_ms=max(pin.at_ms, first_ms))  # what the robot lacks tells more than a level where nothing is
+        pin = replaced(pin, at_ms=max(pin.at_ms, first_ms))  # after what the robot fails to do, which says more
         others = [each for each in found if each.channel != pin.channel]
         its_own = next((each for each in found if each.channel == pin.channel and each.difference is not None), None)
         found = (*others, its_own or ChannelComparison(pin.channel, DIFFERENT, pin))
@@ -113,7 +114,7 @@ def _beside(
 
 
 def _behind_their_own(found: tuple[ChannelComparison, ...]) -> tuple[ChannelComparison, ...]:
-    """The channels, where how a line is driven differs no earlier than what is done there: a missing wave tells more."""
+    """The channels, where how a line is driven differs no earlier than what happens on it: a missing wave says more."""
     first = {each.channel: each.difference.at_ms for each in found if each.difference is not None}
     return tuple(
         replaced(each, difference=replaced(each.difference, at_ms=max(each.difference.at_ms, own_ms)))
@@ -124,17 +125,17 @@ def _behind_their_own(found: tuple[ChannelComparison, ...]) -> tuple[ChannelComp
 
 
 def ended_badly(runs: SourceRuns) -> bool:
-    """Whether nothing can be decided whatever the migrated program does: the original came to no good end."""
+    """Whether the original did not run to its end, so that nothing can be decided whatever the migrated program does."""
     return bool(runs.given_up) or runs.nominal.status not in SETTLED
 
 
 def without_target(scenario: Scenario, runs: SourceRuns, error: VerificationError) -> ScenarioVerdict:
-    """What a scenario says in which nothing is known of the migrated program.
+    """The verdict on a scenario in which the run of the migrated program is not known.
 
     Args:
-        scenario: what happened.
-        runs: those of the original.
-        error: why nothing is known.
+        scenario: the scenario.
+        runs: the runs of the original.
+        error: why that run is not known.
     """
     unknown = f"what the migrated program does in '{scenario.name}' is not known: {error.message}"
     if runs.given_up:
@@ -145,7 +146,10 @@ def without_target(scenario: Scenario, runs: SourceRuns, error: VerificationErro
 
 
 def _sure(found: ChannelComparison) -> ChannelComparison:
-    """A channel, of which no difference counts where it is racy, but of the console: what a robot does hangs on what it did."""
+    """The comparison of a channel: if it is racy, no difference counts, since a robot's actions depend on its earlier ones.
+
+    The console is the exception.
+    """
     if found.itself is None or found.difference is None or found.channel == CONSOLE_CHANNEL:
         return found
     return replaced(found, status=RACY, difference=None)
@@ -157,7 +161,7 @@ def _in_order(
     runs: SourceRuns,
     target: Mapping[str, Sequence[list[ActivityEvent]]],
 ) -> tuple[ChannelComparison, ...]:
-    """The channels, of which one is different if two of them do near things in the other order."""
+    """The channels, one of which is different if close events of two of them have another order on the target."""
     same = [c.channel for c in found if c.status == SAME and not c.channel.endswith((DRIVEN, PULSED, STANDING, RESTING))]
     changes_ms = [float(at_ms) for settings in scenario.signals.values() for points in settings.values() for at_ms, _ in points]
     disorder = first_disorder(
@@ -171,9 +175,9 @@ def _in_order(
 
 
 def _is_mixed(found: ChannelComparison, runs: SourceRuns, trace: PinTrace) -> bool:
-    """Whether a first difference of what is printed is only that cores that print at about the same time do so in another order.
+    """Whether the first difference of the text is only that cores printing at about the same time alternate otherwise.
 
-    When the source has printed nothing for a while, both sides have printed the same letters then.
+    Then both sides have printed the same characters by the next pause of the source.
     """
     if found.channel != CONSOLE_CHANNEL or found.difference is None:
         return False
@@ -196,19 +200,19 @@ def _racy_text(found: ChannelComparison) -> ChannelComparison:
 
 
 def _crashes_by(runs: SourceRuns, at_ms: float) -> bool:
-    """Whether the original, as it is or with other costs, has come to no good end until about then: it may be its own fault."""
+    """Whether a run of the original has ended badly at about that time or before: a crash may be the original's own fault."""
     latest_ms = at_ms + SAME_MS + RESONATOR * at_ms
     return any(run.status not in SETTLED and run.trace.simulated_us / 1000 <= latest_ms for run in (runs.nominal, *runs.varied))
 
 
 def _given_up(runs: SourceRuns) -> str:
-    """Why a scenario of which a run of the original was given up decides nothing."""
+    """Why a scenario decides nothing if a run of the original was given up."""
     varied = "" if runs.nominal.status == runs.given_up else ", when its steps cost a little more or less"
     return f"the original did not run to its end{varied} ({_UNSETTLED[runs.given_up]})"
 
 
 def _doubt(scenario: Scenario, runs: SourceRuns, racy: Sequence[ChannelComparison], crashed_ms: float | None) -> str:
-    """Why nothing can be decided in a scenario without a difference; empty if it can."""
+    """Why a scenario without a difference decides nothing; empty if it does decide."""
     nominal = runs.nominal
     if nominal.status not in SETTLED:
         cause = f": {nominal.cause}" if nominal.cause else ""
@@ -232,7 +236,7 @@ def why_nothing_was_compared(verdict: Verdict, ports: Sequence[BoundPort]) -> st
     """Why a verdict has no channel on which anything was compared, and what to do about each.
 
     Args:
-        verdict: one that has compared nothing.
+        verdict: a verdict without any comparison.
         ports: the ports.
     """
     idle = [str(channel["name"]) for channel in verdict.channels()]

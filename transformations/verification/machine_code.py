@@ -1,7 +1,7 @@
-"""A linked AVR program as its disassembler prints it: instructions, names, and what calls through pointers may reach.
+"""The disassembly of a linked AVR program: its instructions, its symbols, and which functions indirect calls may reach.
 
-Which functions a program takes the address of, and where it keeps them, the linker's relocations tell. How deep the stack
-comes is `machine_stack`'s.
+The linker's relocations show of which functions the program takes the address, and where it stores it. `machine_depths`
+computes the depth of the stack.
 """
 
 from __future__ import annotations
@@ -20,32 +20,32 @@ _HERE = re.compile(r"^\.([+-]\d+)$")
 _NUMBER = re.compile(r"^(?:0x[0-9a-fA-F]+|-?\d+)$")
 
 DATA = 0x800000
-"""Where the disassembler shows the data memory."""
+"""Address at which the disassembler shows the data memory."""
 _FUNCTION, _WORD = "LO8_LDI_GS", "16_PM"
 _ADDRESSES = ("LO8_LDI", "LO8_LDI_NEG")
 _OBJECT = "O"
-"""The mark of a variable in the table of symbols."""
+"""Mark of a variable in the symbol table."""
 _VIRTUAL = "_ZTV"
-"""How the names of tables of virtual functions begin."""
+"""Prefix of the names of virtual tables."""
 _FIRST_ROW = 4
-"""Bytes of such a table before its first function, to which objects point."""
+"""Bytes of a virtual table before its first function, to which objects point."""
 _CONSTRUCTORS = ("__ctors_start", "__ctors_end")
 _POINTERS = {"X": "r26", "Y": "r28", "Z": "r30"}
 _COMPILED, _LENGTH = re.compile(r"_ZN?K?(?=\d)"), re.compile(r"\d+")
-"""How the names that a compiler of C++ makes begin, and the length of each word in them."""
+"""Prefix of names that a C++ compiler has mangled, and the length in front of each word in them."""
 _NEAR = 24
-"""Instructions that are looked at before a call, and behind an address, for where it comes from and goes to."""
+"""Number of instructions searched before a call for its pointer's origin, and after an address for its destination."""
 _JUMPS = ("jmp", "call", "rjmp", "rcall")
 _THROUGH = ("icall", "eicall", "ijmp", "eijmp")
 _CALLS = (*_JUMPS, *_THROUGH)
 _LASTING = frozenset([*(f"r{low}" for low in range(2, 18)), "r28", "r29"])
-"""The registers that functions leave as they were."""
+"""The call-saved registers."""
 _COMPARES = ("cp", "cpc", "cpi", "tst")
 _BRANCH = re.compile(r"^br\w\w$")
 
 
 class Instruction(NamedTuple):
-    """One instruction: where it is, its name and its operands."""
+    """One instruction: its address, its mnemonic and its operands."""
 
     address: int
     name: str
@@ -53,7 +53,7 @@ class Instruction(NamedTuple):
 
     @property
     def target(self) -> int | None:
-        """Where it jumps to, or what it calls; None where it does neither, or that is no number."""
+        """The address that it jumps to or calls; None for other instructions, and if its operand is no number."""
         if self.name not in _JUMPS and not _BRANCH.match(self.name):
             return None
         text = self.operands[-1] if self.operands else ""
@@ -62,7 +62,7 @@ class Instruction(NamedTuple):
 
 
 class _Held(NamedTuple):
-    """An address of code that the program holds: where, and the name above that place."""
+    """An address of code that the program contains: the place where it is stored, the address, and the symbol of that place."""
 
     place: int
     target: int
@@ -70,11 +70,11 @@ class _Held(NamedTuple):
 
 
 class _Pointer(NamedTuple):
-    """Where a pointer that is called through was read from.
+    """The place from which the pointer of an indirect call was loaded.
 
     Attributes:
-        variable: its name; empty where it is not known.
-        row: bytes of the table of virtual functions before it, where it may be read from one; None where it is not.
+        variable: name of the variable; empty if it is not known.
+        row: offset in bytes in a virtual table, if it may have been loaded from one; otherwise None.
     """
 
     variable: str
@@ -82,16 +82,16 @@ class _Pointer(NamedTuple):
 
 
 class MachineCode:
-    """A program's code.
+    """The code of a program.
 
     Attributes:
         code: its instructions by address.
         symbols: the addresses of its functions by name.
-        labels: addresses within functions that tables of `switch` hold.
+        labels: addresses within functions that the jump tables of `switch` contain.
 
     Args:
-        text: what `objdump -t -D -r --no-show-raw-insn -j .text -j .data -j .bss` prints of the linked program, its relocations
-            kept.
+        text: the output of `objdump -t -D -r --no-show-raw-insn -j .text -j .data -j .bss` for the linked program, which keeps
+            its relocations.
     """
 
     def __init__(self, text: str) -> None:
@@ -99,7 +99,7 @@ class MachineCode:
         self.symbols: dict[str, int] = {}
         self._objects: list[tuple[int, str]] = []
         self._addresses: dict[int, int] = {}
-        known = {".text": 0}  # and, once they are read, all names
+        known = {".text": 0}  # the symbol table adds its names
         raw, within = list[tuple[int, str, str, int, str]](), ""
         for line in text.splitlines():
             if found := _HEAD.match(line):
@@ -123,7 +123,7 @@ class MachineCode:
         self._sort(self.symbols | known, raw)
 
     def _sort(self, known: Mapping[str, int], raw: list[tuple[int, str, str, int, str]]) -> None:
-        """Which addresses are whose."""
+        """Sort the addresses that the program contains into labels, virtual functions, and functions stored in variables."""
         begins = self._starts = set(self.symbols.values())
         first, last = (self.symbols.get(name, 0) for name in _CONSTRUCTORS)
         labels, virtual = set[int](), dict[int, set[int]]()
@@ -149,16 +149,15 @@ class MachineCode:
             kept.setdefault(each.target, set()).update(self._kept_in(each))
         self._kept = kept
 
-    # ---- calls through pointers
+    # ---- indirect calls
 
     def reached_from(self, call: int) -> tuple[int, ...]:
-        """The functions that a call through a pointer may reach.
+        """The functions that an indirect call may reach.
+
+        A function that is stored only in variables which other calls read by name is left out. All others may be reached.
 
         Args:
             call: address of the call.
-
-        A variable that is called through by its name reaches what is kept there, and what is kept nobody knows where; another
-        pointer reaches all but what is kept where it is called through by name.
         """
         pointer = self._called_from(call)
         others = self._read - {pointer.variable}
@@ -166,7 +165,7 @@ class MachineCode:
         return tuple(sorted({*found, *(self._virtual.get(pointer.row, ()) if pointer.row is not None else ())}))
 
     def _kept_in(self, held: _Held) -> set[str]:
-        """The variables that a function's address is kept in: an empty name where that is not known, none where it is lost."""
+        """The variables in which a function's address is stored: an empty name if unknown, none if it is discarded."""
         if held.place >= DATA:
             return {held.within}
         instruction = self.code.get(held.place)
@@ -195,7 +194,7 @@ class MachineCode:
         return {""}
 
     def _named_by(self, function: int) -> set[str]:
-        """The variables that a function, or one that it calls, names."""
+        """The variables that a function, or one that it calls, accesses by name."""
         found, seen, waiting = set[str](), set[int](), [function]
         while waiting:
             start = waiting.pop()
@@ -218,7 +217,7 @@ class MachineCode:
         return found
 
     def _address_in(self, register: str, at: int) -> str:
-        """The name of the variable that a pair of registers points into before an instruction; empty where that is not known."""
+        """The variable that a pair of registers points into before an instruction; empty if it is not known."""
         for instruction in self._backwards(at):
             operands = instruction.operands
             if instruction.name in _CALLS and not instruction.name.endswith("jmp") and register not in _LASTING:
@@ -229,12 +228,12 @@ class MachineCode:
                 return self._object(self._addresses[instruction.address])
             if instruction.name == "movw":
                 register = operands[1]
-            elif instruction.name not in ("adiw", "sbiw", "subi", *_COMPARES):  # further on within the same variable
+            elif instruction.name not in ("adiw", "sbiw", "subi", *_COMPARES):  # these stay within the variable
                 return ""
         return ""
 
     def _called_from(self, call: int) -> _Pointer:
-        """Where the pointer of a call was read from."""
+        """The place from which the pointer of an indirect call was loaded."""
         register, loads, row = "r30", 0, 0
         for instruction in self._backwards(call):
             operands = instruction.operands
@@ -266,20 +265,20 @@ class MachineCode:
             yield self.code[address]
 
     def _object(self, address: int) -> str:
-        """The name of the variable at an address of the data memory."""
+        """The name of the variable that contains an address of the data memory."""
         at = bisect_right(self._objects, (address, "\x7f"))
         return self._objects[at - 1][1] if at else ""
 
-    # ---- what belongs to what
+    # ---- names and extents
 
     def names(self, addresses: Iterable[int]) -> list[str]:
-        """The names of functions as their text has them, as far as the compiler's names tell: without the kinds of arguments."""
+        """The names of functions as in the source, without the types of parameters."""
         known = {address: name for name, address in self.symbols.items()}
         return [_spoken(known.get(address, hex(address)).partition(".")[0]) for address in addresses]
 
     @property
     def objects(self) -> tuple[str, ...]:
-        """The names of the program's variables that last."""
+        """The names of the program's variables with static storage duration."""
         return tuple(name for _, name in self._objects)
 
     def part(self, name: str) -> set[int]:
@@ -304,16 +303,16 @@ def _spoken(name: str) -> str:
 
 
 def number(text: str) -> int | None:
-    """The number that an operand is; None for another."""
+    """The value of a numeric operand; None for other operands."""
     return int(text, 16 if text.startswith("0x") else 10) if _NUMBER.match(text) else None
 
 
 def low_of(register: str) -> str:
-    """The low register of the pair that a register belongs to."""
+    """The lower register of the pair to which a register belongs."""
     which = int(register[1:]) if register[:1] == "r" and register[1:].isdecimal() else -1
     return f"r{which - which % 2}" if which >= 0 else register
 
 
 def _pair(register: str) -> str:
-    """The other name of a register in `movw`, which copies pairs."""
+    """The name by which `movw`, which copies pairs, refers to a register."""
     return low_of(register)

@@ -1,9 +1,9 @@
-"""How much stack the functions of a linked AVR program take, read off its machine code.
+"""How much stack each function of a linked AVR program takes, computed from its disassembly.
 
-The code is what the disassembler prints. From a function on the paths are followed, instruction by instruction, with how far
-the stack has come down (pushes, frames, calls with what they take) and with whether interrupts may come there.
-What calls through pointers reach is told by `machine_code`; how interrupts come upon main is `machine_stack`'s. What nobody can
-tell is said: functions that call themselves, and frames whose size is computed while the program runs.
+All paths of a function are followed, instruction by instruction, with the depth of the stack (pushes, frames, and calls with
+what they take) and with whether interrupts may be enabled. `machine_code` says which functions indirect calls reach,
+`machine_stack` how interrupt handlers add to main. What cannot be computed is reported: recursive functions, and frames whose
+size is computed at run time.
 """
 
 from __future__ import annotations
@@ -17,39 +17,39 @@ from robosmi.typed import paired
 
 _SP_LOW, _SP_HIGH, _STATUS = 0x3D, 0x3E, 0x3F
 _PAIRS = tuple(f"r{low}" for low in range(0, 32, 2))
-"""The low registers of all pairs: in each a stack pointer may be computed."""
+"""The lower registers of all pairs: the stack pointer may be computed in any of them."""
 _CALL_KEPT = (*range(2, 18), 28, 29)
-"""The registers that functions leave as they were."""
+"""The numbers of the call-saved registers."""
 _KEPT = (*range(2, 18, 2), 28)
-"""The low registers of the pairs that functions leave as they were."""
+"""The lower registers of the call-saved pairs."""
 _SAVES, _RESTORES = "__prologue_saves__", "__epilogue_restores__"
 _TABLES = ("__tablejump2__", "__tablejump__", "__tablejump_elpm__")
 _THROUGH_POINTERS = {"icall": 2, "eicall": 2, "ijmp": 0, "eijmp": 0}
-"""Instructions that go to where r31:r30 points, and the bytes of the address that each returns to."""
+"""Instructions that go to the address in r31:r30, with the bytes of the return address that each pushes."""
 _SKIPS = frozenset(["cpse", "sbrc", "sbrs", "sbic", "sbis"])
 _BRANCHES = re.compile(r"^br\w\w$")
 _COMPUTED = -1
-"""What stands for a depth from which something was taken that is known only while the program runs."""
+"""Stands for a depth from which an amount was subtracted that is only known at run time."""
 _ARITHMETIC = frozenset(["add", "adc", "sub", "sbc", "subi", "sbci", "and", "andi", "or", "ori", "neg", "com", "inc", "dec"])
 _LEAVES = ("call", "rcall", "icall", "eicall")
-"""Instructions that a function which leaves at once does not come to."""
+"""Instructions that a function does not reach if its guard makes it return at once."""
 _LEAVING = frozenset(["out", "st", "std", "sts", "cp", "cpc", "cpi", "tst", "cpse", "sbrc", "sbrs", "sbic", "sbis", "sbi", "cbi"])
-"""Instructions that leave their first register as it was."""
+"""Instructions that do not change the register in their first operand."""
 _LARGEST = 0x4000
-"""Bytes that no stack has: a path on which it grows without end is given up there."""
+"""More bytes than any stack has: a path on which it grows without end is given up there."""
 ON, OFF = 1, 2
-"""Whether interrupts may come; both where that is not the same on all paths."""
+"""Whether interrupts may be enabled; both bits if paths differ."""
 _ENABLES = 7
-"""The bit of the status that lets interrupts come."""
+"""The bit of the status register that enables interrupts."""
 
 
 class FunctionStack(NamedTuple):
-    """What a function takes.
+    """The stack that a function takes.
 
     Attributes:
-        most: its bytes with what it calls, without the address that it returns to.
-        open: the same where interrupts may come; below 0 where they never may.
-        leaves: whether they may come behind it.
+        most: bytes with all that it calls, without its own return address.
+        open: the same at the deepest point at which interrupts may be enabled; negative if they never are.
+        leaves: whether interrupts may be enabled when it returns (`ON`, `OFF`, or both).
     """
 
     most: int
@@ -61,11 +61,11 @@ class _State(NamedTuple):
     """What is known before an instruction.
 
     Attributes:
-        depth: how deep the stack is.
-        interrupts: whether they may come.
-        read: the same at all places where the status was read.
-        kept: the same of the status that a register holds, and its name.
-        pairs: the depth that each pair of registers stands for.
+        depth: the depth of the stack in bytes.
+        interrupts: whether they may be enabled (`ON`, `OFF`, or both).
+        read: the same, over all places where the status register was read.
+        kept: registers that hold a copy of the status register, each with the value of `interrupts` at that time.
+        pairs: for each pair of registers the stack's depth that it holds as a pointer; None if it holds something else.
     """
 
     depth: int
@@ -75,41 +75,41 @@ class _State(NamedTuple):
     pairs: tuple[int | None, ...] = (None,) * len(_PAIRS)
 
     def holding(self, low: str, depth: int | None) -> _State:
-        """With another depth in a pair."""
+        """The state with another depth in a pair."""
         if low not in _PAIRS:
             return self
         at = _PAIRS.index(low)
         return self._replace(pairs=(*self.pairs[:at], depth, *self.pairs[at + 1 :]))
 
     def held(self, low: str) -> int | None:
-        """The depth that a pair stands for; None where it is something else."""
+        """The depth that a pair holds; None if it holds something else."""
         return self.pairs[_PAIRS.index(low)] if low in _PAIRS else None
 
     def deeper(self, other: _State) -> _State:
-        """The worse of two states; a pair that is not the same in both is known only while the program runs."""
+        """Join of two states: the greater depth; a pair that differs is only known at run time."""
         pairs = (a if a == b else _COMPUTED for a, b in paired(self.pairs, other.pairs))
         kept = tuple(each for each in self.kept if each in other.kept)
         interrupts, read = self.interrupts | other.interrupts, self.read | other.read
         return _State(max(self.depth, other.depth), interrupts, read, kept, tuple(pairs))
 
     def called(self, taken: FunctionStack) -> _State:
-        """Behind a call: with the registers that functions keep."""
+        """The state after a call, which only call-saved registers survive."""
         pairs = tuple(held if 2 * at in _KEPT else None for at, held in enumerate(self.pairs))
         kept = tuple(each for each in self.kept if int(each[0][1:]) in _CALL_KEPT)
         return self._replace(interrupts=taken.leaves, kept=kept, pairs=pairs)
 
     def without(self, register: str) -> _State:
-        """With something else in a register that may have held the status."""
+        """The state after a register that may have held a copy of the status register is overwritten."""
         return self._replace(kept=tuple(each for each in self.kept if each[0] != register)) if self.kept else self
 
     @property
     def open(self) -> int:
-        """How deep the stack is where interrupts may come; below 0 where they may not."""
+        """The depth of the stack if interrupts may be enabled here; otherwise negative."""
         return self.depth if self.interrupts & ON else -1
 
 
 _Key = tuple[int, int]
-"""A function's address, and whether interrupts may come when it is called."""
+"""A function's address, and whether interrupts may be enabled when it is called."""
 _NOTHING = FunctionStack(0, -1, 0)
 
 
@@ -118,7 +118,7 @@ class Depths:
 
     Args:
         machine: the program's code.
-        shut: functions that leave again at once.
+        shut: functions that return at once, since their guard says that they are running already.
     """
 
     def __init__(self, machine: MachineCode, shut: frozenset[int] = frozenset()) -> None:
@@ -134,7 +134,7 @@ class Depths:
         self.unknown: set[int] = set()
 
     def chain(self, begin: int, *, opens: bool) -> list[int]:
-        """The functions of the deepest chain of calls, or of the deepest one in which interrupts may come."""
+        """The chain of calls that takes most stack, or with `opens` most stack while interrupts may be enabled."""
         chain = [(begin, OFF)]
         following = self._ways[chain[0]][opens]
         while following is not None and following not in chain:
@@ -143,14 +143,14 @@ class Depths:
         return [address for address, _ in chain]
 
     def of(self, entry: int, interrupts: int) -> FunctionStack:
-        """What a function takes.
+        """The stack that a function takes.
 
         Args:
             entry: its address.
-            interrupts: whether they may come when it is called.
+            interrupts: whether they may be enabled when it is called.
         """
         waiting = [((entry, interrupts), False)]
-        while waiting:  # no recursion: functions may call the next for as long as they like
+        while waiting:  # a loop, since chains of calls may be longer than Python's recursion limit
             at, pointed = waiting[-1]
             if at in self._known:
                 waiting.pop()
@@ -166,7 +166,7 @@ class Depths:
         return self._known[entry, interrupts]
 
     def _measured(self, key: _Key) -> FunctionStack:
-        """What `of` says, where that is known of all that the function calls but for what is under way itself."""
+        """What `of` returns; functions it calls that are not known yet are noted in `_missing`, except those under way."""
         entry, interrupts = key
         shut = entry in self._shut
         states = {entry: _State(0, interrupts)}
@@ -192,7 +192,7 @@ class Depths:
             if instruction.name in ("ret", "reti", "ijmp", "eijmp"):
                 leaves |= after.interrupts
             target = instruction.target if instruction.name in ("jmp", "rjmp") else None
-            if target in self._shut and target != entry:  # it ends in what leaves again at once
+            if target in self._shut and target != entry:  # a tail call of a function that returns at once
                 leaves |= after.interrupts
                 continue
             if target is not None and target in self._tables:
@@ -214,14 +214,14 @@ class Depths:
         return FunctionStack(most, opened, leaves or interrupts)
 
     def _deepest(self, called: Sequence[_Key], *, opens: bool = False) -> tuple[_Key | None, FunctionStack]:
-        """The deepest of what an instruction may call."""
+        """Of the functions that an instruction may call, the one that takes most stack, and what it takes."""
         known = {key: self._known[key] for key in called if key in self._known}
         deepest = max(known, key=lambda key: known[key].open if opens else known[key].most, default=None)
         return deepest, known[deepest] if deepest is not None else _NOTHING
 
     @staticmethod
     def _reach(states: dict[int, _State], address: int, state: _State) -> list[int]:
-        """The address, where a state is news there."""
+        """Join a state into the one known at an address; returns the address if that has changed anything."""
         old = states.get(address)
         new = state if old is None else old.deeper(state)
         if new == old:
@@ -230,11 +230,11 @@ class Depths:
         return [address]
 
     def _rows(self, entry: int) -> list[int]:
-        """Where the tables of a function's `switch`es may lead."""
+        """The addresses to which the jump tables of a function's `switch`es may lead."""
         return [address for address in self._machine.labels if entry <= address < self._machine.end_of(entry)]
 
     def _step(self, instruction: Instruction, state: _State, entry: int) -> tuple[_State, list[_Key], int]:
-        """The state behind an instruction, what it may call, and the deepest before what that takes."""
+        """The state after an instruction, the functions that it may call, and the depth at which these start."""
         name, operands = instruction.name, instruction.operands
         depth, low = state.depth, operands[0] if operands else ""
         if name == "push":
@@ -243,10 +243,10 @@ class Depths:
             return state._replace(depth=max(0, depth - 1)).without(low).holding(low_of(low), None), [], depth
         if name in ("rcall", "call"):
             target = instruction.target
-            if not target:  # what is nowhere defined
+            if not target:  # a weak symbol without definition
                 return state.called(FunctionStack(0, 0, state.interrupts)), [], depth + 2
             if target == self._next.get(instruction.address):
-                return state._replace(depth=depth + 2), [], depth + 2  # a frame of two bytes
+                return state._replace(depth=depth + 2), [], depth + 2  # which reserves a frame of two bytes
             return self._behind(state, [target], pointed=False), [(target, state.interrupts)], depth + 2
         if name in _THROUGH_POINTERS:
             targets = self._machine.reached_from(instruction.address)
@@ -261,12 +261,12 @@ class Depths:
         return self._computed(instruction, state, entry), [], depth
 
     def _behind(self, state: _State, targets: Sequence[int], *, pointed: bool) -> _State:
-        """The state behind a call; what is measured of none of the functions yet is noted.
+        """The state after a call; called functions that are not known yet are noted, and so are recursive ones.
 
         Args:
-            state: before it.
+            state: the state before it.
             targets: the functions that may be called.
-            pointed: whether that is told by a pointer, of which nobody knows which of the functions it is.
+            pointed: whether the call is indirect, so that it is not certain which of the functions it reaches.
         """
         leaves = 0
         for key in ((target, state.interrupts) for target in targets):
@@ -279,7 +279,7 @@ class Depths:
         return state.called(FunctionStack(0, 0, leaves or state.interrupts))
 
     def _through_pointers(self, key: _Key) -> bool:
-        """Whether the calls that lead from what is under way to where it is called again are not all sure."""
+        """Whether a cycle of calls back to a function under way includes indirect ones, so that recursion is not certain."""
         way = iter(self._on_way)
         for each in way:
             if each == key:
@@ -287,7 +287,7 @@ class Depths:
         return any(self._on_way[each] for each in way)
 
     def _computed(self, instruction: Instruction, state: _State, entry: int) -> _State:
-        """The state behind an instruction that neither calls nor jumps."""
+        """The state after an instruction that neither calls nor jumps."""
         name, operands = instruction.name, instruction.operands
         low = operands[0] if operands else ""
         if name in ("sei", "cli"):
@@ -311,7 +311,7 @@ class Depths:
             held = state.held(operands[1])
             if held == _COMPUTED:
                 self.unknown.add(entry)
-            return state._replace(depth=held) if held is not None and held >= 0 else state  # without one it is another stack
+            return state._replace(depth=held) if held is not None and held >= 0 else state  # else it switches stacks
         held = state.held(low_of(low))
         if held is None or held == _COMPUTED:
             return self._plain(instruction, state)
@@ -323,18 +323,18 @@ class Depths:
         if name == "subi" and low_of(low) == low:
             following = self._code.get(self._next.get(instruction.address, -1))
             if following is not None and following.name in ("sbci", "sbc") and following.operands[0] == _high(low):
-                # sbc takes r1, which holds 0
+                # sbc subtracts r1, which holds 0
                 change = (number(operands[1]) or 0) | (number(following.operands[1]) or 0) << 8
                 return state.holding(low, held + (change - 0x10000 if change >= 0x8000 else change))
             return state.holding(low, _COMPUTED)
         before = self._code.get(instruction.address - 2)
         if name in ("sbci", "sbc") and before is not None and before.name == "subi":
-            return state  # taken with the subi before it
+            return state  # handled with the subi before it
         return self._plain(instruction, state)
 
     @staticmethod
     def _plain(instruction: Instruction, state: _State) -> _State:
-        """The state behind an instruction that computes no depth that is known."""
+        """The state after an instruction that does not compute a known depth."""
         name, low = instruction.name, instruction.operands[0] if instruction.operands else ""
         if name == "movw":
             return state.holding(low, state.held(instruction.operands[1]))
@@ -344,7 +344,7 @@ class Depths:
         return state.holding(low_of(low), _COMPUTED if kept else None)
 
     def _frame_for_saves(self, address: int) -> int:
-        """The frame that a function asks `__prologue_saves__` for, in r27:r26 before the jump there."""
+        """The size of the frame that a function passes to `__prologue_saves__` in r27:r26 before it jumps there."""
         values = {"r26": 0, "r27": 0}
         for before in range(address - 10, address, 2):
             instruction = self._code.get(before)
@@ -352,12 +352,12 @@ class Depths:
                 values[instruction.operands[0]] = number(instruction.operands[1]) or 0
         return values["r26"] | values["r27"] << 8
 
-    # ---- what leads where
+    # ---- control flow
 
     def _follow(self, instruction: Instruction, state: _State) -> Iterator[int]:
-        """The addresses that may come next, in the same function or in one that it ends in.
+        """The addresses that may be executed next, in the same function or in one that it jumps to.
 
-        Where a program asks whether interrupts may come, it goes on as they do.
+        Where a program tests whether interrupts are enabled, only the known outcome is followed.
         """
         name = instruction.name
         on = self._asked(instruction, state)
@@ -366,7 +366,7 @@ class Depths:
             return
         target = instruction.target
         if name in ("jmp", "rjmp"):
-            if target:  # at 0 are the vectors: what is nowhere defined
+            if target:  # at 0 are the vectors: a weak symbol without definition
                 yield target
             return
         if _BRANCHES.match(name) and target is not None and on in (None, name == "brie"):
@@ -378,7 +378,7 @@ class Depths:
                 yield self._next[following]
 
     def _asked(self, instruction: Instruction, state: _State) -> bool | None:
-        """The answer where an instruction asks whether interrupts may come; None for others, and where it is not known."""
+        """The outcome of an instruction that tests whether interrupts are enabled; None for others, and if it is not known."""
         name = instruction.name
         asks = name in ("brie", "brid")
         if name in ("sbrc", "sbrs") and number(instruction.operands[1]) == _ENABLES:
@@ -388,7 +388,7 @@ class Depths:
         return state.interrupts == ON if asks and state.interrupts in (ON, OFF) else None
 
     def beginnings(self) -> list[int]:
-        """What runs before main: constructors of objects that last."""
+        """The functions that run before main: constructors of static objects."""
         return [address for name, address in self._symbols.items() if name.startswith("_GLOBAL__")]
 
 

@@ -1,8 +1,9 @@
-"""How much stack a linked AVR program can take: a bound, read off its machine code.
+"""An upper bound of the stack that a linked AVR program takes, computed from its disassembly without running it.
 
-Main, each interrupt's handler and what runs before main take turns on one stack. How much each takes with what it calls is
-`machine_depths`'; here is how they come upon each other: a handler comes where interrupts may come, those that let others in
-are interrupted themselves, and a function that shuts itself while it runs is gone into by one of them only. Nothing is run here.
+main, the functions that run before it, and the interrupt handlers share one stack. `machine_depths` computes how much each
+takes with all that it calls; this module adds them up. A handler may start wherever interrupts are enabled, a handler that
+enables them may be interrupted itself, and a function that a variable `under_way` guards is entered by only one of them at a
+time.
 """
 
 from __future__ import annotations
@@ -21,17 +22,17 @@ from robosmi.verify.compile_report import StackBound
 _ARCHITECTURE = "avr"
 _VECTOR = re.compile(r"^__vector_\d+$")
 _GUARD = re.compile(r"^_ZZ(\w+)E9under_way\b")
-"""The name of a static variable `under_way` of a function, which shuts that function while it runs."""
+"""Mangled name of a static variable `under_way` of a function, which guards that function while it runs."""
 _MOST_GUARDS = 3
-"""More functions that run once at a time are taken as others are."""
+"""If a program has more guarded functions, their guards are ignored."""
 
 
 def stack_bound(disassembly: str, architecture: str) -> StackBound | None:
-    """The most stack that a program takes; None where it has no `main`, or is for another processor.
+    """An upper bound of the stack that a program takes; None if it has no `main`, or is not for an AVR.
 
     Args:
-        disassembly: of the linked program (see `MachineCode`).
-        architecture: of its processor.
+        disassembly: the linked program's disassembly (see `MachineCode`).
+        architecture: the architecture of its processor.
     """
     if architecture != _ARCHITECTURE:
         return None
@@ -40,12 +41,12 @@ def stack_bound(disassembly: str, architecture: str) -> StackBound | None:
 
 
 class StackParts(NamedTuple):
-    """What a program's bound is made of.
+    """The parts of a program's bound.
 
     Attributes:
-        main: the bytes that main takes with what it calls.
-        main_open: the same where interrupts may come; below 0 where they never may.
-        interrupts: name of a handler -> what it takes.
+        main: the bytes that main takes with all that it calls.
+        main_open: the same at the deepest point at which interrupts may be enabled; negative if they never are.
+        interrupts: name of a handler -> the bytes that it takes.
     """
 
     main: int
@@ -54,18 +55,18 @@ class StackParts(NamedTuple):
 
 
 def stack_parts(disassembly: str) -> StackParts:
-    """What the bound of an AVR program is made of: of what runs once at a time each part has as much as it has in the bound.
+    """The parts of an AVR program's bound; the stack of a guarded function is in the part that holds it in the bound.
 
     Args:
-        disassembly: of the linked program, which has a `main`.
+        disassembly: the disassembly of the linked program, which has a `main`.
     """
     return _Contexts(MachineCode(disassembly)).parts()
 
 
 class _Contexts:
-    """What may take turns on a program's stack: main, with what runs before it, and the interrupts upon it.
+    """The contexts that share a program's stack: main with what runs before it, and each interrupt handler.
 
-    A function that runs once at a time is gone into by one of them only; which one is what takes most.
+    A guarded function is held by one context at a time; the bound is the greatest over all assignments.
 
     Args:
         machine: the program's code.
@@ -85,32 +86,32 @@ class _Contexts:
         return self._most()[0]
 
     def parts(self) -> StackParts:
-        """What the bound is made of."""
+        """The parts of the bound."""
         _, holders = self._most()
         main = self._machine.symbols["main"]
         taken = self._without(main, holders).of(main, OFF)
         return StackParts(taken.most, taken.open, self._interrupts(holders))
 
     def _most(self) -> tuple[StackBound, dict[int, int]]:
-        """The bound, and who holds what runs once at a time there."""
+        """The greatest bound over all assignments of guarded functions to contexts, and that assignment."""
         main = self._machine.symbols["main"]
         held = product((main, *self._names), repeat=len(self._guarded))
         ways = (dict(paired(self._guarded, each)) for each in held)
         return max(((self._with(main, way), way) for way in ways), key=lambda found: found[0].bytes)
 
     def _without(self, context: int, holders: Mapping[int, int]) -> Depths:
-        """How much functions take in a context that goes only into those that it holds of what runs once at a time."""
+        """The depths of functions in a context, where guarded functions that another context holds return at once."""
         shut = frozenset(function for function, holder in holders.items() if holder != context)
         if shut not in self._depths:
             self._depths[shut] = Depths(self._machine, shut)
         return self._depths[shut]
 
     def _with(self, main: int, holders: Mapping[int, int]) -> StackBound:
-        """The bound where each function that runs once at a time is held by one context."""
+        """The bound for one assignment of guarded functions to contexts."""
         depths = self._without(main, holders)
         begins = [depths.of(address, OFF) for address in depths.beginnings()]
         taken = depths.of(main, OFF)
-        before = 4 + max((each.most for each in begins), default=0)  # returns to what calls them in turn
+        before = 4 + max((each.most for each in begins), default=0)  # two return addresses
         interrupts = upon_each_other(self._interrupts(holders).values())
         closed = max(2 + taken.most, before)
         opened = max([2 + taken.open, *(4 + each.open for each in begins if each.open >= 0)]) + interrupts
@@ -124,6 +125,6 @@ class _Contexts:
         return StackBound(max(opened, closed), interrupts * opens, said[0], said[1], names)
 
     def _interrupts(self, holders: Mapping[int, int]) -> dict[str, HandlerBytes]:
-        """What the interrupts take, by the names of their handlers."""
+        """Name of each interrupt handler -> the bytes that it takes."""
         taken = {name: self._without(address, holders).of(address, OFF) for address, name in self._names.items()}
         return {n: HandlerBytes(2 + own.most, 2 + own.open if own.open >= 0 else -1) for n, own in taken.items()}

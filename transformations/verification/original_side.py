@@ -1,6 +1,6 @@
 """The source's side of a verification: the program in its host model, run as it is and a few times with other costs and inputs.
 
-What the runs of one scenario differ in tells how exact a comparison can be, and whether the scenario is racy.
+The differences between these runs of one scenario show how exact a comparison can be, and whether the scenario is racy.
 """
 
 from __future__ import annotations
@@ -34,30 +34,30 @@ from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace
 
 CONSOLE_CHANNEL = "console"
 DRIVEN = ", as it is driven"
-"""Behind the name of a port at which a device is: the channel of what the program does to it."""
+"""Suffix of the channel with the levels at which the program holds a port, or lets it go."""
 PULSED = ", its pulses"
-"""Behind the name of a port at which one function makes all pulses: the channel of how long they are."""
+"""Suffix of the channel with the pulse widths at a port where one function makes all pulses."""
 STANDING = " standing"
-"""Behind the names of the wheels that a program waits for: the channel of when none of them is driven."""
+"""Suffix of the channel with when none of the wheels is driven for which the program waits."""
 Place = tuple[str | int, ...]
-"""File and line of a line of the source, file, line and number of a branch, or `channel` and the name of a channel."""
+"""(file, line) or (file, line, number of a branch) in the source, ("channel", name), or a goal of `scenario_goals`."""
 SETTLED = ("running", "finished")
-"""Status of a run that came to its end by itself."""
+"""Statuses of runs that ended by themselves, or at the horizon."""
 LIMITS = ("time limit", "output limit")
-"""Status of a run that was given up."""
+"""Statuses of runs that were given up."""
 
 _STANDS_US, _SURELY_US = 150_000.0, 250_000.0
-"""Wheels without a pulse for less than the first time are still on their way: the library rests for 120 ms between two steps.
-Below the second one another run may find them there, too."""
+"""Wheels stand still if no pulse comes for the first time: within a motion the library pauses for 120 ms between two steps. A
+pause below the second time may be missing in another run.
+"""
 
 _LINE_PART = 0.025
-"""Serial lines may be off by so much: an AVR at 16 MHz is 2.1 % too fast at 115200 baud."""
+"""By this part serial lines may be faster: an AVR at 16 MHz is 2.1 % too fast at 115200 baud."""
 _GAPS_PART = 0.09
-"""An interrupt that feeds a line leaves a gap between two bytes: so much of a byte's time on simulators, which have no second
-register for what is sent next."""
+"""Gap between two bytes of a line fed by an interrupt, in byte times: simulators lack the second transmit register."""
 
 _CLOCK_US = 45_000.0
-"""Where in a second a program looks at its clock hangs on what it did before, which may take so much longer or shorter."""
+"""By this much, in microseconds, the instant within a second may vary at which a program reads a clock."""
 
 _FACTORS = (
     Variation(1, block_factor=2.0, call_factor=2.0, line_part=-_GAPS_PART),
@@ -66,28 +66,27 @@ _FACTORS = (
     Variation(4, block_factor=1.3, call_factor=0.8, noise=0.3, late_us=100.0, clock_us=_CLOCK_US / 2),
     Variation(5, early_part=0.001, line_part=_LINE_PART),
 )
-"""What the program's steps cost in the varied runs; a microcontroller of another kind is about so much faster or slower."""
+"""The varied runs: by which factors the costs of the program's steps differ, as they do on another microcontroller."""
 _SCALED = 2
-"""So many of them, the first ones, differ only in what all steps cost: more in the first one, less in the second."""
+"""Number of varied runs, the first ones, that differ only in the costs of all steps: higher in one, lower in the other."""
 _FURTHER = tuple(Variation(seed, noise=0.3, late_us=100.0, clock_us=_CLOCK_US * (seed % 3) / 2) for seed in range(6, 14))
-"""Further ones for a scenario in which the migrated program differs: with noise, and inputs moved otherwise each time; in
-the first two all of them as far as they may be, earlier and later."""
+"""Further varied runs for a scenario in which the migrated program differs: with noise, and with inputs moved by other times in
+each; in the first two all inputs are moved by the greatest time, earlier and later.
+"""
 _MOVED_MS = 20.0
-"""By so much the instants of inputs are moved: the longest time between two looks of a program that polls."""
+"""Greatest time by which inputs are moved, in milliseconds: the longest time between two reads of a polling program."""
 
 
 class SourceRuns(Struct, frozen=True):
-    """The runs of one scenario.
+    """The runs of the original in one scenario.
 
     Attributes:
-        nominal: the run that is compared.
-        varied: the others.
+        nominal: the run that is compared with the migrated program.
+        varied: the varied runs; their traces are emptied, since `channels` has their events.
         channels: name of each channel -> for each of `SIGHTS` its events in the nominal run, then in each varied run.
-        given_up: the status of the run at which a limit was reached; there are no runs after it. Empty if there was none.
-        loop: how the program waits for what it drives, if it does.
-        rests: name of each device that comes to rest -> where it does so in the nominal run, then in each varied run.
-
-    What varied runs do at the pins is in `channels` alone: their traces are empty.
+        given_up: status of the run that reached a limit, after which there are no runs; empty if there was none.
+        loop: the closed loop in which the program waits for what it drives, if it does.
+        rests: name of each device that comes to rest -> its places of rest in the nominal run, then in each varied run.
     """
 
     nominal: OriginalRun
@@ -99,12 +98,12 @@ class SourceRuns(Struct, frozen=True):
 
     @property
     def unsteady(self) -> bool:
-        """Whether the program comes to its end or to the horizon, and with other costs or inputs to no good end."""
+        """Whether the nominal run ends in order, and a varied one does not."""
         return self.nominal.status in SETTLED and any(run.status not in SETTLED for run in self.varied)
 
     @property
     def racy_channels(self) -> list[str]:
-        """The channels on which the source differs from itself."""
+        """The channels on which the runs of the source differ from each other."""
         horizon = self.nominal.trace.simulated_us / 1000
         return [
             name
@@ -114,12 +113,12 @@ class SourceRuns(Struct, frozen=True):
 
 
 def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) -> dict[str, list[list[ActivityEvent]]]:
-    """What a trace has of each channel, for each of `SIGHTS`: the ports that are watched, and the console.
+    """The events of each channel in a trace, for each of `SIGHTS`: the watched ports, what devices report, and the console.
 
     Args:
-        trace: what was seen.
+        trace: the trace.
         ports: the ports.
-        target: whether the trace is the target's.
+        target: whether it is the target's trace.
     """
     found = {port.title: _at_port(trace, port, target) for port in ports if port.watched}
     for port in ports:
@@ -148,7 +147,7 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
 
 
 def _standing(trace: PinTrace, pins: Sequence[str]) -> list[ActivityEvent]:
-    """When wheels are driven (1) and when none of them is (0), by the pulses at their pins."""
+    """When any of the wheels is driven (1), and when none is (0), judged by the pulses at their pins."""
     found = [IDLE]
     end_us = 0.0
     for pulse in sorted(pulse for pin in pins for pulse in pulses_of(trace, pin)):
@@ -165,7 +164,7 @@ def _standing(trace: PinTrace, pins: Sequence[str]) -> list[ActivityEvent]:
 
 
 def _at_port(trace: PinTrace, port: BoundPort, target: bool) -> list[list[ActivityEvent]]:
-    """What the program does at a port, for each sight; where it stands for a voltage, the frequency of a wave is left out."""
+    """The events at a port for each of `SIGHTS`; if the port represents a voltage, waves have no frequency."""
     pin = port.target if target else port.source
     pulses = pulses_of(trace, pin)
     seen = [activity(trace, pin, sight, pulses) for sight in SIGHTS]
@@ -175,7 +174,7 @@ def _at_port(trace: PinTrace, port: BoundPort, target: bool) -> list[list[Activi
 
 
 def _told(trace: PinTrace, number: int, facts: SimulatedKind, measures: bool) -> list[ActivityEvent]:
-    """What a device was told: text where it takes bytes, else a line for each thing that it noted."""
+    """What a device has received: lines of text if it takes bytes, otherwise a line for each event that it has noted."""
     seen = [event for event in trace.device_events if event.device == number]
     if text := facts.get("tells_text"):
         return text_lines(trace, [ConsoleByte(e.at_us, as_whole(e.value)) for e in seen if e.what == text], measures)
@@ -197,16 +196,16 @@ def compared(
     horizon_ms: float,
     loop: ClosedLoop | None = None,
 ) -> ChannelComparison:
-    """Compare a channel as the first sight has it in which no pause of the source is unclear.
+    """Compare a channel at the first of `SIGHTS` at which no pause of the source is close to a limit.
 
-    Where there is none, all are asked, and one that tells no difference is right; else the one in which it comes last.
+    If there is none, all are compared: one without a difference is right, otherwise the one whose difference comes last.
 
     Args:
         channel: its name.
-        source: for each sight the events of the nominal run, then of each varied one.
-        target: for each the target's events.
-        horizon_ms: how long both ran.
-        loop: how the program waits for what it drives, if it does.
+        source: for each of `SIGHTS` the events of the nominal run, then of each varied run.
+        target: for each of `SIGHTS` the target's events.
+        horizon_ms: the simulated time of both, in milliseconds.
+        loop: the closed loop in which the program waits for what it drives, if it does.
     """
     found = []
     if loop is not None and channel.endswith(STANDING):
@@ -223,13 +222,13 @@ def compared(
 
 
 def run_source(program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, limit_s: float = 60.0) -> OriginalRun:
-    """The nominal run of a scenario."""
+    """Run the source in a scenario as it is."""
     run = run_original(program, scenario.horizon_ms * 1000, played(ports, scenario, target=False), limit_s=limit_s)
     return with_place(program, run)
 
 
 def places_reached(program: OriginalProgram, run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
-    """The lines and branches of the source that a run has reached, and the channels on which it has done something."""
+    """The lines and branches of the source that a run has reached, and the channels on which something has happened."""
     if not run.counts:
         return frozenset()
     covered = coverage(program, [run.counts])
@@ -243,16 +242,16 @@ def run_varied(
     program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, nominal: OriginalRun, limit_s: float = 60.0,
     until_racy: bool = False,
 ) -> SourceRuns:  # fmt: skip
-    """The varied runs of a scenario beside its nominal one.
+    """Add the varied runs of a scenario to its nominal run.
 
     Args:
         program: the original.
         ports: the ports.
-        scenario: what happens.
+        scenario: the scenario.
         nominal: its nominal run.
         limit_s: seconds of this machine's time for all of them.
-        until_racy: whether no further runs are wanted when the source differs from itself on a channel; other channels could not
-            be compared well then.
+        until_racy: whether to stop as soon as a channel is racy; then there are too few runs to compare the other channels
+            well.
     """
     devices = played(ports, scenario, target=False)
     until = monotonic() + limit_s
@@ -283,13 +282,13 @@ def run_varied(
 def run_further(
     program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, runs: SourceRuns, limit_s: float = 60.0
 ) -> SourceRuns:
-    """The runs of a scenario with further varied ones, which tell better whether the source differs from itself.
+    """Add further varied runs to those of a scenario, which show better whether the source differs from itself.
 
     Args:
         program: the original.
         ports: the ports.
-        scenario: what happens.
-        runs: those that there are.
+        scenario: the scenario.
+        runs: the runs so far.
         limit_s: seconds of this machine's time for all further ones.
     """
     devices = played(ports, scenario, target=False)
@@ -311,13 +310,13 @@ def run_further(
 def _with_rests(
     rests: Mapping[str, list[list[Rest]]], trace: PinTrace, ports: Sequence[BoundPort]
 ) -> dict[str, list[list[Rest]]]:
-    """Where devices come to rest, with one more run of the source."""
+    """The places of rest, with those of one more run of the source added."""
     seen = rests_seen(trace, ports, target=False)
     return {name: [*each, seen[name]] for name, each in rests.items()}
 
 
 def _loop(trace: PinTrace, ports: Sequence[BoundPort]) -> ClosedLoop | None:
-    """How a program waits for the wheels that it drives, from the first pulse for one of them on."""
+    """The closed loop in which a program waits for its wheels, from the first pulse for one of them; None without."""
     wheels = [port for port in ports if port.loop_ms and "servo" in port.pin.split()]
     driven = [pulse.begin for port in wheels for pulse in pulses_of(trace, port.source)]
     return ClosedLoop(min(driven) / 1000, max(port.loop_ms for port in wheels)) if driven else None
@@ -328,12 +327,12 @@ def _by_channel(seen: Sequence[Mapping[str, list[list[ActivityEvent]]]]) -> dict
 
 
 def moved_devices(devices: Sequence[DeviceUse], chance: random.Random, by_ms: float | None = None) -> list[DeviceUse]:
-    """Devices whose signals change a little earlier or later, and whose values are a little off.
+    """Devices whose signals change a little earlier or later, and whose values are a little different.
 
     Args:
         devices: the devices.
-        chance: what is random.
-        by_ms: by how much all signals are later; each change by another time if None.
+        chance: the random generator.
+        by_ms: time in milliseconds by which all signals are late; None to move each change by another time.
     """
     facts = device_facts()
     made = []
@@ -354,9 +353,9 @@ def moved_devices(devices: Sequence[DeviceUse], chance: random.Random, by_ms: fl
 
 
 def put_down_anywhere(devices: Sequence[DeviceUse], chance: random.Random) -> list[DeviceUse]:
-    """Devices of which nobody knows where exactly they stand at first, somewhere else there.
+    """Devices whose exact initial position is unknown, at another position.
 
-    How long a closed loop needs to come to a place hangs on it: each varied run is one more sample of that.
+    The time that a closed loop needs to reach a place depends on it: each varied run is one more sample of that.
     """
     facts = device_facts()
     return [

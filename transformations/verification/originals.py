@@ -1,7 +1,7 @@
-"""From a program to one that runs on this machine: headers of its platform without a model are made from what is known of them.
+"""Build a program to run on this machine, with stand-ins for headers of its platform that have no host model.
 
-What such a header declares ends the run with its name as soon as it is reached, so that a program that includes it and does
-without, or that never comes there, runs all the same.
+A function that a stand-in declares ends the run, with the function's name, when it is called. So a program that includes such a
+header runs as long as it does not call one.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def with_stored_names(units: Iterable[ccode.SourceUnit], folder: Path, place: Pa
 
 
 def stand_in_headers(sources: Sequence[Path], model: HostModel, include_folders: Sequence[Path] = ()) -> dict[str, str]:
-    """Headers of the platform that a program includes and the host model has not: name -> text."""
+    """Stand-ins for headers of the platform that a program includes and the host model lacks: name -> text."""
     index = ApiIndex.load(model.platform)
     wanted = _included(sources, include_folders)
     own = {path.relative_to(folder).as_posix() for folder in model.headers for path in folder.rglob("*.h")}
@@ -81,7 +81,7 @@ def stand_in_headers(sources: Sequence[Path], model: HostModel, include_folders:
 
 
 def _included(sources: Iterable[Path], include_folders: Sequence[Path]) -> set[str]:
-    """The names that files include, and those that headers of the program do that they include."""
+    """The names of headers that a program includes, directly or through its own headers, and that are no files of its own."""
     pending, seen, found = [path.resolve() for path in sources], set[Path](), set[str]()
     while pending:
         path = pending.pop()
@@ -100,7 +100,7 @@ def _included(sources: Iterable[Path], include_folders: Sequence[Path]) -> set[s
 def _stand_in(header: str, index: ApiIndex) -> str:
     lines = ['#include "host.h"', *(f"#include <{name}>" for name in index.includes(header))]
     for name, entry in index.declared(header).items():
-        if entry.kind == "function":  # declared by being called; another header's function of that name is not meant
+        if entry.kind == "function":  # the call declares it; the macro tells it from another header's
             if len({each.header for each in index.entries(name)}) > 1:
                 lines.append(f"#define {name} {name}{VARIANT}{_word(header)}")
             continue

@@ -1,6 +1,6 @@
-"""What a scenario makes of the devices at a program's ports: which are connected to either board, and what each of them shows.
+"""The devices of a scenario: which are connected to either board, and what each of them shows.
 
-Which device stands at a port is told by `port_devices`. Nothing is run here.
+`port_devices` says which device is at a port. Nothing is run here.
 """
 
 from __future__ import annotations
@@ -21,17 +21,17 @@ from robosmi.verify.scenario import POINTS, Points, Scenario
 from robosmi.verify.simulation import DeviceUse
 
 CONSOLE, TYPING = "console", "typing"
-"""What scenarios call the console, and the device that types there."""
+"""Name of the console in scenarios, and kind of the device that types there."""
 
 
 class PlayedDevice(Struct, frozen=True):
-    """A device at some ports.
+    """A device at one or several ports.
 
     Attributes:
-        kind: of the device.
-        ports: the numbers of its ports among those of the program.
-        pins: what the device calls a pin -> label of the board's pin.
-        settings: as the program says them.
+        kind: kind of the device.
+        ports: the indices of its ports among those of the program.
+        pins: the device's name of a pin -> label of the board's pin.
+        settings: the settings that the program's calls give.
     """
 
     kind: str
@@ -43,11 +43,7 @@ class PlayedDevice(Struct, frozen=True):
 def devices_at(ports: Sequence[BoundPort], target: bool) -> list[PlayedDevice]:
     """The devices at the pins of one of the boards, in the order in which they are connected.
 
-    A device one of whose pins is not wired there is left out, unless it can do without.
-
-    Args:
-        ports: the ports.
-        target: whether the pins are those of the target.
+    A device is left out if a pin that it needs is not wired there.
     """
     groups: dict[str, list[int]] = {}
     for number, port in enumerate(ports):
@@ -71,11 +67,11 @@ def devices_at(ports: Sequence[BoundPort], target: bool) -> list[PlayedDevice]:
 
 
 def played(ports: Iterable[BoundPort], scenario: Scenario | None, target: bool) -> list[DeviceUse]:
-    """The devices of a scenario at the pins of one of the boards; an input without a signal shows what it shows at rest.
+    """The devices of a scenario at the pins of one of the boards; an input without a signal shows its value at rest.
 
     Args:
         ports: the ports.
-        scenario: what happens; None for nothing.
+        scenario: the scenario; None if nothing happens.
         target: whether the pins are those of the target.
 
     Raises:
@@ -103,12 +99,7 @@ def played(ports: Iterable[BoundPort], scenario: Scenario | None, target: bool) 
 
 
 def signals_of(ports: Sequence[BoundPort], scenario: Scenario | None) -> dict[int, Mapping[str, Points]]:
-    """The signals of a scenario by the number of their port, the first one where the device has several.
-
-    Raises:
-        UsageError: a signal is of no component, port or pin of the program, or of one that the program does not read, or has a
-            value that its device cannot show; or two signals are of one device.
-    """
+    """The signals of a scenario by the index of their port, the first port if the device has several."""
     found: dict[int, Mapping[str, Points]] = {}
     named: dict[int, str] = {}
     place = Location(str(scenario.path)) if scenario is not None and scenario.path is not None else None

@@ -241,9 +241,7 @@ def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice]) -> Non
 
 
 def resting_pins(plan: migration.MigrationPlan) -> dict[str, int]:
-    """Label -> level (0 or 1) of the pins that a migrated program holds from its start so that the component there does
-    nothing.
-    """
+    """Label -> level (0 or 1) of the pins that a program holds from its start so that the component there does nothing."""
     return {str(c.pin.label): _LEVELS[str(c.restLevel)] for c in rest_levels(plan) if c.pin is not None}
 
 

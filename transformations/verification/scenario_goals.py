@@ -1,10 +1,10 @@
-"""What a search for scenarios is after, beside the lines and branches of the source: what the program does one after the other.
+"""The goals of a search for scenarios besides lines and branches of the source: sequences of events, and extreme values.
 
-A branch that was taken once, for the first time, says little: a robot that stops is to be seen stopping from each of its
-motions, and going on after it. So each three things that follow one another on a channel are a goal, and values at the sides of a
-border between two ways of the program. A button that is pressed again and again, and all keys and commands one after the other,
-are one. What a device can show at the most and at the least is one, since numbers have their
-longest texts there and some a sign; so is each text in which a number is negative, or beyond 16 bits.
+Reaching a branch once shows little: a robot that stops should be seen stopping from each of its motions, and going on after it.
+So each two or three events that follow one another on a channel are a goal. Further goals are values at both sides of a border
+between two ways of the program, a button that is pressed again and again, all keys and commands in sequence, and the least and
+the greatest values of a device, since numbers have their longest texts there and some a sign; so is each text in which a number
+is negative, or beyond 16 bits.
 """
 
 from __future__ import annotations
@@ -23,21 +23,21 @@ from robosmi.verify.original_run import OriginalRun
 
 THEN, BESIDE, ENDS, SERIES, NEGATIVE, LARGE = "then", "beside", "ends", "series", "negative", "large"
 VALUE = "value"
-"""What places begin with that are no goals, but tell which way a program goes."""
+"""First item of places that are no goals, but show which way a program takes."""
 GOALS = (THEN, BESIDE, ENDS, SERIES, NEGATIVE, LARGE)
-"""What goals that are no places of the source begin with."""
+"""First items of goals that are no places of the source."""
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 _LARGEST = 32767
 _BEYOND = "99999"
-"""What stands for a number beyond 16 bits."""
+"""Replaces a number beyond 16 bits in a text."""
 _MOST_ON_A_CHANNEL = 24
-"""A program that prints or plays something else all the time is not to be followed for ever."""
+"""Most goals of a kind on one channel: a program that always prints something new would keep the search busy forever."""
 
 
 def behaviour(run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
-    """Each two and three things that follow one another on a channel, and each text in which a number is negative.
+    """Each two or three successive events of a channel, and each text in which a number is negative or beyond 16 bits.
 
-    As ("then", channel, what, what, what), ("negative", channel, text) and ("large", channel, text).
+    As ("then", channel, event, event, event), ("negative", channel, text) and ("large", channel, text).
     """
     found: set[Place] = set()
     for name, (events, *_) in channel_events(run.trace, ports, target=False).items():
@@ -56,9 +56,10 @@ def behaviour(run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
 
 
 def values_told(run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
-    """The levels of each channel, and its texts with 0 and 1 as the only numbers: what a comparison gives that is no branch.
+    """The levels of each channel, and its texts in which all numbers other than 0 and 1 are alike.
 
-    As ("value", channel, what). Other numbers stand for each other: a measured one differs with each value of an input.
+    As ("value", channel, text). They show the result of a comparison that is no branch; other numbers are made alike because a
+    measured one differs with each value of an input.
     """
     return frozenset(
         (VALUE, name, _NUMBER.sub(_yes_or_no, f"{event.kind} {event.value[0]}"))
@@ -73,7 +74,7 @@ def _yes_or_no(number: re.Match[str]) -> str:
 
 
 def shown(run: OriginalRun, ports: Sequence[BoundPort]) -> dict[str, list[str]]:
-    """What a program does on each channel, without times: whether it heeds what an input shows."""
+    """What a program does on each channel, without times: this shows whether it reacts to an input."""
     return {
         name: [str(event) for event in events] for name, (events, *_) in channel_events(run.trace, ports, target=False).items()
     }
@@ -88,7 +89,7 @@ def _sized(number: re.Match[str]) -> str:
 
 
 def _short(event: ActivityEvent) -> str:
-    """What an event says, so that measured numbers make no new goals."""
+    """Text of an event in which measured numbers are made alike, so that they make no new goals."""
     value = event.value[0]
     if event.kind in (LINE, READING):
         return _NUMBER.sub("0", str(value))
@@ -105,10 +106,11 @@ def beside(border: float, facts: Mapping[str, Any], near: tuple[float, float] | 
     """Values at both sides of a border, as near to it as boards that measure differently allow.
 
     Args:
-        border: where the source goes another way.
-        facts: of the device that shows the values: `near_percent`, by how many per cent they are off; 100 is half and twice.
-            `rounded_to`, to what programs round the values, and `off_least`, within which two boards measure the same value.
-        near: by how many per cent and by how much more, where the port says it instead.
+        border: the value at which the source takes another way.
+        facts: facts of the device that shows the values: `near_percent`, by how many per cent they differ from the border (100:
+            half and twice); `rounded_to`, to what programs round them; `off_least`, within which two boards measure the same
+            value.
+        near: per cent and an addition instead, if the port has them.
     """
     percent, more = near or (float(facts.get("near_percent", 10)), 0.0)
     factor = 1 + percent / 100
@@ -119,16 +121,10 @@ def beside(border: float, facts: Mapping[str, Any], near: tuple[float, float] | 
 
 
 def _clear(value: float, border: float, step: float, off: float, sure: float) -> float:
-    """A value beside a border that two boards round alike: where it is too near to a multiple of the step, halfway to the next.
+    """A value beside a border that two boards round alike: if a multiple of the step is too near, halfway to the next.
 
-    Of the two such values it is the one nearer to the border that is further from it than two boards differ.
-
-    Args:
-        value: beside the border.
-        border: where the source goes another way.
-        step: programs round to its multiples.
-        off: the distance from a multiple below which two boards may round differently.
-        sure: the distance from the border beyond which both boards are on the same side of it.
+    ... %value the value beside the border. %border the value at which the source takes another way. %step the step to whose
+    multiples programs round.
     """
     whole = round(value / step) * step
     if abs(value - whole) >= off:

@@ -62,8 +62,7 @@ _MOST_SERIES = 8
 _NUMBERS_SHARE = 0.5
 """Share of the effort after which no more numbers are typed."""
 _PROBE_MS = 600.0
-"""Initial length in milliseconds of a probe, a short run that shows which way a program takes, without a device's holding time.
-"""
+"""Initial length in ms of a probe, a short run that shows which way a program takes; a device's long holding time is added."""
 
 
 class FoundScenarios(Struct):
@@ -192,9 +191,7 @@ class _Search:
         return places
 
     def _worth_another(self, places: frozenset[Place]) -> bool:
-        """Whether to vary a scenario that only reaches what racy ones did: if places of the source are among it, and not too
-        often.
-        """
+        """Whether to vary a scenario that only reaches what racy ones did: places of the source are, some times."""
         self.retried += any(place[0] not in GOALS for place in places - self.seen)
         return self.retried <= _RETRIES and any(place[0] not in GOALS for place in places - self.seen)
 

@@ -1,7 +1,7 @@
-"""The migrated program in one scenario after the other, compared with what the original has done there.
+"""Run the migrated program in each scenario, and compare it with what the original has done there.
 
-Of each run of the migrated program only what it did on the channels is kept, since its edges may be some hundred thousand: those
-of the runs that are under way at once are all that there are at a time.
+Of each run of the migrated program only the events of the channels are kept, since a trace may have some hundred thousand
+edges: only the traces of the runs in progress are in memory.
 """
 
 from __future__ import annotations
@@ -32,10 +32,10 @@ class ComparedScenario(Struct):
     """A scenario that was compared.
 
     Attributes:
-        told: what it says.
+        told: the verdict on it.
         runs: the original's runs.
-        target: channel -> what the migrated program has done there.
-        trace: all that it has done, where that was asked for.
+        target: channel -> the events of the migrated program.
+        trace: its whole trace, if that was asked for.
     """
 
     told: ScenarioVerdict
@@ -45,12 +45,12 @@ class ComparedScenario(Struct):
 
 
 class ComparedScenarios(Struct):
-    """What became of all scenarios.
+    """The results of all scenarios.
 
     Attributes:
-        kept: those that were compared.
-        racy: generated ones of which a second look tells that the source differs from itself there.
-        undecided: why nothing is known of the migrated program where that hinders a verdict.
+        kept: the scenarios that were compared.
+        racy: generated scenarios that were dropped because a second look shows that the source differs from itself there.
+        undecided: the errors because of which a run of the migrated program is not known and a verdict is not possible.
     """
 
     kept: list[ComparedScenario] = []
@@ -69,9 +69,9 @@ def compare_scenarios(
         ports: the ports.
         cases: the scenarios with the original's runs.
         side: the migrated program on its board.
-        one_thread: whether one thread of the source does all that is seen.
-        at_rest: the pins that the migrated program holds so that what is there does nothing, with their levels.
-        whole: whether to keep all that the migrated program did.
+        one_thread: whether a single thread of the source does all that is observed.
+        at_rest: the pins that the migrated program holds so that the component there does nothing, with their levels.
+        whole: whether to keep the whole traces of the migrated program.
     """
 
     def further(scenario: Scenario, runs: SourceRuns) -> SourceRuns:

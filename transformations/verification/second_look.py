@@ -1,8 +1,8 @@
-"""A second look at a scenario in which the migrated program differs: does the source differ from itself there, too?
+"""A second look at a scenario in which the migrated program differs: does the source differ from itself there as well?
 
-The few varied runs that each scenario has are a sample. An input that changes just beside the instant at which the program looks
-at it is seen by the next look in some of them only by luck, and so is the frame of a servo in which a new speed falls. So where a
-difference is found further runs are made, and it counts if it is none that they show as well.
+The few varied runs of a scenario are a sample. If an input changes just beside the instant at which the program reads it, only
+some of them, by chance, see it at the next read; the same holds for the servo frame in which a new speed takes effect. So if
+there is a difference, further runs are made, and it counts only if they do not show it themselves.
 """
 
 from __future__ import annotations
@@ -29,17 +29,17 @@ def looked_at_again(
     further: Callable[[Scenario, SourceRuns], SourceRuns],
     at_rest: Mapping[str, int] = NO_LEVELS,
 ) -> ScenarioVerdict:
-    """The verdict on a scenario, with further runs of the source where it is that something is different.
+    """The verdict on a scenario, with further runs of the source if it is a difference.
 
     Args:
-        told: the verdict with the runs that there are.
-        scenario: what happened.
-        trace: what the migrated program did.
+        told: the verdict from the runs so far.
+        scenario: the scenario.
+        trace: the run of the migrated program.
         ports: the ports.
-        one_thread: whether one thread of the source does all that is seen.
-        runs: those of the source.
-        further: makes further runs.
-        at_rest: the pins that the migrated program holds so that what is there does nothing, with their levels.
+        one_thread: whether a single thread of the source does all that is observed.
+        runs: the runs of the source.
+        further: adds further runs of the source.
+        at_rest: the pins that the migrated program holds so that the component there does nothing, with their levels.
     """
     first = told.first
     if told.verdict != DIFFERENT_VERDICT or first is None or told.crash is not None:
@@ -51,8 +51,8 @@ def looked_at_again(
     if itself is None or again.verdict == DIFFERENT_VERDICT:
         return again
     until_ms = first.at_ms
-    if first.source is not None and first.target is not None and alike(first.source, first.target):  # it lasts otherwise
+    if first.source is not None and first.target is not None and alike(first.source, first.target):  # only its duration differs
         events = more.channels[first.channel][0][0]
         later_ms = [event.at_us / 1000 for event in events if event.at_us / 1000 > first.at_ms]
         until_ms = min(later_ms) if later_ms else scenario.horizon_ms
-    return again if itself.at_ms <= until_ms + SAME_MS else told  # what comes later explains nothing
+    return again if itself.at_ms <= until_ms + SAME_MS else told  # a later one explains nothing

@@ -1,8 +1,8 @@
-"""What a migrated program does beside its channels and the original never does: another console's speed, foreign pins, pull-ups.
+"""What a migrated program does besides its channels and the original never does: another baud rate, foreign pins, pull-ups.
 
-None is an event of a channel. A console of another speed shows rubbish on the person's terminal; what is at a pin that the
-program should leave alone may be switched on by it, or be driven against. A pull-up makes an open contact read high that floats
-on the source's board, and moves what a resistor sets there.
+None of these is an event of a channel. With another baud rate the person's terminal shows garbage; a pin that the program
+should leave alone may switch something on, or be driven against another output. With a pull-up an open contact reads high that
+floats on the source's board, and a level that a resistor sets is shifted.
 """
 
 from __future__ import annotations
@@ -17,29 +17,29 @@ from robosmi.verify.simulation import PinTrace
 
 _BYTE_BITS = 10
 _FEWEST = 3
-"""So many bytes at least tell how long one takes."""
+"""At least this many distances between bytes are needed to know how long one takes."""
 _BAUD_PART = 0.3
-"""The speed of two lines is the same within this part: speeds that are in use are further apart."""
+"""Two baud rates whose relative difference is smaller count as the same: usual ones are further apart."""
 _FASTEST_US = 100.0
-"""Only a line whose bytes take less tells that one is too fast: others may wait for what computes them."""
+"""The target's line is only called too fast if the source's bytes take less than this: slower ones may be computed."""
 _LATE_US = 500_000.0
-"""What begins so near to the end may come later in the source."""
+"""What begins within this time before the end, in microseconds, may come later in the source."""
 _READ = "levels"
-"""The device at ports that a program only reads; others are asked, charged or driven by it."""
+"""Kind of the device at ports that a program only reads; at others it triggers, charges or drives something."""
 DRIVEN = (0, 1)
 NO_LEVELS: Mapping[str, int] = MappingProxyType({})
 _PULLED = "p"
 _PASSING_US = 1_000.0
-"""A pull-up that is on for less is one on the way to another state of the pin."""
+"""A pull-up that is on for less, in microseconds, belongs to a change to another state of the pin."""
 
 
 def console_speed(source: PinTrace, target: PinTrace, channel: str) -> FirstDifference | None:
-    """What is different about the speed of the console's line; None where it is the same, or cannot be told.
+    """The difference of the console's baud rates; None if they are the same, or cannot be told.
 
     Args:
-        source: what the original has done.
-        target: what the migrated program has done.
-        channel: the console's.
+        source: the trace of the original.
+        target: the trace of the migrated program.
+        channel: the name of the console's channel.
     """
     sent = source.console
     distances = [sent[number + 1].at_us - sent[number].at_us for number in range(len(sent) - 1)]
@@ -53,20 +53,20 @@ def console_speed(source: PinTrace, target: PinTrace, channel: str) -> FirstDiff
         f"its line is set to {target.console_baud:.0f} baud, so that a byte takes {theirs_us:.0f} us; "
         f"the source sends one in {byte_us:.0f} us"
     )
-    return FirstDifference(0.0, channel, message, None, None)  # whatever it delays comes later
+    return FirstDifference(0.0, channel, message, None, None)  # before the differences that follow from it
 
 
 def foreign_pin(
     source: PinTrace, target: PinTrace, ports: Sequence[BoundPort], at_rest: Mapping[str, int]
 ) -> FirstDifference | None:
-    """The first pin of the target that the program drives though the original never drives what it stands for.
+    """The first pin of the target that the program drives although the original never drives the pin that it stands for.
 
     Args:
-        source: what the original has done.
-        target: what the migrated program has done.
+        source: the trace of the original.
+        target: the trace of the migrated program.
         ports: the ports.
-        at_rest: the pins that the migrated program holds so that what is there does nothing, with their levels. As long as
-            they have these, they are not foreign.
+        at_rest: the pins that the migrated program holds so that the component there does nothing, with their levels. At these
+            levels they are not foreign.
     """
     driven = _driven(source)
     its_own = {port.target for port in ports if not _only_read(port) or port.source in driven}
@@ -82,14 +82,9 @@ def foreign_pin(
 
 
 def pulled_up(source: PinTrace, target: PinTrace, ports: Sequence[BoundPort]) -> FirstDifference | None:
-    """The first port at which the program leaves a pull-up on, and the original lets the pin float; None where there is none.
+    """The first port at which the program leaves a pull-up on and the original lets the pin float; None if there is none.
 
-    Lines of buses, of serial connections and of devices that answer need one: they are left out.
-
-    Args:
-        source: what the original has done.
-        target: what the migrated program has done.
-        ports: the ports.
+    ... %source the trace of the original. %target the trace of the migrated program.
     """
     found = []
     for port in ports:
@@ -102,18 +97,18 @@ def pulled_up(source: PinTrace, target: PinTrace, ports: Sequence[BoundPort]) ->
 
 
 def _pulled(trace: PinTrace, pin: str) -> float | None:
-    """Since when a pin has its pull-up on for longer than it takes to make it an output, or None."""
+    """Since when a pin's pull-up is on for longer than a change of its state takes, in microseconds; None if never."""
     levels = pairwise([*trace.levels(pin), (trace.simulated_us, "")])
     return next((at_us for (at_us, level), (end_us, _) in levels if level == _PULLED and end_us - at_us > _PASSING_US), None)
 
 
 def _only_read(port: BoundPort) -> bool:
-    """Whether a port is one that the program does nothing but read, unless it drives it as an output, which is seen."""
+    """Whether the program only reads a port; if it drives it as an output, that is seen elsewhere."""
     return port.device == _READ and not port.line
 
 
 def _driven(trace: PinTrace, at_rest: Mapping[str, int] = NO_LEVELS) -> dict[str, float]:
-    """Each pin that is driven otherwise than it is at rest, by edges or by a timer -> since when."""
+    """Each pin that is driven to another level than at rest, by edges or by a timer -> since when, in microseconds."""
     found: dict[str, float] = {}
     for change in trace.changes:
         if change.level in DRIVEN and change.level != at_rest.get(change.pin):

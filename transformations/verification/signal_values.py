@@ -1,7 +1,6 @@
-"""Which values a signal of a scenario may have: what the device that plays it can show, as `platform_repo/simulation` says.
+"""Check the values of a scenario's signals: only what the device can show, as `platform_repo/simulation` says.
 
-Nothing is run here: a value that no device can show would otherwise be played by one board's model in one way and by the other's
-in another.
+Otherwise the models of the two boards might play an impossible value differently.
 """
 
 from __future__ import annotations
@@ -22,8 +21,8 @@ def check_signal(name: str, setting: str, points: Points, facts: Mapping[str, An
         name: the component, port or pin, as the scenario has it.
         setting: of the device.
         points: the signal.
-        facts: of the device: `takes` has kinds of values by setting, `limits` the least and the most of numbers.
-        place: of the scenario, for messages.
+        facts: facts of the device: `takes`, the kinds of values by setting, and `limits`, the least and the greatest number.
+        place: the place of the scenario, for messages.
 
     Raises:
         UsageError: a value is of another kind, or beyond the limits.
@@ -70,11 +69,11 @@ _KINDS: Mapping[str, tuple[str, Callable[[Any], bool]]] = {
     "4 whole numbers": ("list of 4 whole numbers", _are(4, _is_whole)),
     "none": ('"none"', lambda value: value is None),
 }
-"""What the data call a kind of value -> its name for people, and whether a value is one."""
+"""The data's word for a kind of value -> its name for people, and a test whether a value is one."""
 
 
 def _is_within(value: Any, least: Any, most: Any) -> bool:
-    """Whether a number, or each of a list, is neither below nor above; what is another kind of value has no limits."""
+    """Whether a number, or each number of a list, is within its limits; other kinds of values have none."""
     if isinstance(value, (list, tuple)):
         if not isinstance(least, (list, tuple)):
             return True

@@ -18,7 +18,7 @@ FILE = "simulation/devices.toml"
 
 
 class Split(TypedDict):
-    """The kind of device that stands for one on the target where its pin is two there, and what it calls them."""
+    """The kind of device that replaces one whose pin is two pins on the target, and its names of these."""
 
     kind: str
     pins: list[str]

@@ -1,4 +1,4 @@
-"""What a verdict rests on: how much of the source was reached, and which adapters were called that have no body yet."""
+"""What a verdict rests on: how much of the source was reached, and which adapters without a body were called."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from robosmi.verify.verdict import NOT_DECIDABLE, ScenarioVerdict, Verdict
 
 
 def _open_now(output: Path) -> dict[str, bool]:
-    """The functions of the program as it now stands, and whether their bodies are still to be written, whatever the plan says."""
+    """Function of the output program as it is now -> whether its body is still to be written, whatever the plan says."""
     sketch, _ = find_sketch(output, load_toolchains())
     files = [sketch.main, *sketch.parts, *(path for path in sketch.folder.glob("*") if path.suffix in (".h", ".hpp"))]
     return open_bodies(inputs.read_text(path, inputs.SOURCE, errors=AS_BYTES) for path in files)
@@ -33,13 +33,13 @@ def cover(
     verdict: Verdict, program: OriginalProgram, cases: Sequence[SourceRuns], racy: Sequence[bytes], plan: migration.MigrationPlan,
     output: Path, ports: Sequence[BoundPort],
 ) -> None:  # fmt: skip
-    """Say in a verdict how much of the source the decidable scenarios reach, and which unfinished adapters were called.
+    """Add to a verdict how much of the source the decided scenarios reach, and which unfinished adapters are called.
 
     Args:
         verdict: the verdict, with its scenarios.
         program: the original.
         cases: its runs in each of these scenarios.
-        racy: the counters of scenarios that were dropped since the source differs from itself.
+        racy: the coverage counters of scenarios that were dropped since the source differs from itself.
         plan: the plan of the migration.
         output: the output folder, whose program as it now stands counts.
         ports: the ports.
@@ -70,14 +70,14 @@ def cover(
 
 
 def _compared_counts(runs: SourceRuns, told: ScenarioVerdict, program: OriginalProgram, ports: Sequence[BoundPort]) -> bytes:
-    """The counters of what was compared of a scenario: where the migrated program crashes, the source runs so far again."""
+    """The coverage counters of what was compared: if the migrated program crashes, the source runs again up to that time."""
     if told.crash is None:
         return runs.nominal.counts
     return run_original(program, told.simulated_ms * 1000, played(ports, told.scenario, target=False)).counts
 
 
 def _unfinished(covered: SourceCoverage, plan: migration.MigrationPlan, open_now: Mapping[str, bool]) -> list[str]:
-    """Calls of adapters without a body that a scenario has reached."""
+    """A reason for each adapter without a body that is called in a scenario."""
     lines = {(Path(file).name, line) for (file, line), count in covered.lines.items() if count}
     found = []
     for use in plan.adapterUses:

@@ -1,7 +1,7 @@
 """The target's side of a verification: the migrated program on a simulator, in each scenario.
 
-A simulator may crash itself, as libsimavr does where a program writes far beyond its memory. Then the next one that is installed
-is asked, unless a person has named one.
+A simulator may crash, as libsimavr does if a program writes far beyond its memory. Then the next one that is installed runs the
+scenario, unless the user has named one.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace, end_simulations, engines_for, simulate
 
 LIMIT_S = 60.0
-"""Seconds of this machine's time for each side of a scenario, twice so long where the source is run with other costs."""
+"""Seconds by the clock for each run of the target, for the nominal run of the source, and for all its varied runs together."""
 NOTHING_SEEN = PinTrace("", "crashed", 0.0, (), (), (), ())
-"""The trace of a run of which a simulator has told nothing."""
+"""The trace of a run of which no simulator has reported anything."""
 
 
 class TargetSide:
@@ -37,13 +37,13 @@ class TargetSide:
     def __init__(
         self, board: platform.Board, report: CompileReport, ports: Sequence[BoundPort], wanted: str | None = None
     ) -> None:
-        """Look for the engines.
+        """Find the engines.
 
         Args:
             board: the board.
-            report: how the program was compiled.
+            report: the result of compiling the program.
             ports: the ports.
-            wanted: the engine that a person has named, or None.
+            wanted: the engine that the user has named, or None.
 
         Raises:
             UsageError: no engine has that name, or none knows the board.
@@ -61,25 +61,25 @@ class TargetSide:
 
     @property
     def engine(self) -> str:
-        """The engine's name, and those of others that ran where it crashed."""
+        """The engine's name, with the names of those that ran where it crashed."""
         if not self._instead:
             return self._names[0]
         instead = ", ".join(name for name in self._names if name in self._instead)
         return f"{self._names[0]} ({instead} where {' and '.join(n for n in self._names if n in self._crashed)} crashed)"
 
     def run(self, scenarios: Sequence[Scenario]) -> Iterator[PinTrace | VerificationError]:
-        """What the program does in each scenario, or why that is not known: by order, as many at once as there are cores."""
+        """The trace of each scenario, or the error that prevented it: in order, as many in parallel as there are cores."""
         cores = os.cpu_count() or 1
         pool = ThreadPoolExecutor(cores)
         waiting: deque[Future[PinTrace | VerificationError]] = deque()
         try:
             for scenario in scenarios:
                 waiting.append(pool.submit(self._run, scenario))
-                if len(waiting) > cores:  # one more than run, so that none of them waits for the comparison
+                if len(waiting) > cores:  # one more than cores, so that none of them idles during a comparison
                     yield waiting.popleft().result()
             while waiting:
                 yield waiting.popleft().result()
-        except BaseException:  # an interruption, too: nobody waits for the others
+        except BaseException:  # also an interruption: the other runs are not needed then
             self._over = True
             end_simulations()
             raise

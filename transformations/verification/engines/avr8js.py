@@ -90,7 +90,7 @@ class _Run(Bench):
         self._console: list[ConsoleByte] = []
         self.timers = Timers(job.timers, job.pins, job.clock_hz)
 
-    # ---- what devices ask
+    # ---- the interface for devices
 
     @property
     def cycle(self) -> int:
@@ -98,7 +98,7 @@ class _Run(Bench):
         return self._cycle
 
     def wake_at(self, cycle: int) -> None:
-        """Nothing: the program is told with each answer when to wake this side."""
+        """Do nothing: each answer to the simulator says when it has to ask again."""
 
     def set_level(self, pin: str, level: int | None) -> None:
         """Drive a pin from outside, low or high; None lets go of it."""

@@ -40,14 +40,14 @@ _PAINT = 0xA5
 _EEPROM_CONTROL = 0x3F
 """The EEPROM's control register, which is there in all microcontrollers that are served."""
 _EEPROM_WRITES = 0b110
-"""Both its bits that a program sets to have a byte written, of which the lower one stays until it is."""
+"""The two bits that a program sets to write a byte; the lower one stays set until the byte is written."""
 _EEPROM_BUSY, _EEPROM_MODE = 0b10, 4
 _EEPROM_WRITE_US = (3400.0, 1800.0, 1800.0, 3400.0)
-"""How long that takes, by the two bits from the mode's on: erase and write, erase, write, and what is reserved (data sheets)."""
+"""Time of a write in microseconds, by the two mode bits: erase and write, erase, write, reserved (data sheets)."""
 _UART_INPUT, _UART_OUTPUT = 0, 1
 _UART_SLEEPS, _UART_ECHOES = 1, 2
 _UART_STATUS = {"uar0": 0xC0, "uar1": 0xC8}
-"""The status register of each, the same in all microcontrollers that are served; that of the rate is four further on."""
+"""Address of each UART's status register, equal in all supported microcontrollers; the baud rate's is 4 bytes further."""
 _UART_DOUBLED, _UART_RATE = 0b10, 4
 _BUS_IN, _BUS_OUT = 0, 1
 _START, _STOP, _ADDRESSED, _ACKNOWLEDGE, _WRITE, _READ = 1, 2, 4, 8, 16, 32
@@ -131,12 +131,12 @@ class _Run(Bench):
     # ---- the stack
 
     def _painted(self, room: Sequence[int] | None) -> None:
-        """Fill the room for heap and stack with what nobody would leave there."""
+        """Fill the memory for heap and stack with a pattern that programs hardly ever write."""
         for address in range(room[0], room[1] + 1) if room is not None else ():
             self._library.avr_core_watch_write(self._avr, address, _PAINT)
 
     def _stack_bytes(self) -> int | None:
-        """How far the stack came down: to the end of the longest stretch that is still as it was filled."""
+        """Greatest depth of the stack in bytes: down to the end of the longest stretch in which the pattern is still intact."""
         if self._job.stack_room is None:
             return None
         first, last = self._job.stack_room
@@ -150,7 +150,7 @@ class _Run(Bench):
             start = address + 1
         return last + 1 - behind
 
-    # ---- what C calls; what is raised would be lost there
+    # ---- callbacks from C, in which exceptions would be lost
 
     def _notify(self, irq: int | None, call: Callable[[int], None]) -> None:
         """Call with the value whenever an IRQ is raised."""
@@ -172,7 +172,7 @@ class _Run(Bench):
         self._library.avr_irq_register_notify(irq, function, None)
 
     def _woken(self, avr: int, when: int, data: Any) -> int:
-        """The timer that wakes the devices; its answer is the cycle of the next time, 0 for never."""
+        """The timer's callback, which wakes the devices; returns the cycle of the next time, or 0 for never."""
         self._waking = self._called = True
         try:
             return self.wake() or 0

@@ -1,7 +1,7 @@
-"""The library libsimavr as ctypes sees it: where it is, its functions, the little that is known of its structures.
+"""The library libsimavr for ctypes: where it is, its functions, and the few parts of its structures that are used.
 
-What an engine does with it is in `simavr`. The layout of its structures is not relied on, but for the head of `elf_firmware_t`,
-which versions 1.4 to 1.8 have in common.
+`simavr` is the engine that uses it. No layout of its structures is relied on, except for the head of `elf_firmware_t`, which
+versions 1.4 to 1.8 have in common.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from collections.abc import Callable
 from robosmi.typed import dynamic_attribute, kept
 
 _IN_A_ROW = 64
-"""Cycles that the library may run before it looks at its timers again, which it does earlier where one is due: a third faster."""
+"""Cycles that the library may run before it checks its timers, earlier if one is due: a third faster."""
 _LOOKS = 16
 _HEAD_WORDS = 64
-"""So many words of 8 bytes of the library's `avr_t` are looked at: it has more than 16 kB."""
+"""Number of 8-byte words of the library's `avr_t` that are searched; it has more than 16 kB."""
 
 NOTIFY = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_void_p)
 TIMER = ctypes.CFUNCTYPE(ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p)
@@ -24,7 +24,7 @@ LOGGER = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int, ctypes.c_char_p)
 
 
 class Firmware(ctypes.Structure):
-    """The head of `elf_firmware_t`; the rest is room for what follows."""
+    """The head of `elf_firmware_t`; the last field is room for the rest of it."""
 
     _fields_ = (
         ("mmcu", ctypes.c_char * 64), ("frequency", ctypes.c_uint32), ("vcc", ctypes.c_uint32), ("avcc", ctypes.c_uint32),
@@ -75,16 +75,16 @@ SILENT = LOGGER(lambda avr, level, text: None)  # kept for ever: the library kee
 
 
 def run_in_a_row(found_library: ctypes.CDLL, avr: int, cycle: Callable[[], int]) -> int:
-    """Let the library run some instructions at once; for how many cycles.
+    """Let the library run several instructions per call; returns how many cycles these may take.
 
-    How many cycles it may run stands in `avr_t` (run_cycle_limit) behind those that are left (run_cycle_count) and the clock
-    (cycle). Versions have these at different places: they are looked for while the first instructions run, and where they are
-    not found at one place only, nothing is changed.
+    The field of `avr_t` that limits the cycles (run_cycle_limit) follows those of the remaining cycles (run_cycle_count) and of
+    the clock (cycle). Versions have them at different offsets: they are searched while the first instructions run, and nothing
+    is changed unless exactly one place fits.
 
     Args:
         found_library: the library.
-        avr: the microcontroller, whose program may have run.
-        cycle: tells its clock.
+        avr: the microcontroller, whose program may have started.
+        cycle: returns its clock.
     """
     head = (ctypes.c_uint64 * _HEAD_WORDS).from_address(avr)
     found = set(range(_HEAD_WORDS - 2))
