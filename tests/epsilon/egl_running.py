@@ -1,7 +1,8 @@
-"""Runs the port of an EGL or EGX case step by step, and writes the folders and JSON files that the case expects.
+"""Run the port of an EGL or EGX case step by step, and write the folders and JSON files that the case expects.
 
-A step is a run of the script (or of another one, to another file, on other models), or what a user does to the files between two
-runs. Each run has a `Gen` of its own, as each run of the engine has a module of its own. Nothing here knows a case.
+A step is a run of the script (or of another one, to another file, on other models), or a change that a user makes to the files
+between two runs. Each run has its own `Gen`, as each run of the engine has its own module. Nothing in this module depends on a
+case.
 """
 
 from __future__ import annotations
@@ -22,12 +23,12 @@ Port = Callable[..., Any]
 
 
 def run_steps(name: str, out: Path, port: Port | None = None) -> None:
-    """Do all steps of a case.
+    """Perform all steps of a case.
 
     Args:
-        name: of the case, below cases/egl.
-        out: where `stepN` and `stepN.json` are put.
-        port: what is run instead of the case's own port.
+        name: name of the case, a folder in cases/egl.
+        out: the folder for `stepN` and `stepN.json`.
+        port: replaces the case's own port.
     """
     case = CASES / "egl" / name
     spec = json.loads((case / "input.json").read_text(encoding="utf-8"))
@@ -48,7 +49,7 @@ def run_steps(name: str, out: Path, port: Port | None = None) -> None:
 
 
 def run_script(case: Path, spec: dict[str, Any], step: dict[str, Any], folder: Path, port: Port) -> dict[str, Any]:
-    """One run: what it printed, what it said of the files, and its error."""
+    """Run the script once; returns what it printed, its messages about the files, and its error."""
     models = [load(one | {"file": step.get("models", {}).get(one["name"], one["file"])}, case) for one in spec["models"]]
     script = step["run"] if isinstance(step["run"], str) else spec["script"]
     g = port(folder, *models, script, step.get("target", spec.get("target")))
@@ -62,7 +63,7 @@ def run_script(case: Path, spec: dict[str, Any], step: dict[str, Any], folder: P
 
 
 def edit(folder: Path, step: dict[str, Any]) -> None:
-    """What a user does between two runs."""
+    """Change the files as a user does between two runs."""
     if "delete" in step:
         (folder / step["delete"]).unlink()
         return

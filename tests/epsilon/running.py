@@ -1,8 +1,8 @@
-"""Runs a port of a case on the models that the case names, and writes what it made under the names of the expected files.
+"""Run a port of a case on the models that the case names, and write the results under the names of the expected files.
 
-A case is a folder below `cases` with an input.json; its port is the module of the same name below `ports`, whose function
-`port` takes the models and gives an EVL, ETL or Flock object. `compare.py` judges the folder that is written. Nothing here
-knows a case.
+A case is a folder in `cases` with an input.json; its port is the module of the same name in `ports`, whose function `port`
+takes the models and returns an EVL, ETL or Flock object. `compare.py` judges the folder that is written. Nothing in this module
+depends on a case.
 """
 
 from __future__ import annotations
@@ -32,24 +32,24 @@ CASES = HERE / "cases"
 
 @dataclass
 class Verdict:
-    """What compare.py says of a case: its last line, and the differences before it."""
+    """The verdict of compare.py on a case: its last line, and the differences that it lists before."""
 
     line: str
     differences: str
 
     @property
     def equal(self) -> bool:
-        """Whether nothing differs and nothing was left out."""
+        """Whether there is no difference and nothing was left out of the comparison."""
         return self.line == "EQUAL"
 
 
 def names(kind: str) -> list[str]:
-    """The cases of a kind."""
+    """The names of the cases of a kind."""
     return sorted(path.parent.name for path in (CASES / kind).glob("*/input.json"))
 
 
 def load(spec: dict[str, Any], case: Path) -> ModelView:
-    """A model as the case names it."""
+    """Load a model of a case."""
     metamodel = Metamodel.load(*(case / path for path in spec["metamodels"]))
     if spec.get("mode") == "new":
         return ModelView(EmfModel((), metamodel, spec["name"]))
@@ -79,7 +79,7 @@ def run(kind: str, name: str, out: Path, port: Callable[..., Any] | None = None)
 
 
 def of_evl(v: EVL, models: list[Any]) -> dict[str, Any]:
-    """Findings and fixes."""
+    """The findings with their fixes, as JSON."""
     if v.result is None:
         return {"unsatisfied": [], "fixed": []}
     report: Any = v.result.to_json()
@@ -91,7 +91,7 @@ def of_evl(v: EVL, models: list[Any]) -> dict[str, Any]:
 
 
 def of_etl(t: ETL, models: list[Any]) -> dict[str, Any]:
-    """The trace."""
+    """The trace, as JSON."""
     return {
         "trace": [
             {
@@ -105,7 +105,7 @@ def of_etl(t: ETL, models: list[Any]) -> dict[str, Any]:
 
 
 def of_flock(f: Flock, models: list[Any]) -> dict[str, Any]:
-    """The warnings."""
+    """The warnings, as JSON."""
     return {"migration_warnings": f.warnings}
 
 
@@ -113,10 +113,10 @@ RESULTS: dict[type, Any] = {EVL: of_evl, ETL: of_etl, Flock: of_flock}
 
 
 def judge(kind: str, name: str, out: Path, *options: str) -> Verdict:
-    """Have compare.py judge what `run` wrote.
+    """Let compare.py judge what `run` has written.
 
     Raises:
-        ValueError: it cannot compare.
+        ValueError: it cannot compare the files.
     """
     command = [sys.executable, str(HERE / "compare.py"), "case", str(CASES / kind / name), str(out), *options]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -127,7 +127,7 @@ def judge(kind: str, name: str, out: Path, *options: str) -> Verdict:
 
 
 def main() -> int:
-    """`python -m tests.epsilon.running [KIND[/NAME]]`: all cases, or some, and how many are equal."""
+    """`python -m tests.epsilon.running [KIND[/NAME]]`: run all cases, or some, and print how many are equal."""
     import tempfile
 
     wanted = sys.argv[1] if len(sys.argv) > 1 else ""

@@ -1,8 +1,7 @@
-"""Do the mirrors of EVL, ETL and Flock do what the real engines did? Each script is a port in `ports`, each result a judge's
-case.
+"""Do the mirrors of EVL, ETL and Flock do what the real engines did? Each script has a port; compare.py judges the result.
 
-What differs is listed here and in docs/reference, each with its reason: the engine's answer is a declared defect, and following
-it would be a trap.
+Differences are listed here and in docs/reference, each with its reason: the engine's behaviour is a documented defect, and
+users would be misled if the mirror followed it.
 """
 
 from __future__ import annotations

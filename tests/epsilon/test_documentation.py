@@ -1,4 +1,4 @@
-"""The examples of docs/reference run as they stand, on the models of the cases."""
+"""The examples of docs/reference run unchanged on the models of the cases."""
 
 from __future__ import annotations
 

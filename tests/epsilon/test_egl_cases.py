@@ -1,6 +1,6 @@
-"""Does the mirror of EGL and EGX make the files that the real engine made? Each script is a port, each result a judge's case.
+"""Does the mirror of EGL and EGX make the files that the real engine made? Each script is ported; compare.py judges the result.
 
-All are equal, messages and their order included. Where the mirror is different (docs/reference/egl.md) a port says so.
+All results are equal, including messages and their order. Where the mirror differs (docs/reference/egl.md), the port says so.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from tests.epsilon.running import HERE, judge, names
 
 ALL = names("egl")
 WORDS = {"region_twice"}
-"""Cases whose error has other words than the engine's."""
+"""Cases whose error message is worded differently from the engine's."""
 
 
 def test_no_case_is_missing_and_each_has_a_port() -> None:
@@ -30,7 +30,7 @@ def test_a_port_makes_what_the_engine_made(name: str, tmp_path: Path) -> None:
 
 
 def test_the_judge_judges(tmp_path: Path) -> None:
-    """A file with one character more is noticed."""
+    """A file with one additional character is noticed."""
     run_steps("region_gone", tmp_path)
     file = tmp_path / "step2" / "o.txt"
     file.write_text(file.read_text(encoding="utf-8") + "x", encoding="utf-8")

@@ -322,7 +322,7 @@ def test_a_chain_of_equivalents_may_be_as_long_as_the_model(schedule: str) -> No
     @t.rule(L.Author, to=G.Group)
     def A(a: Any, g: Any) -> None:
         t.set(g, main=a.mentor)
-        g.weight = 1 if g.main is None else g.main.weight + 1  # that of the one above is there already
+        g.weight = 1 if g.main is None else g.main.weight + 1  # the target of the element above exists already
 
     t.run()
     assert t.equivalent(above).weight == 3001

@@ -1,4 +1,4 @@
-"""A rule of any language that ends the program is an error of that rule, with its place; no exit code of its own gets out."""
+"""A rule of any language that exits the program is an error of that rule, with its place; its exit code is ignored."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A mistake in a rule, a constraint or a step of a chain is told with its file, its line and the name of what it is in."""
+"""The error message for a mistake in a rule, a constraint or a chain's step names the file, the line, and the rule or step."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def test_a_mistake_in_a_function_of_a_chain_is_told_with_its_line(old: str, new:
     place = told.value.location
     assert place is not None
     assert Path(place.path).name == "rules.py"
-    if "template" not in old:  # that is found out when the rule runs
+    if "template" not in old:  # a missing template is only found when the rule runs
         assert place.line == 1 + text[: text.index(old)].count("\n")
 
 

@@ -1,4 +1,4 @@
-"""A stored trace to a metamodel names its elements by the metamodel's file, and is about those of the session."""
+"""A stored trace to a metamodel refers to its elements by the metamodel's file; loaded, it refers to those of the session."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ OLDER = Path(__file__).parents[1] / "model" / "older"
 
 
 def classes(t: ETL, house: ModelView, made: ModelView) -> None:
-    """A package of the house, with a class for each door and a reference from each class to itself."""
+    """Make a package for the house, with a class for each door and a reference from each class to itself."""
 
     @t.rule(house.House, to=[made.EPackage])
     def House2Package(h: Any, p: Any) -> None:

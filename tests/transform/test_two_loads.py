@@ -1,4 +1,4 @@
-"""Two loads of one metamodel are strangers: whoever mixes them is told so, and how one load serves both models."""
+"""Two loads of one metamodel have different types: mixing them is an error that says how to use one load for both."""
 
 from __future__ import annotations
 
@@ -21,27 +21,27 @@ GRAPH = EPSILON / "cases" / "models" / "graph.ecore"
 
 
 def moved(one: Any, other: Any) -> None:
-    """An element of the other load is put into a list."""
+    """Append an element of the other load to a list."""
     one.Graph().nodes.append(other.Node(label="n"))
 
 
 def extended(one: Any, other: Any) -> None:
-    """As above, with others."""
+    """Extend a list by an element of each load."""
     one.Graph().nodes.extend([one.Node(), other.Node(label="n")])
 
 
 def assigned(one: Any, other: Any) -> None:
-    """A reference is set to an element of the other load."""
+    """Set a reference to an element of the other load."""
     one.Edge().source = other.Node(label="n")
 
 
 def made(one: Any, other: Any) -> None:
-    """An element is made with one of the other load."""
+    """Create an element with a reference to one of the other load."""
     one.Edge(source=other.Node(label="n"))
 
 
 def literal(one: Any, other: Any) -> None:
-    """An attribute is set to a literal of the other load."""
+    """Set an attribute to an enumeration literal of the other load."""
     one.Node().shape = other.Shape.star
 
 

@@ -217,7 +217,7 @@ def test_guards_lazy_contexts_and_terminate() -> None:
 
 
 def test_each_of_several_constraints_that_terminate_ends_for_itself() -> None:
-    """One that fails at an element where others fail too, before and behind it, and one that fails later."""
+    """One fails at an element where others before and after it fail as well, and one fails later."""
     L = library()
     v = EVL(L)
     names = [b.name for b in L.Book.all]
@@ -342,7 +342,7 @@ def test_a_fix_that_raises_is_rolled_back_and_the_others_go_on() -> None:
     boards, ants = (next(b for b in L.Book.all if b.name == n) for n in ("Boards", "Ants"))
     assert list(boards.tags) == ["spin"]
     assert [a.name for a in boards.authors] == ["Ben"]
-    assert L.id_of(boards) == "/0/@sections.0/@items.0"  # the fix of Ants made a second root
+    assert L.id_of(boards) == "/0/@sections.0/@items.0"  # the fix of Ants has added a second root
     assert "touched" in ants.tags
     assert [a.name for a in L.Author.all].count("new") == 1
     assert len(L.Member.all) == 1

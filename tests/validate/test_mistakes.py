@@ -1,4 +1,4 @@
-"""What a person writes wrong in a declaration or a check is told with what was meant, and never dropped without a word."""
+"""Mistakes in a declaration or a check are reported with what was probably meant, and never ignored silently."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The elements of the npm package @wokwi/elements with the names of their pins, as its classes have them."""
+"""The elements of the npm package @wokwi/elements, with the names of their pins, read from its classes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ PACKAGE = HERE.parents[1] / ".npm" / "node_modules" / "@wokwi" / "elements"
 
 
 def wokwi_elements() -> dict[str, list[str]]:
-    """The pins of each element; the test is skipped where node or the package is missing, and fails there in CI."""
+    """The pins of each element; the test is skipped if node or the package is missing, but fails in CI."""
     require_tools("node", "wokwi-elements")
     return _elements()
 

@@ -1,4 +1,4 @@
-"""`robosmi wiring`: the wiring of a migration handed back, and read again with the same pins."""
+"""`robosmi wiring` writes the wiring of a migration; read again, it has the same pins."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ Made = Callable[[Path, Path], Path]
 
 @pytest.fixture
 def made(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Made:
-    """Moves a program to the board of a drawing; gives the output folder."""
+    """A function that migrates a program to the board of a drawing and returns the output folder."""
 
     def move(program: Path, drawing: Path) -> Path:
         out = tmp_path / "out"
@@ -48,14 +48,14 @@ def made(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Made:
 
 
 def handed(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, dict[str, Any]]:
-    """Exit code and document of `robosmi wiring`."""
+    """The exit code and the JSON document of `robosmi wiring`."""
     code = main(["wiring", *words, "--json"])
     document: dict[str, Any] = json.loads(capsys.readouterr().out)
     return code, document
 
 
 def pin_map(drawing: Path) -> dict[tuple[str, str], tuple[str, ...]]:
-    """Pin and component -> the parts on the way."""
+    """Pin and component -> the parts between them."""
     return {(m["pin"], m["component"]): tuple(via["title"] for via in m["via"]) for m in hardware(drawing).result["mappings"]}
 
 
@@ -125,7 +125,7 @@ def test_the_project_has_the_sketch_and_its_libraries(made: Made, tmp_path: Path
 def test_what_a_signal_goes_through_is_drawn_with_its_value(
     made: Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """A pin table names what is on the way by a reference or a value alone."""
+    """A pin table names the parts between pin and component by a reference or a value alone."""
     table = tmp_path / "table.csv"
     rows = ["D3,LED,Lamp,anode,R1", "D5,Pushbutton,Knob,,R_pull; 4k7", "D6,LED,Two,anode,220 ohm", "D9,Servo,Arm,pulse,C1"]
     table.write_text("\n".join(["pin,part,title,connector,through", *rows]) + "\n")
@@ -145,7 +145,7 @@ def test_what_a_signal_goes_through_is_drawn_with_its_value(
 def test_parts_of_a_pin_table_are_supplied_and_those_with_one_wire_are_told(
     made: Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """An LED by its cathode has its anode at the supply; where the other side of a button goes, nobody knows."""
+    """An LED connected by its cathode has its anode at the supply; the other connection of a button is unknown."""
     table = tmp_path / "table.csv"
     rows = ["D3,LED,Lamp,cathode,R1", "D4,LED,Two,anode,R2", "D5,Pushbutton,Knob,", "D6,Pushbutton,Other,", "D9,Servo,Arm,pulse,"]
     table.write_text("\n".join(["pin,part,title,connector,through", *rows]) + "\n")

@@ -1,7 +1,7 @@
 """The script of cases/egl/egx_formatter.
 
-The engine's formatter sticks to the cached template, so that its rule P is formatted too; here a formatter is its rule's
-alone, and P says for itself that it has one.
+In the engine a formatter stays with the cached template, so that rule P is formatted as well; here a formatter belongs to one
+rule, so P names it itself.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The script of cases/egl/factory: what the template generates by its factory, Python generates; then the template itself."""
+"""The script of cases/egl/factory: Python generates what the template generates by its factory, then the template."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""The script of cases/egl/operations: template operations are macros, what prints into the text is `{% print %}`.
+"""The script of cases/egl/operations: template operations are macros; text is printed within the output by `{% print %}`.
 
-A macro stands before its first use; EGL's operations may stand behind.
+A macro must be defined before its first use; EGL's operations may follow it.
 """
 
 from __future__ import annotations

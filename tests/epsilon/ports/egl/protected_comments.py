@@ -1,4 +1,4 @@
-"""The script of cases/egl/protected_comments: an end of a comment that is null in EGL is an empty text or `none`."""
+"""The script of cases/egl/protected_comments: an end of a comment that is null in EGL is an empty text or `none` here."""
 
 from __future__ import annotations
 
