@@ -35,7 +35,8 @@ class Bench(ABC):
         clock_hz: the clock of the microcontroller: actions happen at its cycles.
 
     Attributes:
-        driven: label -> how the program drives that pin now.
+        driven: label -> how the program drives that pin now; not kept for brief pins by every engine.
+        brief: the pins of which only the first change to each level is recorded.
         changes: how it drove the pins, by time.
         events: what devices noticed, by time.
     """
@@ -45,6 +46,9 @@ class Bench(ABC):
         self.driven: dict[str, Level] = dict.fromkeys(pins, "z")
         self.changes: list[PinChange] = []
         self.events: list[DeviceEvent] = []
+        self.brief: frozenset[str] = frozenset()
+        self._told: set[tuple[str, Level]] = set()  # what was recorded of brief pins
+        self._contacts: dict[str, str] = {}
         self._devices: list[Device] = []
         self._at_pin: dict[str, list[Device]] = {}
         self._on_bus: dict[int, Device] = {}
@@ -92,6 +96,28 @@ class Bench(ABC):
         It has an effect only while the program does not drive the pin.
         """
 
+    def join(self, pin: str, other: str) -> None:
+        """Close a contact between two pins: what the program drives on one is read on the other.
+
+        A pin has one contact at a time.
+        """
+        self._contacts |= {pin: other, other: pin}
+        self._pass_on(pin)
+
+    def part(self, pin: str, other: str) -> None:
+        """Open the contact between two pins."""
+        for end in (pin, other):
+            del self._contacts[end]
+            self.set_level(end, None)
+
+    def _pass_on(self, pin: str) -> None:
+        """Put on both ends of a contact what the program drives on the other one."""
+        far = self._contacts[pin]
+        for end, other in ((pin, far), (far, pin)):
+            driven = self.driven[other]
+            if self.driven[end] in ("z", "p"):
+                self.set_level(end, int(driven) if driven in (0, 1) else 1 if driven == "p" else None)
+
     @abstractmethod
     def set_voltage(self, pin: str, millivolts: float) -> None:
         """Set the voltage at a pin of the analog-to-digital converter."""
@@ -106,12 +132,23 @@ class Bench(ABC):
         """Record that the program changed how it drives a pin, and notify the devices connected to it."""
         if self.driven[pin] == level:
             return
+        if pin in self.brief:
+            self.driven[pin] = level
+            if pin in self._contacts:
+                self._pass_on(pin)
+            if (pin, level) in self._told:
+                return
+            self._told.add((pin, level))
+            self.changes.append(PinChange(self.now, pin, level))
+            return
         if len(self.changes) >= MOST_CHANGES:
             raise VerificationError(f"the program changes its pins more than {MOST_CHANGES:,} times", fix="simulate less time")
         self.driven[pin] = level
         self.changes.append(PinChange(self.now, pin, level))
         for device in self._at_pin.get(pin, ()):
             device.pin_changed(pin, level)
+        if pin in self._contacts:
+            self._pass_on(pin)
 
     def bus_start(self, address: int, read: bool) -> bool:
         """The program addresses a device on the bus; returns whether one acknowledges."""
@@ -150,8 +187,13 @@ class Bench(ABC):
 
     # ---- connecting
 
-    def connect(self, uses: Sequence[DeviceUse]) -> None:
+    def connect(self, uses: Sequence[DeviceUse], brief: Iterable[str] = ()) -> None:
         """Connect devices, in this order, before the program starts.
+
+        Args:
+            uses: the devices.
+            brief: the pins of which only the first change to each level is wanted. Where a device heeds what is driven, all
+                changes are recorded nevertheless.
 
         Raises:
             UsageError: no device is called that, it lacks a pin or setting, the board has no such pin, or two devices on the bus
@@ -172,8 +214,14 @@ class Bench(ABC):
                 if device.address in self._on_bus:
                     raise UsageError(f"two devices have the address {device.address:#x} on the bus", fix="change one of them")
                 self._on_bus[device.address] = device
+        self.brief = frozenset(brief) - self.heeded
         for device in self._devices:
             device.start()
+
+    @property
+    def heeded(self) -> frozenset[str]:
+        """The pins at which a device looks at how the program drives them."""
+        return frozenset(pin for pin, devices in self._at_pin.items() if any(device.heeds_levels for device in devices))
 
     def ended(self) -> None:
         """Notify the devices that the run is over."""
@@ -195,6 +243,7 @@ class Device:
         optional_pin_names: further pins, which need not be connected.
         setting_names: name of each further setting -> its value where none is given; a setting with the value `...` is required.
         address: on the two-wire bus, 7 bits; None when it is not on the bus.
+        heeds_levels: whether it looks at how the program drives its pins. Those of one that does not may be brief (see `Bench`).
         reacts_to: the levels of its pins on which it acts, or asks to act, before anything else happens. Of others it may be told
             a little later, though in order and with their time, as long as nothing of it was due in between.
 
@@ -206,6 +255,7 @@ class Device:
     optional_pin_names: tuple[str, ...] = ()
     setting_names: ClassVar[Mapping[str, Any]] = {}
     address: int | None = None
+    heeds_levels: bool = True
     reacts_to: tuple[Level, ...] = (0, 1, "z", "p")
 
     def __init__(self, bench: Bench, number: int, pins: Mapping[str, str], settings: Mapping[str, Any]) -> None:

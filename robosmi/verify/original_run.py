@@ -13,7 +13,7 @@ import select
 import signal
 import struct
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from time import monotonic
 
 from msgspec import Struct
@@ -30,11 +30,11 @@ STATES = {"running": "running", "finished": "done"}
 
 _RECORD = struct.Struct("<QIIII")
 _COMMAND = struct.Struct("<iiq")
-_SETTINGS = struct.Struct("<QQQQdddddddIIIIIIII")
+_SETTINGS = struct.Struct("<QQQQdddddddIIIIIIIII")
 _FLOAT = struct.Struct("<f")
 _WORD = struct.Struct("<I")
 _PIN, _WAVE, _CONSOLE, _SYNC, _BUS_START, _BUS_WRITE, _BUS_READ, _BUS_STOP, _END, _CALL = range(1, 11)
-_GO, _LEVEL, _VOLTAGE, _TYPED = range(4)
+_GO, _LEVEL, _VOLTAGE, _TYPED, _JOIN, _PART = range(6)
 _LET_GO = 2
 _NEVER = (1 << 62) - 1
 _MOST_RECORDS = 1_000_000
@@ -98,6 +98,7 @@ def run_original(
     variation: Variation | None = None,
     limit_s: float = 60.0,
     calls_from_us: float | None = None,
+    brief: Collection[str] = (),
 ) -> OriginalRun:
     """Run a program to its end or to the horizon.
 
@@ -108,13 +109,14 @@ def run_original(
         variation: how the run differs from the nominal one.
         limit_s: seconds of this machine's time.
         calls_from_us: from when on to note calls of library functions; never if None.
+        brief: the pins of which only the first change to each level is wanted (see `Bench.connect`).
 
     Raises:
         UsageError: a device is not known, or is used wrongly.
         VerificationError: the program cannot be started.
     """
     bench = _HostBench(program)
-    bench.connect([*devices, *_boards_own(program, devices)])
+    bench.connect([*devices, *_boards_own(program, devices)], brief)
     with temporary_folder("original") as place, subprocess.Popen(
         [program.binary], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=place, env={},
         bufsize=0, start_new_session=True,
@@ -183,7 +185,11 @@ class _HostBench(Bench):
     @property
     def watched(self) -> int:
         """The pins at which a device is, as bits."""
-        return sum_of(1 << number for number, label in enumerate(self.labels) if label in self._at_pin)
+        return self.bits(self._at_pin)
+
+    def bits(self, pins: Collection[str]) -> int:
+        """Pins as bits."""
+        return sum_of(1 << number for number, label in enumerate(self.labels) if label in pins)
 
     @property
     def asking(self) -> tuple[int, int, int]:
@@ -195,6 +201,12 @@ class _HostBench(Bench):
 
     def _reacts(self, pin: str, level: Level) -> bool:
         return any(level in device.reacts_to for device in self._at_pin.get(pin, ()))
+
+    def join(self, pin: str, other: str) -> None:
+        self._command(_JOIN, self.numbers[pin], self.numbers[other])
+
+    def part(self, pin: str, other: str) -> None:
+        self._command(_PART, self.numbers[pin], self.numbers[other])
 
     def wake_at(self, cycle: int) -> None:
         self.next_wake = cycle
@@ -279,7 +291,8 @@ class _Conversation:
             _NEVER if calls_from_us is None else max(0, round(calls_from_us * model.clock_hz / 1e6)),
             variation.block_factor, variation.call_factor, variation.noise, variation.late_us,
             variation.early_part, variation.line_part, variation.clock_us,
-            model.block_ticks, model.call_ticks, bench.watched, *bench.asking, variation.seed & 0xFFFFFFFF, int(limit_s) + 1,
+            model.block_ticks, model.call_ticks, bench.watched, *bench.asking, bench.bits(bench.brief),
+            variation.seed & 0xFFFFFFFF, int(limit_s) + 1,
         )  # fmt: skip
         self._say(settings)
 

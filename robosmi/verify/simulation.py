@@ -57,6 +57,7 @@ class Job(Struct, frozen=True):
         timers: description of the timers for the engine, as stored for the microcontroller in the repository.
         horizon_us: the duration of the run in microseconds.
         devices: the connected devices.
+        brief: the pins of which only the first change to each level is wanted, which takes less time (see `Bench.connect`).
         reached: whether to record which instructions run, if the engine can.
         stack_room: the first and the last address of the data memory for heap and stack; None to record no stack depth.
     """
@@ -71,6 +72,7 @@ class Job(Struct, frozen=True):
     timers: Mapping[str, Any]
     horizon_us: float
     devices: Sequence[DeviceUse] = ()
+    brief: Sequence[str] = ()
     reached: bool = False
     stack_room: tuple[int, int] | None = None
 

@@ -7,8 +7,9 @@ from itertools import pairwise
 
 import pytest
 
+from robosmi.verify.original_run import run_original
 from robosmi.verify.simulation import DeviceUse, PinTrace
-from tests.host_model.bench import ended, run, said
+from tests.host_model.bench import built, ended, run, said
 from tests.tools import require_tools
 
 SAY = '#define SAY(value) print("%d ", value)\n'
@@ -79,6 +80,25 @@ def test_numbers_are_keyed_in() -> None:  # getNumber.c
         1000, [DeviceUse("keypad", KEY_PINS, {"points": points})],
     ).text  # fmt: skip
     assert text == f"221 B =221 {ord('B')}"
+
+
+def test_only_the_first_changes_of_brief_pins_are_recorded() -> None:
+    keypad = DeviceUse("keypad", KEY_PINS, {"points": [[100, [0, 1]], [300, None]]})
+    lamp = DeviceUse("sony_remote", {"signal": "P10"}, {"points": []})
+    text = (
+        f'#include "simpletools.h"\n#include "keypad.h"\n{KEYS}int main() {{ keypad_setup(2, 3, rows, columns, values); '
+        "high(10); low(10); high(10); keypad_getNumber(); }"
+    )
+    with built(text) as program:
+        whole, brief = (run_original(program, 500_000, [keypad, lamp], brief=pins) for pins in ((), (*KEY_PINS.values(), "P10")))
+    assert whole.trace.text == brief.trace.text == "2"
+    assert whole.counts == brief.counts
+    assert len(whole.trace.changes) > 5000
+    at_keys = [(change.pin, change.level) for change in brief.trace.changes if change.pin != "P10"]
+    assert sorted(set(at_keys), key=str) == sorted(at_keys, key=str)
+    assert {pin for pin, _ in at_keys} == set(KEY_PINS.values())
+    assert whole.trace.levels("P10") == brief.trace.levels("P10")  # where a device looks at them
+    assert [level for _, level in brief.trace.levels("P10")] == [1, 0, 1]
 
 
 @pytest.mark.parametrize(("header", "name"), [("adcDCpropab.h", "adc"), ("abvolts.h", "ad")])

@@ -38,7 +38,10 @@ def shows_console(mcu: str) -> bool:
     return bool(_facts()[1].get(mcu, {}).get("console", True))
 
 
-def job(elf: Path, hex_file: Path, board: platform.Board, horizon_us: float, devices: Sequence[DeviceUse] = ()) -> Job:
+def job(
+    elf: Path, hex_file: Path, board: platform.Board, horizon_us: float, devices: Sequence[DeviceUse] = (),
+    brief: Sequence[str] = (),
+) -> Job:  # fmt: skip
     """The job of running a program on a board.
 
     Args:
@@ -46,6 +49,7 @@ def job(elf: Path, hex_file: Path, board: platform.Board, horizon_us: float, dev
         board: the board.
         horizon_us: how long to simulate, in microseconds.
         devices: the devices that are connected.
+        brief: the pins of which only the first change to each level is wanted.
 
     Raises:
         UsageError: the board's microcontroller is not described.
@@ -65,4 +69,6 @@ def job(elf: Path, hex_file: Path, board: platform.Board, horizon_us: float, dev
     numbers = {label: int(found[1]) for label in pins if (found := _ANALOG.fullmatch(label))}
     analog = {label: channels[number] for label, number in numbers.items() if number < len(channels)}
     supply = round(board.volts * 1000)
-    return Job(str(elf), str(hex_file), mcu, board.clockHertz, supply, pins, analog, timers, horizon_us, tuple(devices))
+    return Job(
+        str(elf), str(hex_file), mcu, board.clockHertz, supply, pins, analog, timers, horizon_us, tuple(devices), tuple(brief)
+    )

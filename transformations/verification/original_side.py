@@ -8,16 +8,16 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping, Sequence
 from time import monotonic
-from typing import Any
 
 from msgspec import Struct
 
 from robosmi.data_text import as_whole
 from robosmi.transformations.verification.exact_numbers import MEASURED, with_exact_numbers
 from robosmi.transformations.verification.places_seen import rests_seen
-from robosmi.transformations.verification.played_devices import devices_at, played
+from robosmi.transformations.verification.played_devices import brief_pins, devices_at, played
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.transformations.verification.simulated_kinds import SimulatedKind, device_facts
+from robosmi.transformations.verification.varied_devices import MOVED_MS, moved_devices, put_down_anywhere
 from robosmi.typed import paired, replaced
 from robosmi.verify.activity import IDLE, LEVEL, LINE, SIGHTS, WAVE, ActivityEvent, activity, console_lines, merged, text_lines
 from robosmi.verify.alignment import with_vague_widths
@@ -73,8 +73,6 @@ _FURTHER = tuple(Variation(seed, noise=0.3, late_us=100.0, clock_us=_CLOCK_US * 
 """Further varied runs for a scenario in which the migrated program differs: with noise, and with inputs moved by other times in
 each; in the first two all inputs are moved by the greatest time, earlier and later.
 """
-_MOVED_MS = 20.0
-"""Greatest time by which inputs are moved, in milliseconds: the longest time between two reads of a polling program."""
 
 
 class SourceRuns(Struct, frozen=True):
@@ -221,10 +219,20 @@ def compared(
     return max(different, key=lambda result: result.difference.at_ms if result.difference else 0.0, default=found[0])
 
 
-def run_source(program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, limit_s: float = 60.0) -> OriginalRun:
-    """Run the source in a scenario as it is."""
-    run = run_original(program, scenario.horizon_ms * 1000, played(ports, scenario, target=False), limit_s=limit_s)
-    return with_place(program, run)
+def run_source(
+    program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, limit_s: float = 60.0, whole: bool = False
+) -> OriginalRun:
+    """Run the source in a scenario as it is.
+
+    Args:
+        program: the original.
+        ports: the ports.
+        scenario: what happens.
+        limit_s: seconds of this machine's time.
+        whole: whether all changes of the pins are recorded, of those too that no channel shows.
+    """
+    devices, brief = played(ports, scenario, target=False), () if whole else brief_pins(ports, target=False)
+    return with_place(program, run_original(program, scenario.horizon_ms * 1000, devices, limit_s=limit_s, brief=brief))
 
 
 def places_reached(program: OriginalProgram, run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
@@ -262,7 +270,7 @@ def run_varied(
     for variation in _FACTORS if not runs.given_up else ():
         chance = random.Random(variation.seed)
         moved = moved_devices(devices, chance) if variation.noise else put_down_anywhere(devices, chance)
-        run = run_original(program, scenario.horizon_ms * 1000, moved, variation, max(0.0, until - monotonic()))
+        run = _run(program, ports, scenario, moved, until, variation)
         if run.status in LIMITS:
             return replaced(runs, given_up=run.status)
         seen.append(channel_events(run.trace, ports, target=False))
@@ -273,10 +281,19 @@ def run_varied(
             return runs
 
     def again(showing: Sequence[DeviceUse]) -> dict[str, list[list[ActivityEvent]]]:
-        run = run_original(program, scenario.horizon_ms * 1000, showing, limit_s=max(0.0, until - monotonic()))
+        run = _run(program, ports, scenario, showing, until)
         return channel_events(run.trace, ports, target=False)
 
     return replaced(runs, channels=with_exact_numbers(runs.channels, devices, again)) if not runs.given_up else runs
+
+
+def _run(
+    program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, devices: Sequence[DeviceUse], until: float,
+    variation: Variation | None = None,
+) -> OriginalRun:  # fmt: skip
+    """A run of a scenario with other devices, until a time of this machine's clock at most."""
+    limit_s = max(0.0, until - monotonic())
+    return run_original(program, scenario.horizon_ms * 1000, devices, variation, limit_s, brief=brief_pins(ports, target=False))
 
 
 def run_further(
@@ -296,9 +313,9 @@ def run_further(
     channels, rests = runs.channels, runs.rests
     for number, variation in enumerate(_FURTHER):
         chance = random.Random(variation.seed)
-        ways = (-_MOVED_MS, _MOVED_MS)
+        ways = (-MOVED_MS, MOVED_MS)
         moved = moved_devices(devices, chance, ways[number] if number < len(ways) else None)
-        run = run_original(program, scenario.horizon_ms * 1000, moved, variation, max(0.0, until - monotonic()))
+        run = _run(program, ports, scenario, moved, until, variation)
         if run.status in LIMITS:
             break
         seen = channel_events(run.trace, ports, target=False)
@@ -324,61 +341,3 @@ def _loop(trace: PinTrace, ports: Sequence[BoundPort]) -> ClosedLoop | None:
 
 def _by_channel(seen: Sequence[Mapping[str, list[list[ActivityEvent]]]]) -> dict[str, list[list[list[ActivityEvent]]]]:
     return {name: [list(runs) for runs in zip(*(each[name] for each in seen), strict=True)] for name in seen[0]}
-
-
-def moved_devices(devices: Sequence[DeviceUse], chance: random.Random, by_ms: float | None = None) -> list[DeviceUse]:
-    """Devices whose signals change a little earlier or later, and whose values are a little different.
-
-    Args:
-        devices: the devices.
-        chance: the random generator.
-        by_ms: time in milliseconds by which all signals are late; None to move each change by another time.
-    """
-    facts = device_facts()
-    made = []
-    for use in devices:
-        percent = float(facts.get(use.kind, {}).get("jitter_percent", 0))
-        smallest = float(facts.get(use.kind, {}).get("jitter_least", 0))
-        settings = {
-            name: [_moved(point, chance, percent, smallest, by_ms) for point in value] if _is_signal(value) else value
-            for name, value in use.settings.items()
-        }
-        for name, value in settings.items():
-            if _is_signal(value):
-                settings[name] = sorted(value, key=lambda point: float(point[0]))
-        for name, usual in facts.get(use.kind, {}).get("jitter", {}).items():
-            settings[name] = usual * (1 + chance.uniform(-percent, percent) / 100)
-        made.append(replaced(use, settings=settings))
-    return put_down_anywhere(made, chance)
-
-
-def put_down_anywhere(devices: Sequence[DeviceUse], chance: random.Random) -> list[DeviceUse]:
-    """Devices whose exact initial position is unknown, at another position.
-
-    The time that a closed loop needs to reach a place depends on it: each varied run is one more sample of that.
-    """
-    facts = device_facts()
-    return [
-        replaced(
-            use,
-            settings={
-                **use.settings,
-                **{name: chance.uniform(*ends) for name, ends in facts.get(use.kind, {}).get("anywhere", {}).items()},
-            },
-        )
-        for use in devices
-    ]
-
-
-def _is_signal(value: Any) -> bool:
-    return isinstance(value, list) and all(isinstance(point, list) and len(point) == 2 for point in value)
-
-
-def _moved(point: list[Any], chance: random.Random, percent: float, least: float, by_ms: float | None) -> list[Any]:
-    at_ms, value = point
-    later_ms = chance.uniform(-_MOVED_MS, _MOVED_MS) if by_ms is None else by_ms
-    at_ms = max(0.0, at_ms + later_ms) if at_ms else at_ms
-    if percent and isinstance(value, (int, float)):
-        off = chance.uniform(-1, 1)
-        value = value + off * max(abs(value) * percent / 100, min(least, abs(value)))
-    return [at_ms, value]

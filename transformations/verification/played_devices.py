@@ -98,6 +98,22 @@ def played(ports: Iterable[BoundPort], scenario: Scenario | None, target: bool) 
     return made
 
 
+def brief_pins(ports: Iterable[BoundPort], target: bool) -> list[str]:
+    """The pins at which all that a program does is for a device: no channel shows it, so that each change need not be recorded.
+
+    Args:
+        ports: the ports.
+        target: whether the pins are those of the target.
+    """
+    seen: dict[str, bool] = {}
+    for port in ports:
+        facts = device_facts().get(port.device, {})
+        shows = not port.device or port.shown or port.pulsed or facts.get("driven", facts.get("driven_as_output", False))
+        place = port.target if target else port.source
+        seen[place] = shows or seen.get(place, False)
+    return sorted(place for place, shows in seen.items() if place and not shows)
+
+
 def signals_of(ports: Sequence[BoundPort], scenario: Scenario | None) -> dict[int, Mapping[str, Points]]:
     """The signals of a scenario by the index of their port, the first port if the device has several."""
     found: dict[int, Mapping[str, Points]] = {}

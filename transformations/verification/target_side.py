@@ -14,7 +14,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from robosmi.errors import EngineCrashError, VerificationError
 from robosmi.metamodels import platform
 from robosmi.transformations.verification.jobs import job, shows_console
-from robosmi.transformations.verification.played_devices import played
+from robosmi.transformations.verification.played_devices import brief_pins, played
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.scenario import Scenario
@@ -35,8 +35,9 @@ class TargetSide:
     """
 
     def __init__(
-        self, board: platform.Board, report: CompileReport, ports: Sequence[BoundPort], wanted: str | None = None
-    ) -> None:
+        self, board: platform.Board, report: CompileReport, ports: Sequence[BoundPort], wanted: str | None = None,
+        whole: bool = False,
+    ) -> None:  # fmt: skip
         """Find the engines.
 
         Args:
@@ -44,6 +45,7 @@ class TargetSide:
             report: the result of compiling the program.
             ports: the ports.
             wanted: the engine that the user has named, or None.
+            whole: whether all changes of the pins are recorded, of those too that no channel shows.
 
         Raises:
             UsageError: no engine has that name, or none knows the board.
@@ -54,6 +56,7 @@ class TargetSide:
         self.board = board
         self.shows_console = shows_console(mcu)
         self._report, self._ports = report, ports
+        self._brief = [] if whole else brief_pins(ports, target=True)
         self._names = [each.name for each in engines_for(mcu, wanted)]
         self._crashed: set[str] = set()
         self._instead: set[str] = set()
@@ -90,7 +93,7 @@ class TargetSide:
         assert self._report.elf is not None
         assert self._report.hex is not None
         devices = played(self._ports, scenario, target=True)
-        asked = job(self._report.elf, self._report.hex, self.board, scenario.horizon_ms * 1000, devices)
+        asked = job(self._report.elf, self._report.hex, self.board, scenario.horizon_ms * 1000, devices, self._brief)
         crash: VerificationError | None = None
         for name in self._names:
             try:

@@ -9,6 +9,7 @@ from robosmi.transformations.verification.devices.feedback_servo import Feedback
 from robosmi.transformations.verification.devices.servo_pulses import PulseDriven
 from robosmi.transformations.verification.devices.way_marks import WayMarks
 from robosmi.transformations.verification.devices.wheel import Wheel
+from robosmi.typed import replaced
 from robosmi.verify.bench import Bench
 from robosmi.verify.simulation import DeviceUse, simulate
 from tests.transformations.verification.conftest import Run
@@ -60,6 +61,17 @@ def test_a_key_joins_its_row_and_column(job_of: Run, engine: str) -> None:
     keys = trace.text.split()
     assert list(dict.fromkeys(keys)) == ["01", "10"]
     assert len(keys) >= 4
+
+
+def test_of_brief_pins_only_the_first_changes_are_recorded(job_of: Run, engine: str) -> None:
+    pins = {"row0": "D4", "row1": "D5", "column0": "D6", "column1": "D7"}
+    asked = job_of("matrix", 220, [DeviceUse("keypad", pins, {"points": [[50, [0, 1]], [110, [1, 0]], [170, None]]})])
+    whole, brief = simulate(asked, engine), simulate(replaced(asked, brief=(*pins.values(), "D13")), engine)
+    assert whole.console == brief.console
+    assert len(whole.changes) > 3 * len(brief.changes)
+    told = [(change.pin, change.level) for change in brief.changes]
+    assert set(told) == {(change.pin, change.level) for change in whole.changes}
+    assert len(told) == len(set(told))
 
 
 def test_a_remote_control_is_heard(job_of: Run, engine: str) -> None:

@@ -12,7 +12,7 @@ import robosmi
 from robosmi.diagnostics import Location
 from robosmi.errors import UsageError
 from robosmi.transformations.chains.models import load_models
-from robosmi.transformations.verification.played_devices import played, signals_of
+from robosmi.transformations.verification.played_devices import brief_pins, played, signals_of
 from robosmi.transformations.verification.port_devices import (
     BoundPort,
     bound_ports,
@@ -21,6 +21,7 @@ from robosmi.transformations.verification.port_devices import (
     texts_understood,
 )
 from robosmi.transformations.verification.simulated_kinds import device_facts
+from robosmi.typed import replaced
 from robosmi.verify.scenario import Points, Scenario
 from robosmi.verify.simulation import DeviceUse
 
@@ -49,6 +50,18 @@ def test_the_ports_of_the_monitoring_robot() -> None:
     assert {port.device for port in found.values()} == {"levels", "dht22", ""}
     assert found["P5"].pin == "signal"
     assert all(kind in device_facts() for kind in ("levels", "dht22", "capacitor", "ranger", "voltages"))
+
+
+def test_pins_that_no_channel_shows_are_brief() -> None:
+    matrix = [
+        BoundPort(name, f"P{n}", f"D{n + 2}", device="keypad", pin=name, group="P0") for n, name in enumerate(("row0", "column0"))
+    ]
+    lamp = BoundPort("lamp", "P2", "D4")
+    driven = BoundPort("button", "P3", "D5", device="levels", pin="pin")
+    assert brief_pins([*matrix, lamp, driven], target=False) == ["P0", "P1"]
+    assert brief_pins([*matrix, lamp, driven], target=True) == ["D2", "D3"]
+    assert brief_pins([*matrix, BoundPort("row's lamp", "P0", "D2")], target=False) == ["P1"]
+    assert brief_pins([replaced(matrix[0], shown=True), matrix[1]], target=False) == ["P1"]
 
 
 PORTS = [

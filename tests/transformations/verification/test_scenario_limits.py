@@ -8,10 +8,11 @@ import pytest
 
 from robosmi.errors import VerificationError
 from robosmi.transformations.verification import original_side
-from robosmi.transformations.verification.original_side import moved_devices, run_source, run_varied
+from robosmi.transformations.verification.original_side import run_source, run_varied
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.transformations.verification.scenario_search import _HORIZON_ALONE_MS, _HORIZONS_MS, _horizon, search
 from robosmi.transformations.verification.search_effort import SearchEffort
+from robosmi.transformations.verification.varied_devices import moved_devices
 from robosmi.verify import bench, original_run
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_run import OriginalRun, run_original
@@ -66,7 +67,7 @@ def test_each_varied_run_puts_wheels_down_somewhere_else(monkeypatch: pytest.Mon
     wheel = DeviceUse("wheel", {"servo": "P12", "encoder": "P14"}, {})
     places = []
 
-    def noted(program: OriginalProgram, until_us: float, devices: list[DeviceUse], *more: object) -> OriginalRun:
+    def noted(program: OriginalProgram, until_us: float, devices: list[DeviceUse], *more: object, **rest: object) -> OriginalRun:
         places.append(devices[0].settings["starts_at"])
         return run_original(program, until_us)
 

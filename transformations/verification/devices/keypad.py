@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any, ClassVar
 
-from robosmi.verify.bench import Device, Level
+from robosmi.verify.bench import Device
 
 _MOST = 8
 
@@ -20,6 +20,8 @@ class Keypad(Device):
 
     optional_pin_names = tuple(f"{line}{number}" for line in ("row", "column") for number in range(_MOST))
     setting_names: ClassVar[Mapping[str, Any]] = {"points": ...}
+    heeds_levels = False
+    reacts_to = ()
 
     def start(self) -> None:
         """Begin to play the points."""
@@ -29,19 +31,7 @@ class Keypad(Device):
 
     def _press(self, key: list[int] | None) -> None:
         if self._held is not None:
-            for pin in self._held:
-                self.bench.set_level(pin, None)
+            self.bench.part(*self._held)
         self._held = None if key is None else (self.pins[f"row{key[0]}"], self.pins[f"column{key[1]}"])
-        self._join()
-
-    def pin_changed(self, pin: str, level: Level) -> None:
-        """Pass a level that the program drives on to the line that a held key joins with the pin."""
-        self._join()
-
-    def _join(self) -> None:
-        if self._held is None:
-            return
-        for pin, other in (self._held, self._held[::-1]):
-            driven = self.bench.driven[other]
-            if self.bench.driven[pin] in ("z", "p"):
-                self.bench.set_level(pin, int(driven) if driven in (0, 1) else 1 if driven == "p" else None)
+        if self._held is not None:
+            self.bench.join(*self._held)

@@ -104,6 +104,14 @@ class _Run(Bench):
         """Drive a pin from outside, low or high; None lets go of it."""
         self._commands.append(["set", pin, level])
 
+    def join(self, pin: str, other: str) -> None:
+        """Close a contact between two pins."""
+        self._commands.append(["join", pin, other])
+
+    def part(self, pin: str, other: str) -> None:
+        """Open the contact between two pins."""
+        self._commands.append(["part", pin, other])
+
     def set_voltage(self, pin: str, millivolts: float) -> None:
         """Put a voltage on a pin of the converter."""
         self._commands.append(["adc", self._job.analog[pin], millivolts / 1000])
@@ -121,11 +129,12 @@ class _Run(Bench):
             text = inputs.read_text(job.hex, inputs.OUTPUT, "ascii")
         except (OSError, ValueError) as error:
             raise VerificationError(f"'{job.hex}' cannot be read: {error}", fix="compile the program again") from error
-        self.connect(job.devices)
+        self.connect(job.devices, job.brief)
         begun, self._commands = self._commands, []
         end = round(job.horizon_us * job.clock_hz / 1e6)
         question: dict[str, Json] = {"hex": text, "clock": job.clock_hz, "pins": dict(job.pins), "end": end}
-        self._write({**question, "reactive": sorted(self._at_pin), "registers": self.timers.registers, "reached": job.reached})
+        question |= {"reactive": sorted(self.heeded), "brief": sorted(self.brief)}
+        self._write({**question, "registers": self.timers.registers, "reached": job.reached})
         while (told := self._read())["ask"] != "end":
             self._note(told["log"])
             self._cycle = told["t"]

@@ -1,7 +1,7 @@
 // Runs a program on avr8js (npm, MIT), for the engine `avr8js`. Talks with it in lines of JSON, one question and one answer at a time:
 // questions go to standard output, answers come from standard input. The first line that arrives is the job.
 //   question: {t, log: [["p", t, label, level] | ["w", t, address, value] | ["u", t, byte] ...], ask: why, ...}   t in cycles
-//   answer:   [["set", label, 0|1|null] | ["adc", channel, volts] | ["send", [bytes]] | ["wake", cycle] ...]
+//   answer:   [["set", label, 0|1|null] | ["join"|"part", label, label] | ["adc", channel, volts] | ["send", [bytes]] | ["wake", cycle] ...]
 'use strict';
 const fs = require('fs');
 const avr = require('avr8js');
@@ -68,6 +68,11 @@ function ask(question) {
     if (what === 'set') {
       pins[a].outside = b;
       settle(pins[a]);
+    } else if (what === 'join' || what === 'part') {
+      for (const [end, other] of [[pins[a], pins[b]], [pins[b], pins[a]]]) {
+        end.contact = what === 'join' ? other : null;
+        settle(end);
+      }
     } else if (what === 'adc') adc.channelValues[a] = b;
     else if (what === 'send') for (const byte of a) waiting.push(byte);
     else if (what === 'wake') wake = a === null ? Infinity : a;
@@ -77,19 +82,22 @@ function ask(question) {
 }
 let answer = null;
 
-// ---- pins. What is read at an input: what drives it from outside, else its pull-up, else what was there last.
+// ---- pins. What is read at an input: what the program drives at the other end of a contact, else what drives it from outside,
+// else its pull-up, else what was there last.
 const pins = {};
 const atPort = { B: [], C: [], D: [] };
 for (const [label, place] of Object.entries(job.pins)) {
-  const pin = { label, port: ports[place[0]][0], config: ports[place[0]][1], bit: +place[1], level: 'z', outside: null };
+  const pin = { label, port: ports[place[0]][0], config: ports[place[0]][1], bit: +place[1], level: 'z', outside: null, contact: null };
   pins[label] = pin;
   atPort[place[0]].push(pin);
 }
 function settle(pin) {
-  if (pin.outside !== null) pin.port.setPin(pin.bit, !!pin.outside);
+  const driven = pin.contact === null ? 'z' : pin.contact.level;
+  if (driven !== 'z') pin.port.setPin(pin.bit, driven !== 0);
+  else if (pin.outside !== null) pin.port.setPin(pin.bit, !!pin.outside);
   else if (pin.level === 'p') pin.port.setPin(pin.bit, true);
 }
-const reactive = new Set(job.reactive);
+const reactive = new Set(job.reactive), brief = new Set(job.brief), told = new Set();
 for (const [name, mine] of Object.entries(atPort)) {
   const [port, config] = ports[name];
   port.addListener(() => {
@@ -102,6 +110,11 @@ for (const [name, mine] of Object.entries(atPort)) {
       if (pin.level === 0 || pin.level === 1) pin.port.setPin(pin.bit, !!pin.level);
       pin.level = level;
       settle(pin);
+      if (pin.contact !== null) settle(pin.contact);
+      if (brief.has(pin.label)) {
+        if (told.has(pin.label + level)) continue;
+        told.add(pin.label + level);
+      }
       log.push(['p', cpu.cycles, pin.label, level]);
       telling = telling || reactive.has(pin.label);
     }

@@ -350,7 +350,7 @@ class _Run(Bench):
 
     def run(self) -> PinTrace:
         """Run until the horizon."""
-        self.connect(self._job.devices)
+        self.connect(self._job.devices, self._job.brief)
         longest = run_in_a_row(self._library, self._avr, lambda: self.cycle) + _LONGEST
         end = round(self._job.horizon_us * self._job.clock_hz / 1e6)
         run = ctypes.cast(self._library.avr_run, ctypes.c_void_p)

@@ -49,6 +49,7 @@ void pins_cog_stopped(struct cog *cog);
 host_time pins_next(void);             /* when a counter's output changes next */
 void pins_advance(host_time when);     /* let counters toggle at that time */
 void pins_outside(int pin, int level, host_time when);
+void pins_contact(int pin, int other, int closed, host_time when);
 unsigned pins_levels(void);
 
 /* link.c */
@@ -56,6 +57,7 @@ enum record { RECORD_PIN = 1, RECORD_WAVE, RECORD_CONSOLE, RECORD_SYNC, RECORD_B
               RECORD_BUS_STOP, RECORD_END, RECORD_CALL };
 extern unsigned watched;               /* pins at which a device is */
 extern unsigned asking[3];             /* pins at which one has to be told at once: of 0, of 1, of not driven any more */
+extern unsigned brief;                 /* pins of which only the first change to each level is told */
 extern struct settings { unsigned block_ticks, call_ticks; double noise, late_us, early_part, line_part, clock_us; unsigned limit_s; host_time calls_from; } settings;
 void link_open(void);
 void link_record(host_time when, enum record kind, unsigned a, unsigned b, unsigned c);

@@ -16,9 +16,9 @@ struct command_in { int kind, a; long long b; };
 struct settings_in {
   unsigned long long horizon, next_wake, most_records, calls_from;
   double block_factor, call_factor, noise, late_us, early_part, line_part, clock_us;
-  unsigned block_ticks, call_ticks, watched, asking[3], seed, limit_s;
+  unsigned block_ticks, call_ticks, watched, asking[3], brief, seed, limit_s;
 };
-enum { GO, LEVEL, VOLTAGE, TYPED };
+enum { GO, LEVEL, VOLTAGE, TYPED, JOIN, PART };
 
 static struct record_out buffer[1024];
 static int filled;
@@ -61,6 +61,7 @@ void link_open(void) {
   most_records = in.most_records;
   watched = in.watched;
   memcpy(asking, in.asking, sizeof asking);
+  brief = in.brief;
   settings.limit_s = in.limit_s;
   settings.block_ticks = in.block_ticks * in.block_factor;
   settings.call_ticks = in.call_ticks * in.call_factor;
@@ -88,6 +89,7 @@ static int obey(host_time when) {
     get(&command, sizeof command);
     switch (command.kind) {
     case LEVEL: pins_outside(command.a, (int)command.b, when); break;
+    case JOIN: case PART: pins_contact(command.a, (int)command.b, command.kind == JOIN, when); break;
     case VOLTAGE: millivolts[command.a] = (int)command.b; break;
     case TYPED:
       typed[typed_last++ % sizeof typed] = command.a;

@@ -7,9 +7,11 @@
 enum { OFF, PLL_INTERNAL, PLL, PLL_BOTH, NCO, NCO_BOTH, DUTY, DUTY_BOTH, HIGH, RISING = 10, LOW = 12, FALLING = 14, DETECTORS_END = 16 };
 static const double SLOWEST_WAVE_HZ = 20, FASTEST_EDGES_HZ = 200000;
 
-unsigned watched, asking[3];
+unsigned watched, asking[3], brief;
 static unsigned levels, driven, outside, outside_drives;
-static unsigned char shown[PINS];  /* 0, 1, 2 for not driven: as it was told last */
+static unsigned char shown[PINS];  /* 0, 1, 2 for not driven: as it is */
+static unsigned told[3];           /* pins of which each of these levels was told */
+static unsigned contacts[PINS];    /* the pins that a contact joins with each */
 static unsigned sampled;           /* pins that detectors or waiting cogs look at */
 static host_time next_toggle = HOST_NEVER;
 
@@ -145,6 +147,14 @@ static void set_levels(unsigned now, host_time when) {
     if (cogs[i].used && cogs[i].wait_mask && wakes(&cogs[i])) cogs_wake(&cogs[i], when);
 }
 
+/* What is at the pins that the program does not drive: what it drives at the other end of a contact, else what the world drives. */
+static unsigned from_outside(unsigned out) {
+  unsigned found = outside & outside_drives;
+  for (int pin = 0; pin < PINS; pin++)
+    if (contacts[pin] & driven) found = (found & ~(1u << pin)) | (contacts[pin] & driven & out ? 1u << pin : 0);
+  return found;
+}
+
 void pins_update(host_time when) {
   unsigned out = 0;
   driven = 0;
@@ -153,11 +163,13 @@ void pins_update(host_time when) {
     driven |= cogs[i].dir;
     out |= (cogs[i].out | counters_out(&cogs[i], when, 0)) & cogs[i].dir;
   }
-  set_levels((driven & out) | (~driven & outside & outside_drives), when);
+  set_levels((driven & out) | (~driven & from_outside(out)), when);
   for (int pin = 0; pin < PINS; pin++) {
     int level = driven >> pin & 1 ? (int)(out >> pin & 1) : 2;
     if (level == shown[pin]) continue;
     shown[pin] = level;
+    if (brief & told[level] & 1u << pin) continue;
+    told[level] |= 1u << pin;
     if (asking[level] >> pin & 1) link_sync(when, RECORD_PIN, pin, level);
     else link_record(when, RECORD_PIN, pin, level, 0);
   }
@@ -169,7 +181,14 @@ void pins_outside(int pin, int level, host_time when) {
   unsigned mask = 1u << pin;
   outside_drives = level == 2 ? outside_drives & ~mask : outside_drives | mask;
   outside = level == 1 ? outside | mask : outside & ~mask;
-  set_levels((levels & driven) | (~driven & outside & outside_drives), when);
+  set_levels((levels & driven) | (~driven & from_outside(levels)), when);
+}
+
+void pins_contact(int pin, int other, int closed, host_time when) {
+  unsigned bits[2] = {1u << pin, 1u << other};
+  contacts[pin] = closed ? contacts[pin] | bits[1] : contacts[pin] & ~bits[1];
+  contacts[other] = closed ? contacts[other] | bits[0] : contacts[other] & ~bits[0];
+  set_levels((levels & driven) | (~driven & from_outside(levels)), when);
 }
 
 int host_outside_level(int pin) { return outside_drives >> pin & 1 ? (int)(outside >> pin & 1) : 2; }
