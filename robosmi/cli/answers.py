@@ -85,6 +85,10 @@ class ComparedPrograms(Analysed, Protocol):
         """Whether they do the same."""
 
     @property
+    def exit_code(self) -> int:
+        """The exit code of the contract."""
+
+    @property
     def written(self) -> Sequence[tuple[Path, str]]:
         """Path and kind of each file written."""
 

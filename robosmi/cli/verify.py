@@ -45,7 +45,7 @@ def run(arguments: _Arguments) -> Report:
     done: ComparedPrograms = content("chain", "verify")(
         arguments.output, scenarios=arguments.scenarios, engine=arguments.engine, seed=arguments.seed, vcd=arguments.vcd
     )
-    report.ok, report.failure_code = done.verdict.exit_code == 0, done.verdict.exit_code
+    report.ok, report.failure_code = done.exit_code == 0, done.exit_code
     report.result, report.findings = done.result, list(done.findings)
     report.lines = done.verdict.lines(arguments.verbose)
     report.artifacts = [{"path": str(path), "kind": kind} for path, kind in done.written]

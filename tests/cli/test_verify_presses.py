@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import shutil
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -51,7 +53,10 @@ def test_what_comes_late_is_noticed(name: str, tmp_path: Path) -> None:
     (tmp_path / f"{name}.c").write_text(PROGRAMS[name])
     bound = [word for port, pin in BINDINGS[name].items() for word in ("--bind", f"{port}={pin}")]
     assert run("migrate", tmp_path / f"{name}.c", "-o", tmp_path / "out", *bound).code in (0, 1)
-    assert run("verify", tmp_path / "out").code == 0
+    assert run("verify", tmp_path / "out", "-o", tmp_path / "x.vcd").code == 0
+    wires = re.findall(r"\$var wire 1 (\S+) \S+ \$end", (tmp_path / "x.vcd").read_text())
+    changes = Counter(re.findall(r"^[01z](\S+)$", (tmp_path / "x.vcd").read_text(), re.MULTILINE))
+    assert name != "keys" or min(changes[wire] for wire in wires) > 50, "the trace does not have all that the program drives"
     shutil.copytree(tmp_path / "out", tmp_path / "wrong")
     sketch = tmp_path / "wrong" / name / f"{name}.ino"
     text = sketch.read_text()

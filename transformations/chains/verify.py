@@ -16,11 +16,10 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.doing import doing
 from robosmi.errors import SourceError, VerificationError
 from robosmi.metamodels import migration, platform
-from robosmi.model.files import write_atomic
-from robosmi.model.runs import alone
 from robosmi.transformations.chains.models import MigrationModels, stored_models
 from robosmi.transformations.chains.output import Generated, produce
 from robosmi.transformations.chains.simulate import plan_beside
+from robosmi.transformations.chains.verified_files import VerifiedFiles
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.source_text import is_header
@@ -45,21 +44,18 @@ from robosmi.transformations.verification.port_devices import (
     texts_understood,
 )
 from robosmi.transformations.verification.scenario_search import search
-from robosmi.transformations.verification.scenario_verdicts import Case, ComparedScenario, compare_scenarios
+from robosmi.transformations.verification.scenario_verdicts import Case, compare_scenarios
 from robosmi.transformations.verification.source_reached import cover
 from robosmi.transformations.verification.target_side import LIMIT_S, TargetSide
 from robosmi.trust import acting
-from robosmi.typed import replaced, sum_of
+from robosmi.typed import sum_of
 from robosmi.verify.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.libraries import STAND_IN
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.scenario import Scenario, read_scenario
-from robosmi.verify.simulation import PinTrace
 from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.toolchain import compile_sketch
-from robosmi.verify.trace_picture import trace_svg
-from robosmi.verify.vcd import vcd_text
 from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_COMPILED, NOT_DECIDABLE, Verdict
 
 FOLDER = "scenarios"
@@ -73,16 +69,24 @@ class Verified(Struct):
         verdict: the verdict.
         compiled: how the migrated program was compiled.
         written: files that were written, with their kind.
+        lost: a finding for each kind of file that could not be written.
     """
 
     verdict: Verdict
     compiled: CompileReport
     written: list[tuple[Path, str]] = []
+    lost: list[Finding] = []
 
     @property
     def findings(self) -> list[Finding]:
-        """What the compiler found, but for mere information."""
-        return [f for f in self.compiled.diagnostics if f.severity is not Severity.info]
+        """What the compiler found, but for mere information, and the files that could not be written."""
+        return [*(f for f in self.compiled.diagnostics if f.severity is not Severity.info), *self.lost]
+
+    @property
+    def exit_code(self) -> int:
+        """The verdict's exit code; that of `SourceError` if a file could not be written and the verdict is no failure."""
+        code = self.verdict.exit_code
+        return SourceError.exit_code if self.lost and code != VerificationError.exit_code else code
 
     @property
     def result(self) -> dict[str, Any]:
@@ -156,7 +160,7 @@ def verify(
         if report.elf is None:
             verdict.reasons.append(_too_big(report))
             return Verified(verdict, report)
-        side = TargetSide(_board(models, report), report, ports, engine)
+        side = TargetSide(_board(models, report), report, ports, engine, whole=vcd is not None)
         verdict.engine = side.engine
         if not side.shows_console:
             verdict.not_compared.append(CONSOLE_CHANNEL)
@@ -195,14 +199,15 @@ def verify(
         if verdict.nothing_compared:
             verdict.reasons.append(why_nothing_was_compared(verdict, ports))
         cover(verdict, program, [each.runs for each in kept], made.racy_counts, plan, output, ports)
-        done = Verified(verdict, report)
-        _store(made.new, plan_file.parent / FOLDER, done)
+        files = VerifiedFiles()
+        files.store_scenarios(made.new, plan_file.parent / FOLDER)
         if kept:
             shown = kept[_shown(verdict)]
-            _write_picture(plan_file.parent / PICTURE, shown, done)
+            files.write_picture(plan_file.parent / PICTURE, shown)
             if vcd is not None and shown.trace is not None:
-                _write_vcd(vcd, shown, shown.trace, done)
-    return done
+                source = run_source(program, ports, shown.told.scenario, LIMIT_S, whole=True).trace
+                files.write_vcd(vcd, shown.told.scenario.name, source, shown.trace)
+    return Verified(verdict, report, files.written, files.lost)
 
 
 def _too_big(report: CompileReport) -> str:
@@ -240,8 +245,8 @@ def with_verdict(made: Generated, *, strict: bool = False) -> Generated:
     done = verify(made.output)
     made.models.plan.findings.append(verdict_finding(done.verdict))
     again = produce(made.models, made.output, strict=strict)
-    again.notes = [*made.notes, *(note for note in again.notes if note not in made.notes)]
-    again.verification = (done.verdict.to_json(), done.verdict.exit_code)
+    again.notes = [*made.notes, *(note for note in again.notes if note not in made.notes), *done.lost]
+    again.verification = (done.verdict.to_json(), done.exit_code)
     return again
 
 
@@ -297,61 +302,10 @@ def _cases(
     return [*cases, *fresh], made
 
 
-# ---- what is written
-
-
-def _store(scenarios: Sequence[Scenario], folder: Path, done: Verified) -> None:
-    """Write each new scenario to a file beside the models, but for those that another run has stored meanwhile."""
-    if not scenarios:
-        return
-    try:
-        with alone(folder.parent.parent):
-            stored = {_played(read_scenario(path)) for path in folder.glob("*.toml")}
-            for scenario in scenarios:
-                if _played(scenario) in stored:
-                    continue
-                number = 1
-                while (path := folder / f"generated_{number:02}.toml").exists():
-                    number += 1
-                folder.mkdir(exist_ok=True)
-                write_atomic(path, scenario.text().encode())
-                done.written.append((path, "scenario"))
-    except OSError as error:
-        raise SourceError(
-            f"the scenarios cannot be stored: {error.strerror or error}", fix="check the folder's permissions"
-        ) from error
-
-
-def _played(scenario: Scenario) -> str:
-    """What happens in a scenario, whatever it is called."""
-    return replaced(scenario, name="").text()
+# ---- what is shown
 
 
 def _shown(verdict: Verdict) -> int:
     """The index of the scenario to show: the first with a difference, else the one with the most events."""
     busiest = max(range(len(verdict.scenarios)), key=lambda n: sum_of(c.events for c in verdict.scenarios[n].channels))
     return next((n for n, s in enumerate(verdict.scenarios) if s.verdict == DIFFERENT_VERDICT), busiest)
-
-
-def _write_picture(path: Path, shown: ComparedScenario, done: Verified) -> None:
-    """Draw both sides of a scenario into a picture beside the models."""
-    told = shown.told
-    pairs = {name: (seen[0][0], shown.target[name]) for name, seen in shown.runs.channels.items() if name in shown.target}
-    difference = None if told.first is None else (told.first.at_ms, told.first.channel, told.first.message)
-    title = f"{told.scenario.name}: {told.verdict.replace('-', ' ')}"
-    try:
-        write_atomic(path, trace_svg(title, pairs, told.scenario.horizon_ms, difference).encode())
-    except OSError as error:
-        raise SourceError(
-            f"the picture cannot be stored: {error.strerror or error}", fix="check the folder's permissions"
-        ) from error
-    done.written.append((path, "picture"))
-
-
-def _write_vcd(vcd: Path, shown: ComparedScenario, trace: PinTrace, done: Verified) -> None:
-    sides = {"source": shown.runs.nominal.trace, "target": trace}
-    try:
-        write_atomic(vcd, vcd_text(sides, shown.told.scenario.name).encode())
-    except OSError as error:
-        raise SourceError(f"the trace cannot be written: {error.strerror or error}", fix="give another file") from error
-    done.written.append((vcd, "vcd"))
