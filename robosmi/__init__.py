@@ -10,8 +10,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from robosmi.typed import dynamic_attribute
-
 if TYPE_CHECKING:
     from robosmi.api import (
         check_model,
@@ -53,6 +51,8 @@ _PLACES = dict.fromkeys(__all__, "robosmi.api") | {"load_model": "robosmi.model"
 def __getattr__(name: str) -> Any:
     if name in _PLACES:
         from importlib import import_module
+
+        from robosmi.typed import dynamic_attribute  # loads msgspec
 
         return dynamic_attribute(import_module(_PLACES[name]), name)
     raise AttributeError(f"module 'robosmi' has no attribute '{name}'")

@@ -13,14 +13,33 @@ import os
 import stat
 import sys
 import zlib
+from collections.abc import Callable
 from contextlib import suppress
-from typing import Generic, TypeVar
+from typing import BinaryIO, Generic, TypeVar
 
-from robosmi.inputs import flags
 from robosmi.user_folders import cache_dir
 
 K = TypeVar("K")
 V = TypeVar("V")
+
+if sys.platform == "win32":
+    _FLAGS = os.O_RDONLY | os.O_BINARY
+else:
+    _FLAGS = os.O_RDONLY | os.O_NOFOLLOW | os.O_CLOEXEC
+
+
+def open_kept(name: str) -> BinaryIO | None:
+    """The opened file that was kept under a name, or None.
+
+    Args:
+        name: path below the cache folder.
+    """
+    with suppress(OSError):
+        file = os.fdopen(os.open(cache_dir() / name, _FLAGS), "rb")
+        if _is_ours(os.fstat(file.fileno())):
+            return file
+        file.close()
+    return None
 
 
 def read_kept(name: str) -> bytes | None:
@@ -29,11 +48,10 @@ def read_kept(name: str) -> bytes | None:
     Args:
         name: path below the cache folder.
     """
-    with suppress(OSError):
-        opened = os.open(cache_dir() / name, os.O_RDONLY | flags("O_NOFOLLOW", "O_CLOEXEC", "O_BINARY"))
-        with os.fdopen(opened, "rb") as file:
-            if _is_ours(os.fstat(opened)):
-                return file.read()
+    if (file := open_kept(name)) is None:
+        return None
+    with suppress(OSError), file:
+        return file.read()
     return None
 
 
@@ -92,11 +110,11 @@ class KeptResults(Generic[K, V]):
 
     def _read(self) -> dict[K, V]:
         data = read_kept(self._name) or b""
-        head, start = data[: len(self._head)], len(self._head) + 4
-        if head != self._head or data[len(head) : start] != _sum(data[start:]):
+        body = data[len(self._head) + 4 :]
+        if not body or data[: -len(body)] != self._head + _sum(body):
             return {}
-        found: dict[K, V] = marshal.loads(data[start:])
-        return found
+        loads: Callable[[bytes], dict[K, V]] = marshal.loads
+        return loads(body)
 
     def _write(self) -> None:
         whole = {**self._read(), **self._new}
