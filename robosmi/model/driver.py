@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeAlias, TypeGuard
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model import structure
 from robosmi.model.ecore import DynamicEObject, EClass, EClassifier, EEnumLiteral, EObject, Scalar
+from robosmi.model.feature_errors import LABELS, not_named
 from robosmi.typed import class_name, dynamic_attribute
 
 Node: TypeAlias = "EObject | ModelElement"
@@ -295,8 +296,10 @@ class TypeHandle:
         """Whether the value is an element of this model and of this type or a subtype."""
         return isinstance(value, class_of(self.kind)) and bool(self.model.owns(value))
 
-    def __call__(self, /, **features: FeatureValue) -> DynamicNode:
-        """A new element of this type in the model; see `Model.create`."""
+    def __call__(self, /, *values: FeatureValue, **features: FeatureValue) -> DynamicNode:
+        """A new element of this type in the model; see `Model.create`. Values need the names of their features."""
+        if values or hasattr(self.kind, "eLiterals"):
+            raise not_named(self.kind, values)
         return self.model.create(self.kind, **features)
 
     def __instancecheck__(self, value: Item) -> bool:
@@ -381,10 +384,6 @@ def _walk(root: ModelElement) -> Iterator[ModelElement]:
         element = stack.pop()
         yield element
         stack.extend(reversed(element._contents()))
-
-
-LABELS = ("name", "title", "label", "id", "a_id", "a_name", "a_title", "elementId", "path")
-"""The features that tell one element from another, the best first."""
 
 
 def label(element: Node) -> str:

@@ -50,7 +50,7 @@ class EmfModel(TypedModel):
         name: str = "M",
         path: Path | None = None,
     ) -> None:
-        given = [roots] if isinstance(roots, EObject) else list(roots)
+        given = _elements(roots)
         if isinstance(metamodel, (str, Path)):
             metamodel = Metamodel.load(metamodel)
         if metamodel is None:
@@ -303,6 +303,23 @@ class EmfModel(TypedModel):
             self._all = [x for x in self._all if id(x) not in doomed]
             self._extents = {key: [x for x in extent if id(x) not in doomed] for key, extent in self._extents.items()}
             self._ids = None
+
+
+def _elements(roots: object) -> list[EObject]:
+    """The root elements that a model was given.
+
+    Raises:
+        ModelError: it was given something else, such as a metamodel or a path.
+    """
+    given = [roots] if isinstance(roots, (EObject, str)) or not isinstance(roots, Iterable) else list(roots)
+    found = [each for each in given if isinstance(each, EObject)]
+    for each in given:
+        if not isinstance(each, EObject):
+            raise ModelError(
+                f"a model is made of root elements, not of {each!r}",
+                fix="write EmfModel.load(path, metamodel) to read a file, EmfModel((), metamodel) for an empty model",
+            )
+    return found
 
 
 def _outermost(package: EPackage) -> EPackage:

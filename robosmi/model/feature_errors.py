@@ -5,12 +5,16 @@ What raises them is `strict` and `construct`, and the drivers of other technolog
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model import ecore
 from robosmi.model.ecore import EEnum, EObject
 from robosmi.typed import attribute_of, class_name, dynamic_attribute
+
+LABELS = ("name", "title", "label", "id", "a_id", "a_name", "a_title", "elementId", "path")
+"""The features that tell one element from another, the best first."""
 
 
 class UnknownFeatureError(ModelError, AttributeError):
@@ -104,6 +108,27 @@ def unknown_feature(element: EObject, name: str) -> UnknownFeatureError:
     return UnknownFeatureError(
         f"{class_name(element)} has no feature '{name}'{did_you_mean(name, known)}",
         fix=f"use one of: {', '.join(sorted(known))}",
+    )
+
+
+def not_named(kind: ecore.EClassifier | type, values: Sequence[object]) -> ModelError:
+    """The error for values that a new element is given without the names of their features.
+
+    Args:
+        kind: the type that was called; an enumeration has no elements, whatever it is given.
+        values: the values, if any.
+    """
+    if isinstance(kind, EEnum):
+        literals = ", ".join(f"{kind.name}.{literal.name}" for literal in kind.eLiterals)
+        return ModelError(f"{kind.name} is an enumeration, which has no elements", fix=f"use one of its literals: {literals}")
+    eclass = kind if isinstance(kind, ecore.EClass) else attribute_of(kind, "eClass", ecore.EClass)
+    name = kind.__name__ if isinstance(kind, type) else str(kind.name)
+    known = sorted(str(feature.name) for feature in eclass.eAllStructuralFeatures()) if eclass is not None else []
+    likely = next((each for each in LABELS if each in known), "FEATURE")
+    features = f"; its features: {', '.join(known)}" if known else ""
+    return FeatureValueError(
+        f"{name} takes values by the names of its features, not {values[0]!r} alone",
+        fix=f"write {name}({likely}={values[0]!r}){features}",
     )
 
 

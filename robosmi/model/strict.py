@@ -17,6 +17,7 @@ from robosmi.model.feature_errors import (
     UnknownFeatureError,
     declared_features,
     literal_wanted,
+    not_named,
     unknown_feature,
     value_refused,
 )
@@ -68,6 +69,8 @@ class Element(_Base):
 
         def __new__(cls, /, *args: Any, **features: Any) -> Any:
             """As pyecore's, without its process-wide set of all instances and without empty containers (`lean`)."""
+            if args:
+                raise not_named(cls, args)
             if not is_prepared(cls):
                 prepare(cls)
             return object.__new__(cls)
