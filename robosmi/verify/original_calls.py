@@ -57,7 +57,7 @@ def library_calls(
         program: the original.
         devices: what is connected to its pins.
         begin_us, end_us: the part, in microseconds of virtual time.
-        limit_s: seconds of this machine's time.
+        limit_s: seconds of processor time.
     """
     made = run_original(program, end_us, devices, None, limit_s, begin_us).calls
     functions = _functions(program)

@@ -8,6 +8,7 @@ behaviour depends on them.
 
 from __future__ import annotations
 
+import math
 import os
 import select
 import signal
@@ -22,6 +23,7 @@ from robosmi.errors import UsageError, VerificationError
 from robosmi.typed import sum_of
 from robosmi.verify.bench import Bench, Level, device_class
 from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.processor_time import HANGS
 from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace, Wave
 from robosmi.verify.temporary import temporary_folder
 
@@ -107,7 +109,7 @@ def run_original(
         horizon_us: how long, in microseconds of virtual time.
         devices: what is connected to the platform's pins and channels.
         variation: how the run differs from the nominal one.
-        limit_s: seconds of this machine's time.
+        limit_s: seconds of processor time, rounded up; by the clock a run may take `HANGS` times as long.
         calls_from_us: from when on to note calls of library functions; never if None.
         brief: the pins of which only the first change to each level is wanted (see `Bench.connect`).
 
@@ -122,7 +124,7 @@ def run_original(
         bufsize=0, start_new_session=True,
     ) as process:  # fmt: skip
         try:
-            run = _Conversation(bench, process, monotonic() + limit_s)
+            run = _Conversation(bench, process, monotonic() + HANGS * limit_s)
             run.begin(program, horizon_us, variation or Variation(), limit_s, calls_from_us)
             status, cause, counts = run.result()
         finally:
@@ -154,8 +156,6 @@ def _ended_by(code: int) -> str:
             "it was stopped from outside: it calls the operating system itself, which it may not, or needs more memory than "
             "there is"
         )
-    if code == -signal.SIGXCPU:
-        return "it used up the processor time that it may have"
     return f"its process ended with {f'signal {-code}' if code < 0 else f'exit code {code}'} before its time"
 
 
@@ -292,7 +292,7 @@ class _Conversation:
             variation.block_factor, variation.call_factor, variation.noise, variation.late_us,
             variation.early_part, variation.line_part, variation.clock_us,
             model.block_ticks, model.call_ticks, bench.watched, *bench.asking, bench.bits(bench.brief),
-            variation.seed & 0xFFFFFFFF, int(limit_s) + 1,
+            variation.seed & 0xFFFFFFFF, max(1, math.ceil(limit_s)),
         )  # fmt: skip
         self._say(settings)
 
@@ -315,9 +315,9 @@ class _Conversation:
 
     def _broken_off(self) -> tuple[str, str, bytes]:
         self.bench.ended()
-        if monotonic() >= self.until:
+        if monotonic() >= self.until or (code := self.process.wait()) == -signal.SIGXCPU:
             return "time limit", "", b""
-        return ("crashed", _ended_by(self.process.wait()), b"")
+        return ("crashed", _ended_by(code), b"")
 
     def _say(self, data: bytes) -> None:
         try:

@@ -10,6 +10,7 @@ microseconds of simulated time, counted from reset.
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
@@ -23,6 +24,7 @@ from robosmi.data_text import Json, as_table, json_of, json_written
 from robosmi.errors import EngineCrashError, InternalError, MissingToolError, UsageError, VerificationError
 from robosmi.plugins import content, registry
 from robosmi.typed import kept, replaced
+from robosmi.verify.processor_time import HANGS
 from robosmi.verify.tools import end_session
 
 LEVELS = (0, 1, "z", "p")
@@ -250,7 +252,8 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
     Args:
         job: what to run.
         engine: name of the engine; the first that is installed and knows the microcontroller if None.
-        limit_s: seconds of this machine's time after which the run is given up.
+        limit_s: seconds of processor time after which the run is given up, so that other work on this machine decides nothing.
+            By the clock a run may take `HANGS` times as long: a process that waits for ever uses no processor time.
 
     Raises:
         UsageError: no engine has that name, none knows the microcontroller, or a device is used wrongly.
@@ -259,7 +262,8 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
         EngineCrashError: the engine crashed.
     """
     chosen = engine_for(job.mcu, engine)
-    question = json_written({"engine": chosen.name, "job": asdict(job) | {"devices": [asdict(one) for one in job.devices]}})
+    asked = asdict(job) | {"devices": [asdict(one) for one in job.devices]}
+    question = json_written({"engine": chosen.name, "job": asked, "limit_s": limit_s})
     command = [sys.executable, "-P", "-m", "robosmi.verify.worker"]  # no module of the current folder
     with subprocess.Popen(
         command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, encoding="utf-8",
@@ -267,20 +271,27 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
     ) as process:  # fmt: skip
         _RUNNING.add(process)
         try:
-            answer, complaint = process.communicate(question, timeout=limit_s)
+            answer, complaint = process.communicate(question, timeout=HANGS * limit_s)
         except subprocess.TimeoutExpired:
-            raise VerificationError(
-                f"the simulation did not end within {limit_s:g} s", fix="simulate less time, or allow more for it"
-            ) from None
+            raise too_long(HANGS * limit_s, ", by the clock") from None
         finally:
             end_session(process)  # the worker may have started a process of its own
             _RUNNING.discard(process)
-    if process.returncode != 0 or not answer:
-        code = process.returncode
+    code = process.returncode
+    if code == -signal.SIGXCPU:
+        raise too_long(limit_s)
+    if code != 0 or not answer:
         ended = f"its process was ended by signal {-code}" if code < 0 else f"its process ended with {code}"
         last = (complaint.strip().splitlines() or [ended])[-1]
         raise EngineCrashError(f"the engine '{chosen.name}' crashed: {last}", fix="try another engine: --engine NAME")
     return _trace(as_table(json_of(answer)), chosen.name)
+
+
+def too_long(limit_s: float, what: str = " of processor time") -> VerificationError:
+    """The error that ends a run at its time limit."""
+    return VerificationError(
+        f"the simulation did not end within {limit_s:g} s{what}", fix="simulate less time, or allow more for it"
+    )
 
 
 def end_simulations() -> None:

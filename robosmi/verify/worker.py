@@ -1,6 +1,7 @@
 """The process in which an engine runs: reads a job from standard input, answers with a trace on standard output, both JSON.
 
-It is started by `simulation.simulate`, which bounds its time and ends it with everything that it started. An engine may be
+It is started by `simulation.simulate`, which bounds its time and ends it with everything that it started; its processor time,
+and that of each process that it starts, it bounds itself. An engine may be
 of another licence than this package; it is loaded here and nowhere else.
 """
 
@@ -10,10 +11,11 @@ import gc
 import sys
 from typing import Any
 
-from robosmi.data_text import as_table, json_of, json_written
+from robosmi.data_text import as_number, as_table, json_of, json_written
 from robosmi.errors import RobosmiError
 from robosmi.plugins import content
 from robosmi.typed import class_name
+from robosmi.verify.processor_time import bound_own
 from robosmi.verify.simulation import DeviceUse, Engine, Job, PinTrace
 
 
@@ -47,4 +49,6 @@ def answer(question: dict[str, Any]) -> dict[str, Any]:
 
 if __name__ == "__main__":
     gc.disable()  # a run makes many small things, keeps them, and ends
-    sys.stdout.write(json_written(answer(as_table(json_of(sys.stdin.read())))))  # `json.dump` to a file takes seven times as long
+    question = as_table(json_of(sys.stdin.read()))
+    bound_own(as_number(question["limit_s"]))
+    sys.stdout.write(json_written(answer(question)))  # `json.dump` to a file takes seven times as long

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import tempfile
 from pathlib import Path
+from threading import Timer
 
 import pytest
 
@@ -156,6 +158,20 @@ def test_a_main_that_never_yields_lets_its_cogs_run(loop: str) -> None:
 def test_time_is_limited() -> None:
     found = run("int main() { volatile int n; while (1) n++; }", 1e12, limit_s=0.5)
     assert found.status == "time limit"
+
+
+def test_other_work_on_the_machine_ends_no_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The process stands still for longer than its limit of processor time, as if others had the cores."""
+
+    class Paused(subprocess.Popen[bytes]):
+        def __init__(self, *args: object, **options: object) -> None:
+            super().__init__(*args, **options)  # type: ignore[call-overload]
+            os.kill(self.pid, signal.SIGSTOP)
+            Timer(1.3, os.kill, (self.pid, signal.SIGCONT)).start()
+
+    with built(BLINK) as program:
+        monkeypatch.setattr("robosmi.verify.original_run.subprocess.Popen", Paused)
+        assert run_original(program, 20_000, limit_s=1.0).status == "running"
 
 
 def test_output_is_limited(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping, Sequence
-from time import monotonic
 
 from msgspec import Struct
 
@@ -27,6 +26,7 @@ from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_calls import with_place
 from robosmi.verify.original_coverage import coverage
 from robosmi.verify.original_run import OriginalRun, Variation, run_original
+from robosmi.verify.processor_time import used_s
 from robosmi.verify.pulses import pulses_of
 from robosmi.verify.resting_places import Rest
 from robosmi.verify.scenario import Scenario
@@ -228,7 +228,7 @@ def run_source(
         program: the original.
         ports: the ports.
         scenario: what happens.
-        limit_s: seconds of this machine's time.
+        limit_s: seconds of processor time.
         whole: whether all changes of the pins are recorded, of those too that no channel shows.
     """
     devices, brief = played(ports, scenario, target=False), () if whole else brief_pins(ports, target=False)
@@ -257,12 +257,12 @@ def run_varied(
         ports: the ports.
         scenario: the scenario.
         nominal: its nominal run.
-        limit_s: seconds of this machine's time for all of them.
+        limit_s: seconds of processor time for all of them.
         until_racy: whether to stop as soon as a channel is racy; then there are too few runs to compare the other channels
             well.
     """
     devices = played(ports, scenario, target=False)
-    until = monotonic() + limit_s
+    until = used_s() + limit_s
     seen = [channel_events(nominal.trace, ports, target=False)]
     rests = {name: [each] for name, each in rests_seen(nominal.trace, ports, target=False).items()}
     loop = _loop(nominal.trace, ports)
@@ -291,8 +291,8 @@ def _run(
     program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, devices: Sequence[DeviceUse], until: float,
     variation: Variation | None = None,
 ) -> OriginalRun:  # fmt: skip
-    """A run of a scenario with other devices, until a time of this machine's clock at most."""
-    limit_s = max(0.0, until - monotonic())
+    """A run of a scenario with other devices, until a processor time (see `used_s`)."""
+    limit_s = max(0.0, until - used_s())
     return run_original(program, scenario.horizon_ms * 1000, devices, variation, limit_s, brief=brief_pins(ports, target=False))
 
 
@@ -306,10 +306,10 @@ def run_further(
         ports: the ports.
         scenario: the scenario.
         runs: the runs so far.
-        limit_s: seconds of this machine's time for all further ones.
+        limit_s: seconds of processor time for all further ones.
     """
     devices = played(ports, scenario, target=False)
-    until = monotonic() + limit_s
+    until = used_s() + limit_s
     channels, rests = runs.channels, runs.rests
     for number, variation in enumerate(_FURTHER):
         chance = random.Random(variation.seed)

@@ -21,7 +21,7 @@ from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace, end_simulations, engines_for, simulate
 
 LIMIT_S = 60.0
-"""Seconds by the clock for each run of the target, for the nominal run of the source, and for all its varied runs together."""
+"""Seconds of processor time for each run of the target, the nominal run of the source, and all its varied runs together."""
 NOTHING_SEEN = PinTrace("", "crashed", 0.0, (), (), (), ())
 """The trace of a run of which no simulator has reported anything."""
 

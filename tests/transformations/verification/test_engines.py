@@ -7,6 +7,7 @@ import signal
 import subprocess
 from contextlib import suppress
 from pathlib import Path
+from threading import Timer
 from time import monotonic, sleep
 
 import pytest
@@ -125,12 +126,36 @@ def test_a_run_that_takes_too_long_is_ended_with_everything_that_it_started(
 ) -> None:
     job = job_of("pins", 1e7, ())
     monkeypatch.setenv("ROBOSMI_STARTED_BY", str(tmp_path))
-    with pytest.raises(VerificationError, match=r"did not end within 1\.5 s"):
+    with pytest.raises(VerificationError, match=r"did not end within 1\.5 s of processor time"):
         simulate(job, engine, limit_s=1.5)
     until = monotonic() + 5  # the system takes a moment to take down what was killed
     while (left := started_by(tmp_path)) and monotonic() < until:
         sleep(0.05)
     assert left == []
+
+
+def test_other_work_on_the_machine_ends_no_run(job_of: Run, engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The worker stands still for longer than its limit of processor time, as if others had the cores."""
+
+    class Paused(subprocess.Popen[str]):
+        def communicate(self, *args: object, **options: object) -> tuple[str, str]:
+            os.kill(self.pid, signal.SIGSTOP)
+            Timer(2.2, os.kill, (self.pid, signal.SIGCONT)).start()
+            return super().communicate(*args, **options)  # type: ignore[arg-type]
+
+    monkeypatch.setattr("robosmi.verify.simulation.subprocess.Popen", Paused)
+    assert simulate(job_of("pins", 50, ()), engine, limit_s=2.0).state == "running"
+
+
+def test_a_worker_that_hangs_is_ended_by_the_clock(job_of: Run, engine: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Stopped(subprocess.Popen[str]):
+        def communicate(self, *args: object, **options: object) -> tuple[str, str]:
+            os.kill(self.pid, signal.SIGSTOP)
+            return super().communicate(*args, **options)  # type: ignore[arg-type]
+
+    monkeypatch.setattr("robosmi.verify.simulation.subprocess.Popen", Stopped)
+    with pytest.raises(VerificationError, match=r"did not end within 1 s, by the clock"):
+        simulate(job_of("pins", 50, ()), engine, limit_s=0.1)
 
 
 def started_by(folder: Path) -> list[str]:

@@ -94,7 +94,7 @@ def test_varied_runs_share_their_time(monkeypatch: pytest.MonkeyPatch) -> None:
         assert (whole.given_up, len(whole.varied)) == ("", 5)
         assert not any(each.trace.changes for each in whole.varied)
         times = iter([0.0, 1.0, 2.0, 3.0, 99.0, 99.0])
-        monkeypatch.setattr(original_side, "monotonic", lambda: next(times))
+        monkeypatch.setattr(original_side, "used_s", lambda: next(times))
         part = run_varied(program, PORTS, scenario, nominal, limit_s=60.0)
     assert (part.given_up, len(part.varied)) == ("time limit", 3)
 

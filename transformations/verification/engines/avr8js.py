@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import signal
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -23,6 +24,8 @@ from robosmi.verify.simulation import ConsoleByte, Job, PinTrace
 
 PACKAGES = "ROBOSMI_NPM"
 """Environment variable: the folder in which `npm install avr8js` was run."""
+_ENDS_S = 10.0
+"""Time in seconds that node may take to end when it has closed its output."""
 _PROGRAM = Path(__file__).with_name("avr8js_run.cjs")
 
 
@@ -191,6 +194,8 @@ class _Run(Bench):
         return told
 
     def _ended(self) -> VerificationError:
+        if self._process.wait(_ENDS_S) == -signal.SIGXCPU:
+            os.kill(os.getpid(), signal.SIGXCPU)  # the time limit is this process's as well
         said = self._process.stderr.read() if self._process.stderr is not None else ""
         lines = [line for line in said.splitlines() if "Error" in line]
         return VerificationError(f"avr8js ended: {lines[0] if lines else 'it said nothing'}", fix="try another engine")

@@ -51,7 +51,7 @@ static void fault(int signal, siginfo_t *info, void *context) {
   host_end("crashed", "reaches for memory that is not there");
 }
 
-static void limit(int kind, rlim_t most) { setrlimit(kind, &(struct rlimit){most, most}); }
+static void limit(int kind, rlim_t most) { setrlimit(kind, &(struct rlimit){most, kind == RLIMIT_CPU ? most + 1 : most}); }  /* first SIGXCPU */
 
 static int no_order(const void *a, const void *b) { return *(const char *)a - *(const char *)b; }
 

@@ -1,0 +1,33 @@
+"""The processor time of runs, by which they are limited: other work on this machine must decide no verdict.
+
+A process that waits for ever uses no processor time, so that the clock remains the outer limit, `HANGS` times as long.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+
+HANGS = 10
+"""How many times its processor time a run may take by the clock, beside other work."""
+
+
+def used_s() -> float:
+    """The seconds of processor time that this process has used until now, with all its children that have ended."""
+    used = os.times()
+    return used.user + used.system + used.children_user + used.children_system
+
+
+def bound_own(seconds: float) -> None:
+    """End this process, and any that it starts, when it has used so many seconds of processor time, rounded up.
+
+    The signal SIGXCPU ends them. On a system without such limits nothing happens.
+    """
+    try:
+        import resource
+    except ImportError:
+        return
+    _, most = resource.getrlimit(resource.RLIMIT_CPU)
+    wanted = math.ceil(seconds)
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))  # the signal would leave a file
+    resource.setrlimit(resource.RLIMIT_CPU, (wanted if most == resource.RLIM_INFINITY else min(wanted, most), most))
