@@ -197,13 +197,14 @@ class PackageMaker:
         if feature.is_reference:
             if kind is None or isinstance(kind, ecore.EDataType):
                 kind = ecore.EObject.eClass
-            return ecore.EReference(feature.name, kind, containment=feature.containment, **common)
+            reference = ecore.EReference(feature.name, kind, containment=feature.containment, **common)
+            computed(reference)
+            return reference
         kind = kind if isinstance(kind, ecore.EDataType) else ecore.EJavaObject
         made = ecore.EAttribute(feature.name, kind, iD=feature.is_id, defaultValueLiteral=feature.default, **common)
         if feature.default is not None:
             made.get_default_value = partial(default, made, kind)  # pyecore knows fewer texts of values ("1.5f")
-        if feature.derived and feature.volatile and feature.upper == 1:
-            computed(made)
+        computed(made)
         return made
 
 

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from robosmi.model.ecore import EBag, ECollection, EList, EObject, EOrderedSet, ESet, EStructuralFeature
-from robosmi.model.feature_errors import FeatureValueError, value_refused
+from robosmi.model.feature_errors import FeatureValueError, not_computed, value_refused
 from robosmi.typed import attribute_of, class_name, dynamic_attribute
 
 _query: Callable[[Any], Any] | None = None
@@ -104,9 +104,13 @@ class FeatureCollection(_Collection):
 
     @staticmethod
     def create(owner: EObject, feature: EStructuralFeature) -> Any:
-        """An empty collection for a feature of an element; a derived one is pyecore's, which refuses everything."""
+        """An empty collection for a feature of an element.
+
+        Raises:
+            NotComputedError: the feature is derived, and no code computes it.
+        """
         if feature.derived:
-            return ECollection.create(owner, feature)
+            raise not_computed(owner, str(feature.name))
         return kind_of(feature)(owner, feature)
 
 

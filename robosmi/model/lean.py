@@ -9,7 +9,7 @@ XMI reader and writer, `construct`, `on_demand` and `strict` use this module.
 from __future__ import annotations
 
 import gc
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -124,19 +124,34 @@ def _target_of(self: EReference, instance: EObject, owner: type | None = None) -
     return found
 
 
-def _computed_value(self: EAttribute, instance: EObject, owner: type | None = None) -> Any:
+def _computed_value(self: EAttribute, instance: EObject, owner: type | None = None) -> object:
     if instance is not None and key_of(self) not in instance.__dict__ and self.defaultValueLiteral is None:
         raise not_computed(instance, str(self.name))
-    return EAttribute.__get__(self, instance, owner)
+    found: object = EAttribute.__get__(self, instance, owner)
+    return found
 
 
-_ComputedAttribute: Any = _Quiet(EAttribute.__name__, (EAttribute,), {"__get__": _computed_value})
-"""An attribute that code would have to compute, which a metamodel that is only loaded does not have."""
+def _computed_target(self: EReference, instance: EObject, owner: type | None = None) -> object:
+    if instance is not None and key_of(self) not in instance.__dict__:
+        raise not_computed(instance, str(self.name))
+    found: object = EReference.__get__(self, instance, owner)  # type: ignore[attr-defined]
+    return found
 
 
-def computed(feature: EAttribute) -> None:
-    """Let an attribute that is derived and volatile say that nothing computes it, instead of its type's default."""
-    feature.__class__ = _ComputedAttribute
+_COMPUTED: Mapping[type, type] = {
+    EAttribute: _Quiet(EAttribute.__name__, (EAttribute,), {"__get__": _computed_value}),
+    EReference: _Quiet(EReference.__name__, (EReference,), {"__get__": _computed_target}),
+}
+"""Features of one value that code would have to compute, and whose metamodel alone does not have that code."""
+
+
+def computed(feature: EStructuralFeature) -> None:
+    """Let a feature that is derived and volatile say that nothing computes it, instead of its type's default or nothing.
+
+    One of several values says so by its collection (`FeatureCollection`). A value that was given, or a default, is returned.
+    """
+    if feature.derived and feature.volatile and not feature.many:
+        feature.__class__ = _COMPUTED.get(feature.__class__, feature.__class__)
 
 
 _QuickReference: type = _Quiet(EReference.__name__, (EReference,), {"__get__": _target_of})

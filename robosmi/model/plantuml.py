@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from robosmi.model.by_name import feature_value, feature_values
-from robosmi.model.driver import Model, Node, features_of, is_element, name_of, type_of, walk
+from robosmi.model.by_name import feature_values
+from robosmi.model.driver import Model, Node, is_element, name_of, type_of, walk
 from robosmi.model.ecore import EClass, EClassifier, EEnum, EObject, EPackage, EStructuralFeature
 from robosmi.model.metamodel import Metamodel
-from robosmi.model.show import plain
+from robosmi.model.show import known_values, plain
 from robosmi.quoting import plantuml
 from robosmi.typed import distinct
 
@@ -79,8 +79,7 @@ def _objects(elements: list[Node], limit: int) -> list[str]:
     for element in shown:
         number = numbers[id(element)]
         lines.append(f'object ": {plantuml(name_of(type_of(element)))}" as {number} {{')
-        for feature in features_of(element):
-            value = feature_value(element, feature)
+        for feature, value in known_values(element):
             targets = [x for x in feature_values(element, feature) if is_element(x)]
             if targets:
                 others = [x for x in targets if id(x) in numbers and not _is_part(element, feature, x)]

@@ -79,13 +79,17 @@ def rows(source: Model | Iterable[Node], kind: Kind | None = None) -> list[dict[
     return found
 
 
-def _features(element: Node) -> Iterator[tuple[str, Plain]]:
+def known_values(element: Node) -> Iterator[tuple[str, Held]]:
     """The features of an element with their values, without those that nothing computes."""
     for name in features_of(element):
         try:
-            yield name, plain(feature_value(element, name))
+            yield name, feature_value(element, name)
         except NotComputedError:
             continue
+
+
+def _features(element: Node) -> Iterator[tuple[str, Plain]]:
+    return ((name, plain(value)) for name, value in known_values(element))
 
 
 def _reference(element: Node) -> str:
@@ -152,6 +156,6 @@ def items_html(items: Sequence[V], limit: int = 50) -> str:
     elements = [x for x in shown if is_element(x)]
     if not elements or len(elements) < len(shown):
         return html_table((f"{len(items)} items",), [[x] for x in shown]) + left
-    names = [n for n in features_of(elements[0]) if not isinstance(plain(feature_value(elements[0], n)), list)]
-    lines = [[label(x), *(plain(feature_value(x, n)) if n in features_of(x) else "" for n in names)] for x in elements]
+    names = [name for name, value in _features(elements[0]) if not isinstance(value, list)]
+    lines = [[label(x), *(dict(_features(x)).get(name, "") for name in names)] for x in elements]
     return html_table((f"{len(items)} elements", *names), lines) + left

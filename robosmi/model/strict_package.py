@@ -21,6 +21,7 @@ from pyecore import ecore
 from robosmi.model.construct import initialise
 from robosmi.model.datatypes import XML_TYPE_URI
 from robosmi.model.feature_values import FeatureCollection
+from robosmi.model.lean import computed
 from robosmi.model.pyecore_internals import first_listeners_of, promote, quick_constructor, set_first_listeners, set_key
 from robosmi.model.python_names import MEMBER
 from robosmi.model.strict import Element
@@ -124,6 +125,7 @@ else:
                     continue
                 if feature.derived_class is ecore.ECollection:
                     feature.derived_class = FeatureCollection
+                computed(feature)
                 if feature.name == key:
                     continue
                 other = dynamic_attribute(cls, feature.name, None)
@@ -137,7 +139,25 @@ else:
                 if not issubclass(mixin, ecore.EObject):
                     for key in {*namespace} & {*vars(mixin)}:
                         if isinstance(namespace[key], ecore.EStructuralFeature):
-                            setattr(cls, key, vars(mixin)[key])  # the person's own code computes a derived feature
+                            setattr(cls, key, _OwnCode(vars(mixin)[key], namespace[key]))
+
+    class _OwnCode:
+        """A person's property that computes a derived feature; all else that is asked of it is the feature's (`eType`)."""
+
+        def __init__(self, code: property, feature: ecore.EStructuralFeature) -> None:
+            vars(self).update(code=code, feature=feature)
+
+        def __get__(self, element: Any, owner: type | None = None) -> Any:
+            return self if element is None else self.code.__get__(element, owner)
+
+        def __set__(self, element: Any, value: object) -> None:
+            self.code.__set__(element, value)
+
+        def __getattr__(self, name: str) -> Any:
+            return dynamic_attribute(self.feature, name)
+
+        def __setattr__(self, name: str, value: object) -> None:
+            setattr(self.feature, name, value)
 
     def __getattr__(name: str) -> Any:
         """pyecore's data types and classes by name."""

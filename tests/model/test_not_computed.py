@@ -1,16 +1,20 @@
-"""A derived attribute and an operation that only a metamodel tells of are no zero and no unknown feature."""
+"""A derived feature and an operation without code that computes them are errors that say so: not zero, empty or unknown."""
 
 from __future__ import annotations
 
 import shutil
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from robosmi.errors import RobosmiError
 from robosmi.model.emf import EmfModel
-from robosmi.model.show import element_html, rows
+from robosmi.model.plantuml import to_plantuml
+from robosmi.model.show import element_html, items_html, rows
 from robosmi.query import ModelView
+from robosmi.query.anything import e_cross_references
 from robosmi.query.expression import evaluate
 
 ECORE = Path(__file__).parent / "derived" / "box.ecore"
@@ -28,6 +32,26 @@ def test_a_derived_attribute_is_told_to_have_no_code() -> None:
     assert "mixins.py" in str(refused.value.fix)
     with pytest.raises(RobosmiError, match=r"Box\.area is derived"):
         evaluate("Box.all.area", [boxes()])
+
+
+@pytest.mark.parametrize("name", ["lid", "neighbours", "parts", "tags"])
+def test_a_derived_reference_and_many_values_are_told_to_have_no_code(name: str) -> None:
+    model = boxes()
+    box = model.Box.all.first()
+    reads: list[Callable[[], Any]] = [
+        lambda: getattr(box, name), lambda: box.eGet(name), lambda: evaluate(f"Box.all.collect(lambda b: b.{name})", [model]),
+    ]  # fmt: skip
+    for read in reads:
+        with pytest.raises(RobosmiError, match=rf"Box\.{name} is derived, and no code is there that computes it"):
+            read()
+
+
+def test_a_derived_reference_that_was_set_is_given() -> None:
+    model = boxes()
+    lid = model.Box(name="lid")
+    box = model.Box(name="two", lid=lid)
+    assert box.lid is lid
+    assert [each.name for each in model.Box.all if each.name != "one" and each.eIsSet("lid")] == ["two"]
 
 
 def test_a_default_and_a_value_that_was_given_are_given() -> None:
@@ -48,6 +72,11 @@ def test_elements_are_shown_stored_and_read_without_them(tmp_path: Path) -> None
     model = boxes()
     assert [(row["name"], row["width"], "area" in row) for row in rows(model)] == [("one", 2.0, False)]
     assert "width" in element_html(model.Box.all.first())
+    assert "width" in items_html(list(model.Box.all))
+    assert "width = 2.0" in to_plantuml(model)
+    assert [one.eGet("name") for one in model.model.all_contents()] == ["one"]
+    assert len(e_cross_references(model.Box.all.first())) == 0
+    model.delete(model.Box(name="two"))
     shutil.copy(ECORE, tmp_path)
     model.save(tmp_path / "box.xmi")
     assert EmfModel.load(tmp_path / "box.xmi", ECORE).roots[0].width == 2.0
