@@ -10,7 +10,6 @@ from __future__ import annotations
 import os
 import shutil
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -22,7 +21,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.doing import doing
 from robosmi.errors import MissingToolError
 from robosmi.plugins import content
-from robosmi.typed import replaced, sum_of
+from robosmi.typed import paired, replaced, sum_of
 from robosmi.verify import archives, compile_commands, messages
 from robosmi.verify.boards import Board
 from robosmi.verify.compile_report import (
@@ -40,6 +39,7 @@ from robosmi.verify.libraries import (
     missing_headers,
     resolve,
 )
+from robosmi.verify.processes import in_parallel
 from robosmi.verify.sketch import Sketch
 from robosmi.verify.toolchain_data import Toolchain, fill
 from robosmi.verify.tools import Installed
@@ -154,7 +154,8 @@ class Build(Struct):
         doing(f"compile {len(sources)} file{'s' * (len(sources) != 1)} of the {use}")
         objects = [into / f"{number}-{source.name}.o" for number, source in enumerate(sources)]
 
-        def one(source: Path, target: Path) -> tuple[str, bool]:
+        def one(job: tuple[Path, Path]) -> tuple[str, bool]:
+            source, target = job
             flags = self._flags(source.suffix, use, "compile", includes)
             shown = os.path.relpath(source, self.sketch.folder.resolve()) if source in own else str(source)
             done = self.installed.run(
@@ -163,8 +164,7 @@ class Build(Struct):
             return done.stderr, done.returncode != 0
 
         own = {path.resolve() for path in self.sketch.sources}
-        with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
-            results = list(pool.map(one, sources, objects))
+        results = list(in_parallel(one, paired(sources, objects)))
         return objects, "".join(text for text, _ in results), any(failed for _, failed in results)
 
     def _compile_sketch(self, sources: Sequence[Path], libraries: list[CompiledLibrary]) -> tuple[list[Path], str, bool]:

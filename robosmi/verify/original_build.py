@@ -11,7 +11,6 @@ from __future__ import annotations
 import re
 import subprocess
 from collections.abc import Iterable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from time import monotonic
 
@@ -23,6 +22,7 @@ from robosmi.typed import distinct, kept, matches, paired
 from robosmi.verify import archives
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.machine_faults import check_machine
+from robosmi.verify.processes import in_parallel
 from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.tools import run, tool_version
 
@@ -121,8 +121,7 @@ class _Build(Struct, dict=True):
             ["command", *flags, f"-fmacro-prefix-map={path.parent}/=", "-c", str(path), "-o", str(target)]  # of __FILE__
             for path, target in paired(sources, objects)
         ]
-        for _ in self._map(jobs):
-            pass
+        self._run_all(jobs)
         joined, named = self.folder / "joined.o", self.folder / "program.o"
         self._run(
             "linker", "-r", "-m", self.model.compiler.text("linker_machine"), "-o", str(joined), *(str(path) for path in objects)
@@ -158,8 +157,7 @@ class _Build(Struct, dict=True):
                 objects.append(folder / f"{part}-{path.stem}.o")
                 jobs.append(["command", *self._flags("machine"), *flags, "-c", str(path), "-o", str(objects[-1])])
         self.probe()
-        for _ in self._map(jobs):
-            pass
+        self._run_all(jobs)
         for path in objects:
             if path.name.startswith("libraries-"):
                 names = self._names(path)
@@ -241,9 +239,9 @@ class _Build(Struct, dict=True):
     def _headers(self) -> list[str]:
         return [word for path in self.model.headers for word in ("-isystem", str(path))]
 
-    def _map(self, jobs: Sequence[Sequence[str]]) -> Iterable[str]:
-        with ThreadPoolExecutor() as pool:
-            yield from pool.map(lambda job: self._run(*job), jobs)
+    def _run_all(self, jobs: Sequence[Sequence[str]]) -> None:
+        for _ in in_parallel(lambda job: self._run(*job), jobs):
+            pass
 
     def _run(self, role: str, *arguments: str) -> str:
         done = self._start([self.tools[role], *arguments])

@@ -23,6 +23,7 @@ from robosmi.errors import UsageError, VerificationError
 from robosmi.typed import sum_of
 from robosmi.verify.bench import Bench, Level, device_class
 from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.processes import ending_with_us
 from robosmi.verify.processor_time import HANGS
 from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace, Wave
 from robosmi.verify.temporary import temporary_folder
@@ -119,16 +120,15 @@ def run_original(
     """
     bench = _HostBench(program)
     bench.connect([*devices, *_boards_own(program, devices)], brief)
-    with temporary_folder("original") as place, subprocess.Popen(
-        [program.binary], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=place, env={},
-        bufsize=0, start_new_session=True,
+    with temporary_folder("original") as place, ending_with_us(
+        lambda: subprocess.Popen(
+            [program.binary], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=place, env={},
+            bufsize=0, start_new_session=True,
+        )
     ) as process:  # fmt: skip
-        try:
-            run = _Conversation(bench, process, monotonic() + HANGS * limit_s)
-            run.begin(program, horizon_us, variation or Variation(), limit_s, calls_from_us)
-            status, cause, counts = run.result()
-        finally:
-            process.kill()
+        run = _Conversation(bench, process, monotonic() + HANGS * limit_s)
+        run.begin(program, horizon_us, variation or Variation(), limit_s, calls_from_us)
+        status, cause, counts = run.result()
     trace = bench.trace(
         f"{program.model.title}, {program.compiler}", STATES.get(status, "crashed"), horizon_us, bench.waves, bench.console
     )

@@ -14,6 +14,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
@@ -24,8 +25,8 @@ from robosmi.data_text import Json, as_table, json_of, json_written
 from robosmi.errors import EngineCrashError, InternalError, MissingToolError, UsageError, VerificationError
 from robosmi.plugins import content, registry
 from robosmi.typed import kept, replaced
+from robosmi.verify.processes import ending_with_us
 from robosmi.verify.processor_time import HANGS
-from robosmi.verify.tools import end_session
 
 LEVELS = (0, 1, "z", "p")
 """How a program drives a pin: low, high, not at all (an input), or weakly high (an input with its pull-up on)."""
@@ -265,18 +266,15 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
     asked = asdict(job) | {"devices": [asdict(one) for one in job.devices]}
     question = json_written({"engine": chosen.name, "job": asked, "limit_s": limit_s})
     command = [sys.executable, "-P", "-m", "robosmi.verify.worker"]  # no module of the current folder
-    with subprocess.Popen(
-        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, encoding="utf-8",
+    start = partial(
+        subprocess.Popen[str], command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
         start_new_session=True, env=_environment(),
-    ) as process:  # fmt: skip
-        _RUNNING.add(process)
+    )  # fmt: skip
+    with ending_with_us(start) as process:
         try:
             answer, complaint = process.communicate(question, timeout=HANGS * limit_s)
         except subprocess.TimeoutExpired:
             raise too_long(HANGS * limit_s, ", by the clock") from None
-        finally:
-            end_session(process)  # the worker may have started a process of its own
-            _RUNNING.discard(process)
     code = process.returncode
     if code == -signal.SIGXCPU:
         raise too_long(limit_s)
@@ -292,15 +290,6 @@ def too_long(limit_s: float, what: str = " of processor time") -> VerificationEr
     return VerificationError(
         f"the simulation did not end within {limit_s:g} s{what}", fix="simulate less time, or allow more for it"
     )
-
-
-def end_simulations() -> None:
-    """End all simulations that this process has started, as other threads of it may wait for them."""
-    for process in tuple(_RUNNING):
-        end_session(process)
-
-
-_RUNNING: set[subprocess.Popen[str]] = set()
 
 
 def _environment() -> dict[str, str]:

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import os
 import shutil
-import signal
 import subprocess
 from collections.abc import Iterable, Mapping, Sequence
-from contextlib import suppress
+from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
 from typing import IO, NamedTuple
 
@@ -20,6 +20,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, VerificationError
 from robosmi.typed import distinct, matches
 from robosmi.verify.machine_faults import check_machine
+from robosmi.verify.processes import ending_with_us
 from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.toolchain_data import Toolchain, ToolEntry, places
 
@@ -74,32 +75,23 @@ def run(
         MissingToolError: the program cannot be started.
         VerificationError: it did not end in time. It and what it has started are ended, as after an interruption.
     """
-    with temporary_folder("tool") as place:
+    with temporary_folder("tool") as place, ExitStack() as stack:
         variables = {**(os.environ if environment is None else environment), "TMPDIR": place}
+        start = partial(
+            subprocess.Popen[str], command, cwd=cwd, env=variables, stdin=stdin or subprocess.DEVNULL, stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE, encoding="utf-8", errors="replace", start_new_session=True,
+        )  # fmt: skip
         try:
-            process = subprocess.Popen(
-                command, cwd=cwd, env=variables, stdin=stdin or subprocess.DEVNULL, stdout=subprocess.PIPE,
-                stderr=subprocess.PIPE, encoding="utf-8", errors="replace", start_new_session=True,
-            )  # fmt: skip
+            process = stack.enter_context(ending_with_us(start))
         except OSError as error:
             raise MissingToolError(f"'{command[0]}' cannot be started: {error}") from error
-        with process:
-            try:
-                said, complained = process.communicate(timeout=max(0.01, limit_s))
-            except subprocess.TimeoutExpired:
-                raise VerificationError(
-                    f"'{Path(command[0]).name}' did not end within {limit_s:.0f} s and was stopped",
-                    fix=advice,
-                ) from None
-            finally:
-                end_session(process)
+        try:
+            said, complained = process.communicate(timeout=max(0.01, limit_s))
+        except subprocess.TimeoutExpired:
+            raise VerificationError(
+                f"'{Path(command[0]).name}' did not end within {limit_s:.0f} s and was stopped", fix=advice
+            ) from None
     return subprocess.CompletedProcess(command, process.returncode, said, complained)
-
-
-def end_session(process: subprocess.Popen[str]) -> None:
-    """Terminate a process that is the leader of a session, and all processes of the session."""
-    with suppress(ProcessLookupError, PermissionError):
-        os.killpg(process.pid, signal.SIGKILL)
 
 
 def find_tool(entry: ToolEntry, toolchain: Toolchain) -> str | None:

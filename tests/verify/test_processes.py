@@ -1,67 +1,112 @@
-"""Runs of compilers: ended after a time, with all that they have started, and nothing of theirs left."""
+"""Processes that end with the run that started them."""
 
 from __future__ import annotations
 
-import os
+import signal
+import subprocess
 import sys
-import tempfile
 import time
+from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
 
-from robosmi.errors import MissingToolError, VerificationError
-from robosmi.verify.tools import run
-from tests.tools import require_tools
+from robosmi.verify.processes import ending_with_us, in_parallel
+from tests.running import alive
 
-PARENT = """
-import subprocess, sys, tempfile
-child = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(600)"])
-open(sys.argv[1], "w").write(f"{child.pid} {tempfile.gettempdir()}")
-child.wait()
-"""
+_SLEEPS = [sys.executable, "-c", "import time; time.sleep(60)"]
+_start = partial(subprocess.Popen[str], _SLEEPS, start_new_session=True, text=True)
 
 
-def test_what_a_tool_started_ends_with_it_and_its_temporary_folder_goes(tmp_path: Path) -> None:
-    told = tmp_path / "told"
-    with pytest.raises(VerificationError, match="did not end within 2 s"):
-        run([sys.executable, "-c", PARENT, str(told)], limit_s=2)
-    child, folder = told.read_text().split()
-    assert folder != tempfile.gettempdir()
-    assert not Path(folder).exists()
-    for _ in range(50):
-        if not alive(int(child)):
-            break
-        time.sleep(0.1)
-    assert not alive(int(child))
+def is_gone(number: int) -> bool:
+    """Whether a process ends within five seconds."""
+    for _ in range(100):
+        if not alive(number):
+            return True
+        time.sleep(0.05)
+    return False
 
 
-def alive(process: int) -> bool:
-    """Whether a process runs; one that has ended and that nobody has asked about does not."""
+@pytest.mark.skipif(not hasattr(signal, "SIGQUIT"), reason="this system does not have the signals")
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGQUIT"])
+def test_an_interruption_while_a_process_is_started_ends_it(name: str) -> None:
+    number = signal.Signals[name]
+    started: list[int] = []
+
+    def asked(number: int, _: object) -> None:
+        raise KeyboardInterrupt
+
+    def start() -> subprocess.Popen[str]:
+        process = _start()
+        started.append(process.pid)
+        signal.raise_signal(number)  # it runs, and nobody has its handle yet
+        return process
+
+    before = signal.signal(number, asked)
     try:
-        os.kill(process, 0)
-        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
-    except (ProcessLookupError, FileNotFoundError):
-        return False
+        with pytest.raises(KeyboardInterrupt), ending_with_us(start):
+            pytest.fail("the interruption is lost")
+        assert signal.getsignal(number) is asked
+    finally:
+        signal.signal(number, before)
+    assert is_gone(started[0])
 
 
-@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no named pipes")
-@pytest.mark.parametrize("line", ['#include "{}"', '__asm__(".incbin \\"{}\\"");'])
-def test_a_compiler_that_reads_a_pipe_is_ended(line: str, tmp_path: Path) -> None:
-    require_tools("avr-gcc")
-    os.mkfifo(tmp_path / "pipe")
-    (tmp_path / "a.c").write_text(line.format(tmp_path / "pipe") + "\n")
+def test_the_block_ends_the_process_and_what_it_has_started() -> None:
+    sleeps = f"import subprocess, sys, time; print(subprocess.Popen({_SLEEPS}).pid, flush=True); time.sleep(60)"
+    command = [sys.executable, "-c", sleeps]
+    start = partial(subprocess.Popen[str], command, start_new_session=True, text=True, stdout=subprocess.PIPE)
+    with ending_with_us(start) as process:
+        assert process.stdout is not None
+        grandchild = int(process.stdout.readline())
+    assert process.returncode == -signal.SIGKILL
+    assert is_gone(grandchild)
+
+
+def test_what_cannot_be_started_is_told() -> None:
+    with pytest.raises(FileNotFoundError), ending_with_us(partial(subprocess.Popen[str], ["no such program"])):
+        pytest.fail("it runs")
+
+
+def test_results_come_in_order_and_jobs_are_taken_as_needed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("os.cpu_count", lambda: 2)
+    taken: list[int] = []
+
+    def jobs() -> Iterator[int]:
+        for number in range(9):
+            taken.append(number)
+            yield number
+
+    results = in_parallel(lambda number: number * number, jobs())
+    assert next(results) == 0
+    assert taken == [0, 1, 2]
+    assert list(results) == [1, 4, 9, 16, 25, 36, 49, 64]
+
+
+@pytest.mark.parametrize("how", ["closed", "a job fails"])
+def test_who_wants_no_more_results_ends_the_processes_of_all_jobs(how: str, tmp_path: Path) -> None:
+    started: list[int] = []
+
+    def job(number: int) -> int:
+        if number == 0:
+            while not started:
+                time.sleep(0.01)
+            if how == "a job fails":
+                raise ValueError("this one")
+            return 0
+        with ending_with_us(_start) as process:
+            started.append(process.pid)
+            process.wait()
+        return number
+
+    results = in_parallel(job, range(20))
     begun = time.monotonic()
-    with pytest.raises(VerificationError, match="'avr-gcc' did not end"):
-        run(["avr-gcc", "-c", "a.c", "-o", "a.o"], tmp_path, limit_s=2)
+    if how == "closed":
+        assert next(results) == 0
+        results.close()
+    else:
+        with pytest.raises(ValueError, match="this one"):
+            next(results)
     assert time.monotonic() - begun < 20
-
-
-def test_output_and_state_of_a_tool_are_told() -> None:
-    done = run([sys.executable, "-c", "import sys; print('said'); sys.exit('wrong')"])
-    assert (done.returncode, done.stdout.strip(), done.stderr.strip()) == (1, "said", "wrong")
-
-
-def test_a_tool_that_is_not_there_is_named() -> None:
-    with pytest.raises(MissingToolError, match="'no-such-compiler' cannot be started"):
-        run(["no-such-compiler"])
+    assert all(is_gone(number) for number in started)

@@ -6,10 +6,7 @@ scenario, unless the user has named one.
 
 from __future__ import annotations
 
-import os
-from collections import deque
 from collections.abc import Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
 
 from robosmi.errors import EngineCrashError, VerificationError
 from robosmi.metamodels import platform
@@ -17,8 +14,9 @@ from robosmi.transformations.verification.jobs import job, shows_console
 from robosmi.transformations.verification.played_devices import brief_pins, played
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.compile_report import CompileReport
+from robosmi.verify.processes import in_parallel
 from robosmi.verify.scenario import Scenario
-from robosmi.verify.simulation import PinTrace, end_simulations, engines_for, simulate
+from robosmi.verify.simulation import PinTrace, engines_for, simulate
 
 LIMIT_S = 60.0
 """Seconds of processor time for each run of the target, the nominal run of the source, and all its varied runs together."""
@@ -58,56 +56,36 @@ class TargetSide:
         self._report, self._ports = report, ports
         self._brief = [] if whole else brief_pins(ports, target=True)
         self._names = [each.name for each in engines_for(mcu, wanted)]
-        self._crashed: set[str] = set()
-        self._instead: set[str] = set()
-        self._over = False
+        self._used: set[int] = set()
 
     @property
     def engine(self) -> str:
         """The engine's name, with the names of those that ran where it crashed."""
-        if not self._instead:
+        if not any(self._used):
             return self._names[0]
-        instead = ", ".join(name for name in self._names if name in self._instead)
-        return f"{self._names[0]} ({instead} where {' and '.join(n for n in self._names if n in self._crashed)} crashed)"
+        instead = ", ".join(self._names[number] for number in sorted(self._used) if number)
+        return f"{self._names[0]} ({instead} where {' and '.join(self._names[: max(self._used)])} crashed)"
 
     def run(self, scenarios: Sequence[Scenario]) -> Iterator[PinTrace | VerificationError]:
         """The trace of each scenario, or the error that prevented it: in order, as many in parallel as there are cores."""
-        cores = os.cpu_count() or 1
-        pool = ThreadPoolExecutor(cores)
-        waiting: deque[Future[PinTrace | VerificationError]] = deque()
-        try:
-            for scenario in scenarios:
-                waiting.append(pool.submit(self._run, scenario))
-                if len(waiting) > cores:  # one more than cores, so that none of them idles during a comparison
-                    yield waiting.popleft().result()
-            while waiting:
-                yield waiting.popleft().result()
-        except BaseException:  # also an interruption: the other runs are not needed then
-            self._over = True
-            end_simulations()
-            raise
-        finally:
-            pool.shutdown(cancel_futures=True)
+        for outcome, engine in in_parallel(self._run, scenarios):
+            if isinstance(outcome, PinTrace):
+                self._used.add(engine)
+            yield outcome
 
-    def _run(self, scenario: Scenario) -> PinTrace | VerificationError:
+    def _run(self, scenario: Scenario) -> tuple[PinTrace | VerificationError, int]:
+        """The outcome of a scenario, and the number of the engine that it is from: the first that does not crash, if any."""
         assert self._report.elf is not None
         assert self._report.hex is not None
         devices = played(self._ports, scenario, target=True)
         asked = job(self._report.elf, self._report.hex, self.board, scenario.horizon_ms * 1000, devices, self._brief)
         crash: VerificationError | None = None
-        for name in self._names:
+        for number, name in enumerate(self._names):
             try:
-                trace = simulate(asked, name, LIMIT_S)
+                return simulate(asked, name, LIMIT_S), number
             except EngineCrashError as error:
                 crash = crash or error
-                if self._over:
-                    break
-                self._crashed.add(name)
             except VerificationError as error:
-                return crash or error
-            else:
-                if crash is not None:
-                    self._instead.add(name)
-                return trace
+                return crash or error, number
         assert crash is not None
-        return crash
+        return crash, 0
