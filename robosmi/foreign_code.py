@@ -6,9 +6,8 @@ report the exception; plug-ins, which are installed packages, are handled by `pl
 
 from __future__ import annotations
 
-import sysconfig
-import traceback
 from collections import Counter
+from collections.abc import Iterator
 from types import FrameType
 
 from robosmi.diagnostics import Location
@@ -20,15 +19,23 @@ _OFTEN = 50
 """A function with this many calls on a full stack counts as one with endless recursion."""
 
 
+def frames_of(error: BaseException) -> Iterator[tuple[FrameType, int]]:
+    """The frames that an exception passed through, from the outermost on, each with the line where it was."""
+    step = error.__traceback__
+    while step is not None:
+        yield step.tb_frame, step.tb_lineno
+        step = step.tb_next
+
+
 def innermost(error: BaseException) -> Location | None:
     """The last line of a person's code that an exception passed through; None if there is none."""
-    places = [Location(f.f_code.co_filename, line) for f, line in traceback.walk_tb(error.__traceback__) if _is_foreign(f)]
+    places = [Location(f.f_code.co_filename, line) for f, line in frames_of(error) if _is_foreign(f)]
     return places[-1] if places else None
 
 
 def endless(error: RecursionError) -> tuple[str, Location] | None:
     """A person's function that recurses without end, with its name and place; None if it is not a person's."""
-    codes = Counter(frame.f_code for frame, _ in traceback.walk_tb(error.__traceback__) if _is_foreign(frame))
+    codes = Counter(frame.f_code for frame, _ in frames_of(error) if _is_foreign(frame))
     if not codes:
         return None
     code, times = codes.most_common(1)[0]
@@ -43,5 +50,7 @@ def _is_foreign(frame: FrameType) -> bool:
 
 @kept
 def _installed() -> tuple[str, ...]:
+    import sysconfig  # wanted only after a mistake
+
     names = ("stdlib", "platstdlib", "purelib", "platlib")
     return tuple({sysconfig.get_path(name) for name in names if sysconfig.get_path(name)})

@@ -18,6 +18,8 @@ from typing import BinaryIO
 
 from msgspec import Struct
 
+from robosmi.typed import attribute_of
+
 _MB = 1024 * 1024
 
 
@@ -25,7 +27,7 @@ def flags(*names: str) -> int:
     """The combined flags of `os.open` with these names, without those that the system lacks."""
     number: int = 0
     for name in names:
-        number |= vars(os).get(name, 0)
+        number |= attribute_of(os, name, int) or 0
     return number
 
 

@@ -11,7 +11,6 @@ import dis
 import importlib
 import os
 import sys
-import traceback
 from collections.abc import Callable, Iterable
 from functools import cache
 from importlib.machinery import PathFinder
@@ -23,6 +22,7 @@ from msgspec import Struct
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import InternalError, MissingToolError, RuleError, UsageError, did_you_mean
+from robosmi.foreign_code import frames_of
 from robosmi.offers import Offered, PluginOffer, unasked
 from robosmi.typed import class_name, distinct, dynamic_attribute
 
@@ -347,7 +347,7 @@ def raised_by(error: BaseException) -> RuleError | None:
     """The error that names the plug-in whose code an exception came out of; None where it was no plug-in's."""
     if not registry.cache_info().currsize:
         return None
-    for frame, line in reversed(list(traceback.walk_tb(error.__traceback__))):
+    for frame, line in reversed(list(frames_of(error))):
         if owner := registry().provider(frame.f_globals.get("__name__", "")):
             return RuleError(
                 f"the plug-in {owner} raised {class_name(error)}: {error}",

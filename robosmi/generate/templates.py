@@ -7,7 +7,6 @@ tag are dropped; values print as in EOL. `gen` decides which template is used fo
 
 from __future__ import annotations
 
-import traceback
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from types import MethodType
@@ -249,6 +248,8 @@ class Templates:
 
     def _place(self, name: str, error: BaseException | None) -> Location:
         """The innermost place in a template that an error passed through, else the template."""
+        import traceback  # wanted only after a mistake
+
         template = self._environment.get_template(name)
         found = Location(template.filename or name)
         for frame in traceback.extract_tb(error.__traceback__ if error is not None else None):

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import hashlib
 import os
-import tempfile
 from pathlib import Path, PurePosixPath, PureWindowsPath
 
 from robosmi import inputs
@@ -53,6 +52,8 @@ def write_atomic(path: Path, data: bytes) -> None:
     Raises:
         SourceError: the path is no ordinary file, or may not be written.
     """
+    import tempfile  # slow to load, and wanted only where a single file is written
+
     fix = "give another output path"
     try:
         if path.exists() and not path.is_file():

@@ -10,7 +10,6 @@ from __future__ import annotations
 import hashlib
 import os
 import stat
-import tempfile
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -244,6 +243,8 @@ def _state() -> Path:
             return folder
     except OSError:
         pass
+    import tempfile  # slow to load, and wanted only by a user without a place
+
     owner = os.getuid() if hasattr(os, "getuid") else 0
     folder = Path(tempfile.gettempdir()) / f"robosmi-{owner}"
     try:

@@ -7,7 +7,6 @@ Source: Kolovos et al., The Epsilon Object Language, section 3.2; measured again
 
 from __future__ import annotations
 
-import random as _random
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, cast, overload
 
@@ -131,7 +130,9 @@ class Items(Generic[T]):
 
     def random(self) -> T | None:
         """Any item, or None when empty."""
-        return _random.choice(self._items) if self._items else None
+        import random  # slow to load, and wanted only here
+
+        return random.choice(self._items) if self._items else None
 
     def flatten(self) -> Q[Any]:
         """The items of all nested collections, on all levels: a Sequence; without a nested collection the kind stays."""

@@ -9,7 +9,6 @@ when a URL is given.
 
 from __future__ import annotations
 
-import random
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, closing, contextmanager
@@ -142,6 +141,8 @@ class SqliteFile:
                     seen, since = now, time.monotonic()
                 elif time.monotonic() - since > _WAIT_S:
                     raise
+            import random  # slow to load, and wanted only where others hold the database
+
             time.sleep(random.uniform(*_PAUSES_S))
 
     def _stamp(self) -> tuple[int, int]:

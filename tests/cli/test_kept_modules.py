@@ -8,7 +8,7 @@ import py_compile
 import subprocess
 import sys
 from collections.abc import Callable
-from importlib.machinery import ModuleSpec, PathFinder, SourceFileLoader
+from importlib.machinery import EXTENSION_SUFFIXES, ModuleSpec, PathFinder, SourceFileLoader
 from importlib.util import module_from_spec
 from pathlib import Path
 
@@ -18,7 +18,7 @@ from robosmi.cli import kept_modules
 from robosmi.cli.kept_modules import KeptModules
 
 NAME = "modules/own"
-ASKED = "robosmi.made"
+ASKED = "package.made"
 COMMAND = """
 import sys
 from robosmi.__main__ import start
@@ -32,10 +32,11 @@ print(type(loader).__name__, module.__file__, module.__cached__, len(loader.get_
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with a module, its bytecode, and an empty cache beside it."""
+    """A folder with a module and its bytecode; beside it a folder that is searched before, and an empty cache."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     folder = tmp_path / "package"
     folder.mkdir()
+    (tmp_path / "first").mkdir()
     write(folder / "made.py", 1)
     return folder
 
@@ -49,7 +50,7 @@ def write(source: Path, value: int) -> None:
 def asked(folder: Path) -> ModuleSpec | None:
     """How a process finds the module; what it does not find among the kept ones is kept when it ends."""
     finder = KeptModules(NAME)
-    found = finder.find_spec(ASKED, [str(folder), "/elsewhere"])
+    found = finder.find_spec(ASKED, [str(folder.parent / "first"), str(folder), "/elsewhere"])
     finder.write()
     return found
 
@@ -125,7 +126,14 @@ def hidden_by_a_package(folder: Path) -> None:
     write(folder / "made" / "__init__.py", 2)
 
 
-@pytest.mark.parametrize("change", [edited, edited_with_the_old_time, replaced, hidden_by_a_package])
+def now_in_the_folder_before(folder: Path) -> None:
+    write(folder.parent / "first" / "made.py", 2)
+
+
+CHANGES = [edited, edited_with_the_old_time, replaced, hidden_by_a_package, now_in_the_folder_before]
+
+
+@pytest.mark.parametrize("change", CHANGES)
 def test_a_changed_module_is_loaded_by_python_and_then_kept(folder: Path, change: Callable[[Path], None]) -> None:
     asked(folder)
     assert value_of(asked(folder)) == 1
@@ -146,15 +154,68 @@ def test_a_module_of_another_folder_is_not_found(folder: Path, tmp_path: Path) -
     write(tmp_path / "second" / "made.py", 2)
     assert asked(tmp_path / "second") is None
     assert value_of(asked(tmp_path / "second")) == 2
+    assert asked(folder) is None
     assert value_of(asked(folder)) == 1
 
 
-def test_a_module_of_others_is_left_to_python(folder: Path) -> None:
-    finder = KeptModules(NAME)
-    assert finder.find_spec("json", None) is None
-    assert finder.find_spec("json.made", [str(folder)]) is None
-    finder.write()
+def test_what_is_no_source_is_left_to_python_and_not_sought_again(folder: Path) -> None:
+    (folder / "made.py").unlink()
+    suffix = next(suffix for suffix in EXTENSION_SUFFIXES if suffix.startswith("."))
+    (folder / f"made{suffix}").write_bytes(b"")
+    assert asked(folder) is None
+    assert kept().exists()
+    written = kept().stat().st_mtime_ns
+    assert asked(folder) is None
+    assert kept().stat().st_mtime_ns == written
+
+
+def test_a_module_of_a_relative_path_is_left_to_python(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(folder)
+    for path in ([""], ["."], None):
+        monkeypatch.setattr(sys, "path", ["", str(folder)])
+        finder = KeptModules(NAME)
+        assert finder.find_spec("made", path) is None
+        finder.write()
     assert not kept().exists()
+
+
+def test_a_module_of_the_path_of_python_is_kept(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "path", [str(folder)])
+    finder = KeptModules(NAME)
+    assert finder.find_spec("made") is None
+    finder.write()
+    finder = KeptModules(NAME)
+    assert value_of(finder.find_spec("made")) == 1
+    monkeypatch.setattr(sys, "path", [str(folder), "/of/a/user"])
+    assert finder.find_spec("made") is None
+
+
+def test_what_is_imported_while_modules_are_kept_is_left_to_python(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    asked(folder)
+    write(folder / "second.py", 2)
+    asked(folder)
+    finder = KeptModules(NAME)
+    path = [str(folder.parent / "first"), str(folder)]
+    assert value_of(finder.find_spec(ASKED, path)) == 1
+    assert finder.find_spec("package.second", path) is None
+    found: list[ModuleSpec | None] = []
+    monkeypatch.setattr(kept_modules, "keep", lambda name, data: found.append(finder.find_spec(ASKED, path)))
+    finder.write()
+    assert found == [None]
+
+
+def test_files_are_started_anew_beyond_their_limit(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(kept_modules, "MOST_MODULES", 1)
+    asked(folder)
+    write(folder / "second.py", 2)
+    assert asked(folder) is None  # the folder has changed
+    assert value_of(asked(folder)) == 1
+    path = [str(folder.parent / "first"), str(folder)]
+    finder = KeptModules(NAME)
+    finder.find_spec("package.second", path)
+    finder.write()
+    assert KeptModules(NAME).find_spec(ASKED, path) is None
+    assert value_of(KeptModules(NAME).find_spec("package.second", path)) == 2
 
 
 def test_finders_before_that_of_python_come_first(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -239,7 +300,7 @@ def test_files_of_few_installations_are_kept(folder: Path) -> None:
         finder.find_spec(ASKED, [str(folder)])
         finder.write()
         os.utime(kept().parent / str(number), ns=(number, number))
-    assert sorted(file.name for file in kept().parent.iterdir()) == ["2", "3", "4", "5"]
+    assert {file.name for file in kept().parent.iterdir()} == {str(number) for number in range(2, kept_modules.MOST + 2)}
 
 
 def run(cache: Path, *options: str) -> str:
