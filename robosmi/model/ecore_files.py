@@ -18,6 +18,7 @@ from robosmi.errors import SourceError
 from robosmi.model.ecore_description import ECORE, KNOWN, XML_TYPES, Package
 from robosmi.model.ecore_xml import EcoreNode, read_nodes
 from robosmi.model.files import read_input
+from robosmi.model.xmi_document import XMI_NAMESPACES
 
 _PLATFORM = re.compile(r"platform:/(?:resource|plugin)/(.+)")
 _OWN_FILES = {"Ecore.ecore": ECORE, "XMLType.ecore": XML_TYPES}
@@ -73,20 +74,22 @@ class EcoreFiles:
         """Read a file, or give it again.
 
         Raises:
-            SourceError: it cannot be read, is no XML, or holds no EPackage.
+            SourceError: it cannot be read, is no XML, or has a root that is no EPackage.
         """
         place = Path(os.path.realpath(path))
         if place in self._files:
             return self._files[place]
         root = read_nodes(read_input(path, "metamodel", inputs.MODEL), path)
-        roots = [n for n in (root.children if root.tag == "XMI" else [root]) if n.tag == "EPackage"]
-        if not roots:
+        roots = [n for n in root.children if not XMI_NAMESPACES.fullmatch(n.namespace)] if root.tag == "XMI" else [root]
+        if not roots or any(node.tag != "EPackage" for node in roots):
             from robosmi.diagnostics import Location
 
+            wrong = next((node for node in roots if node.tag != "EPackage"), root)
+            alone = "keep EPackages alone in an .ecore file, and other elements in files of their own"
             raise SourceError(
-                f"the file holds a '{root.tag}', no EPackage",
-                location=Location(str(path), root.line),
-                fix="give an .ecore file",
+                f"the root '{wrong.tag}' is no EPackage" if len(roots) > 1 else f"the file holds a '{wrong.tag}', no EPackage",
+                location=Location(str(path), wrong.line),
+                fix=alone if len(roots) > 1 else "give an .ecore file",
             )
         file = self._files[place] = EcoreFile(path, roots)
         for top in roots:

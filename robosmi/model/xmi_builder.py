@@ -6,7 +6,6 @@ line.
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +14,7 @@ from robosmi.model.ecore import DynamicEObject
 from robosmi.model.features import class_in, class_names
 from robosmi.model.lean import BARE, AttributeValue, ContainedValue, ReferenceValue, collection, holder
 from robosmi.model.pyecore_internals import CONTAINER, CONTAINING_FEATURE, IDENTITY, add_silently, key_of
-from robosmi.model.xmi_document import Document, PackageOf, Problem
+from robosmi.model.xmi_document import XMI_NAMESPACES, Document, PackageOf, Problem
 from robosmi.model.xmi_plan import (
     CHILD,
     CHILDREN,
@@ -34,10 +33,6 @@ from robosmi.typed import class_name, sum_of
 
 if TYPE_CHECKING:
     from robosmi.model.ecore import Slots
-
-
-XMI_NAMESPACES = re.compile(r"http://(www\.omg\.org/XMI|(schema|www)\.omg\.org/spec/XMI(/[0-9.]+)?)")
-"""The namespaces that XMI itself has had."""
 
 
 class Builder:

@@ -5,6 +5,7 @@ A document contains the elements of one file and the list of what is still unres
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import TypeAlias
@@ -19,6 +20,9 @@ NO_MODEL = "give a model in XMI"
 Problem = Callable[[int, str], None]
 PackageOf: TypeAlias = "Callable[[str], Package | None]"
 """Namespace URI -> EPackage or generated module, or None."""
+
+XMI_NAMESPACES = re.compile(r"http://(www\.omg\.org/XMI|(schema|www)\.omg\.org/spec/XMI(/[0-9.]+)?)")
+"""The namespaces that XMI itself has had."""
 
 
 class Unreadable(Exception):

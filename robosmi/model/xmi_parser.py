@@ -19,8 +19,16 @@ from robosmi.model.ecore import DynamicEObject
 from robosmi.model.features import class_in
 from robosmi.model.lean import BARE, AttributeValue, ReferenceValue, collection, holder
 from robosmi.model.pyecore_internals import CONTAINER, CONTAINING_FEATURE, key_of
-from robosmi.model.xmi_builder import XMI_NAMESPACES, Builder
-from robosmi.model.xmi_document import Document, ForeignRoot, PackageOf, Problem, UnknownEncoding, Unreadable
+from robosmi.model.xmi_builder import Builder
+from robosmi.model.xmi_document import (
+    XMI_NAMESPACES,
+    Document,
+    ForeignRoot,
+    PackageOf,
+    Problem,
+    UnknownEncoding,
+    Unreadable,
+)
 from robosmi.model.xmi_plan import (
     CHILD,
     CHILDREN,
@@ -61,7 +69,7 @@ def parse(
 
     Raises:
         Unreadable: it is no XML, or no element of it is a model's.
-        ForeignRoot: its root is an Ecore package.
+        ForeignRoot: its first root is an element of Ecore.
     """
     try:
         return _Parser(path, plans, package_of, locations, problem).run(data, None)
@@ -281,8 +289,11 @@ class _Parser(Builder):
             if name == "XMI" and XMI_NAMESPACES.fullmatch(uri):
                 self.several = True
                 return None, FeatureEntry(ROOT)
-            if uri == ECORE_URI:
+        if uri == ECORE_URI:
+            if not self.document.roots:
                 raise ForeignRoot
+            text = f"the root '{name}' is Ecore's, beside roots of another metamodel"
+            raise Unreadable(text, self.expat.CurrentLineNumber, "keep metamodels in .ecore files of their own")
         package = self.package_of(uri)
         eclass = class_in(package, name)
         if eclass is None:

@@ -76,6 +76,18 @@ class XmiPlaces:
         identity = self.identity(target) if file and not isinstance(target, type) else None
         return file, way if identity is None or _ODD_ID.search(identity) else identity
 
+    def in_metamodel(self, element: EModelElement | type) -> tuple[str, str]:
+        """File and fragment of an element of a metamodel: `//Class`, or `/1/Class` if the file has several packages.
+
+        The file is empty if the outermost package is none of the models.
+
+        Raises:
+            Unplaced: it is in no package.
+        """
+        package, fragment = metamodel_place(element)
+        file, root = self._known.get(id(package), ("", "/"))
+        return file, fragment if root == "/" else f"{root}{fragment[1:]}"
+
     def identity(self, element: EObject) -> str | None:
         """The xmi:id of an element or the value of its ID attribute, or None."""
         own = xmi_id_of(element)
@@ -100,8 +112,7 @@ class XmiPlaces:
         one = target
         while id(one) not in self._known:
             if isinstance(one, (ecore.EModelElement, type)):
-                package, fragment = metamodel_place(one)
-                file = self.roots.get(id(package), "")  # a metamodel that is one of the models has a file
+                file, fragment = self.in_metamodel(one)  # a metamodel that is one of the models has a file
                 return file, fragment if file else metamodel_uri(one)
             climbed.append(one)
             container = container_of(one)

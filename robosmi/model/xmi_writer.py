@@ -19,7 +19,7 @@ from robosmi.model.features import as_package
 from robosmi.model.lean import BARE, collector_at_rest
 from robosmi.model.pyecore_internals import container_of, set_features_of, target_in, value_in, xmi_id_of
 from robosmi.model.xmi_layout import CHILDREN, LINKS, VALUE, VALUES, Column, Layouts
-from robosmi.model.xmi_places import Unplaced, UnusableId, XmiPlaces, metamodel_place, metamodel_uri, relative, shown
+from robosmi.model.xmi_places import Unplaced, UnusableId, XmiPlaces, metamodel_uri, relative, shown
 from robosmi.model.xml_characters import in_attribute, in_text, refuse_forbidden
 
 if TYPE_CHECKING:
@@ -190,9 +190,8 @@ class _Writer:
     def metamodel_link(self, element: EObject, name: str, target: Any) -> str:
         """The URI of a metamodel's element, seen from this file."""
         try:
-            package, fragment = metamodel_place(target)
-            file = self.places.roots.get(id(package))
-            if file is None:
+            file, fragment = self.places.in_metamodel(target)
+            if not file:
                 return metamodel_uri(target)
         except Unplaced:
             what = f"refers by '{name}' to {shown(target)}, which is in no package with a namespace"

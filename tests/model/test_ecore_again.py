@@ -25,6 +25,7 @@ CASES = Path(__file__).parent / "generator" / "cases"
 NOT_EMF = {
     "ecore_by_place": "EMF knows Ecore by its namespace only",
     "two_files": "EMF knows Ecore by its namespace only",
+    "several_refused": "we refuse it",
     **dict.fromkeys((path.name for path in CASES.glob("refused_*")), "we refuse it"),
 }
 ODD = {
