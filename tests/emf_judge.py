@@ -1,4 +1,4 @@
-"""Real Eclipse EMF as judge of the files that a test writes: one Java process for a whole run, started when first asked.
+"""Real Eclipse EMF as judge of the files that a test writes: a Java process for each thread that asks, started when first asked.
 
 `judge(metamodels, model)` asserts that EMF loads a model with 0 diagnostics and gives what EMF makes of it when it saves it
 again. Tests that use it are skipped with the reason where Java or EMF's jars are missing, and fail there if this is the CI.
@@ -12,9 +12,10 @@ import hashlib
 import os
 import subprocess
 import tempfile
+import threading
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cache
+from functools import cached_property
 from pathlib import Path
 from typing import IO
 
@@ -72,24 +73,22 @@ def classpath() -> str:
     return f"{folder}{os.pathsep}{jars}"
 
 
-@cache
-def _process() -> subprocess.Popen[str]:
-    command = [
-        "java",
-        "-Xss64m",
-        "-Xmx2g",
-        "-Dfile.encoding=UTF-8",
-        "-Duser.timezone=UTC",
-        "-cp",
-        classpath(),
-        "EmfCheck",
-        "--serve",
-    ]
-    process = subprocess.Popen(
-        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, encoding="utf-8"
-    )
-    atexit.register(_stop, process)
-    return process
+class _OfThread(threading.local):
+    """The Java process of one thread."""
+
+    @cached_property
+    def process(self) -> subprocess.Popen[str]:
+        """Started when first asked, ended with this process."""
+        options = ["-Xss64m", "-Xmx2g", "-Dfile.encoding=UTF-8", "-Duser.timezone=UTC", "-cp", classpath()]
+        process = subprocess.Popen(
+            ["java", *options, "EmfCheck", "--serve"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+            encoding="utf-8",
+        )  # fmt: skip
+        atexit.register(_stop, process)
+        return process
+
+
+_THREAD = _OfThread()
 
 
 def _stop(process: subprocess.Popen[str]) -> None:
@@ -106,7 +105,7 @@ def _stream(stream: IO[str] | None) -> IO[str]:
 
 def ask(*arguments: str | Path) -> tuple[str, bool]:
     """The judge's answer to a command line, and whether it is content."""
-    process = _process()
+    process = _THREAD.process
     _stream(process.stdin).write("\t".join(map(str, arguments)) + "\n")
     _stream(process.stdin).flush()
     lines: list[str] = []

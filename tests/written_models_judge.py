@@ -1,4 +1,4 @@
-"""Real EMF judges every model that any test wrote, in one Java process when the tests are done (a plug-in of conftest.py).
+"""Real EMF judges every model that any test wrote, in Java processes on all cores when the tests are done (for conftest.py).
 
 Recorded by `recording/written_models.py`. A model must load with 0 diagnostics, and EMF must write the same bytes for it. The
 outcome is one more test of the run, `every written model::real EMF`: failed with the names of the tests that wrote what EMF
@@ -15,7 +15,9 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -128,22 +130,27 @@ def judged(folder: Path, marked: Mapping[str, set[str]] = MappingProxyType({})) 
         folder: where they lie.
         marked: one of `MARKS` -> the tests with it. It holds for a model if all tests that wrote it have it.
     """
-    for file in sorted(folder.glob("*/written.json")):
-        place = file.parent
-        written = json.loads(file.read_text(encoding="utf-8"))
-        tests = set((place / "tests.txt").read_text(encoding="utf-8").splitlines())
-        apart, refused = (tests <= marked.get(mark, set()) for mark in MARKS)
-        if refused:
-            continue
-        arguments: list[str | Path] = [folder / written["metamodels"] / name for name in written["names"]]
-        with tempfile.TemporaryDirectory() as elsewhere:
-            for number, (uri, text) in enumerate(written["elsewhere"].items()):
-                lies = Path(elsewhere) / f"{number}.ecore"
-                lies.write_text(text, encoding="utf-8")
-                arguments += ["--map", uri, lies]
-            for name in written["models"]:
-                if text := objection(arguments, place / name, apart):
-                    yield Objection(name, sorted(tests), text, place)
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for found in pool.map(partial(_judged_set, folder, marked), sorted(folder.glob("*/written.json"))):
+            yield from found
+
+
+def _judged_set(folder: Path, marked: Mapping[str, set[str]], file: Path) -> list[Objection]:
+    """What EMF has against the models that were written together."""
+    place = file.parent
+    written = json.loads(file.read_text(encoding="utf-8"))
+    tests = set((place / "tests.txt").read_text(encoding="utf-8").splitlines())
+    apart, refused = (tests <= marked.get(mark, set()) for mark in MARKS)
+    if refused:
+        return []
+    arguments: list[str | Path] = [folder / written["metamodels"] / name for name in written["names"]]
+    with tempfile.TemporaryDirectory() as elsewhere:
+        for number, (uri, text) in enumerate(written["elsewhere"].items()):
+            lies = Path(elsewhere) / f"{number}.ecore"
+            lies.write_text(text, encoding="utf-8")
+            arguments += ["--map", uri, lies]
+        texts = {name: objection(arguments, place / name, apart) for name in written["models"]}
+    return [Objection(name, sorted(tests), text, place) for name, text in texts.items() if text]
 
 
 def objection(arguments: list[str | Path], model: Path, is_apart: bool) -> str:

@@ -30,6 +30,7 @@ from robosmi.query import (
 )
 from robosmi.query.own_operations import DECLARED
 from tests.library import library as new_library
+from tests.new_objects import only_new_objects
 
 FOLDER = Path(__file__).parents[1] / "epsilon" / "eol"
 
@@ -248,15 +249,16 @@ def test_extended_properties_of_equal_elements_are_apart(library: Any) -> None:
 
 def test_what_is_noted_of_an_element_goes_with_it_also_where_it_refers_back() -> None:
     """A table of the default run would hold both for ever, and a long program would grow with each model."""
-    shelf = new_library()
-    book = shelf.Book.all[0]
-    element = getattr(book, "element", book)
-    ext(element).index = {"of": element}
-    assert ext(element).index["of"] is element
-    gone = weakref.ref(element)
-    del shelf, book, element
-    gc.collect()
-    assert gone() is None
+    with only_new_objects():
+        shelf = new_library()
+        book = shelf.Book.all[0]
+        element = getattr(book, "element", book)
+        ext(element).index = {"of": element}
+        assert ext(element).index["of"] is element
+        gone = weakref.ref(element)
+        del shelf, book, element
+        gc.collect()
+        assert gone() is None
 
 
 def test_what_is_noted_in_a_run_is_of_that_run_alone() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import gc
 import random
-from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -21,23 +21,28 @@ from robosmi.query import ModelView
 from robosmi.transformations.queries import code
 from robosmi.transformations.t2m.c_source import read_program
 from robosmi.transformations.t2m.c_source.on_demand import OnDemandProgram, open_program
+from tests.new_objects import only_new_objects
 
 ROOT = Path(__file__).resolve().parents[4]
 PROGRAMS = [
-    p for p in sorted([*(ROOT / "docs" / "examples").rglob("*.c"), *(ROOT / "tests").rglob("*.c")]) if p.stat().st_size < 40_000
+    *sorted((ROOT / "docs" / "examples").rglob("*.c")),
+    *[path for path in sorted((ROOT / "tests").rglob("*.c")) if path.stat().st_size < 40_000][::4],
 ]
+"""The case studies, and every fourth program of the tests; `tests/fuzz/two_views.py` compares all, and a corpus."""
 ROBOT = ROOT / "tests" / "model" / "drivers" / "cases" / "program" / "robot.c"
 
 
-def built() -> Counter[str]:
-    """The elements of C programs that exist in this process, by class."""
+def built() -> set[str]:
+    """The classes of the elements of C programs that the test has built and that still exist."""
     gc.collect()
-    return Counter(type(x).__name__ for x in gc.get_objects() if isinstance(x, Element) and type(x).__module__ == ccode.__name__)
+    return {type(x).__name__ for x in gc.get_objects() if isinstance(x, Element) and type(x).__module__ == ccode.__name__}
 
 
-def grown(before: Counter[str]) -> set[str]:
-    """The classes of which more elements exist now than before."""
-    return {name for name, number in built().items() if number > before[name]}
+@pytest.fixture
+def nothing_old() -> Iterator[None]:
+    """Lets `built` see only what the test has built."""
+    with only_new_objects():
+        yield
 
 
 def looked_at(model: OnDemandProgram) -> ccode.Program:
@@ -90,15 +95,16 @@ def test_several_files_are_one_program(tmp_path: Path) -> None:
     assert to_xmi({"m": looked_at(model)}) == to_xmi({"m": stored})
 
 
+@pytest.mark.usefixtures("nothing_old")
 def test_nothing_is_parsed_before_it_is_asked_for() -> None:
-    before = built()
     model = open_program(ROBOT)
     assert [unit.path for unit in model.SourceUnit.all] == [str(ROBOT)]
     assert model.program.units[0].digest
     assert model._units[0]._parsed is None
-    assert grown(before) == {"Program", "SourceUnit"}
+    assert built() == {"Program", "SourceUnit"}
 
 
+@pytest.mark.usefixtures("nothing_old")
 @pytest.mark.parametrize(
     ("kind", "needed"),
     [
@@ -136,27 +142,26 @@ def test_nothing_is_parsed_before_it_is_asked_for() -> None:
     ],
 )
 def test_only_what_can_hold_what_is_asked_for_is_built(kind: str, needed: set[str]) -> None:
-    before = built()
     model = open_program(ROBOT)
     assert len(model[kind].all) == {"Include": 1, "Macro": 1, "Comment": 0, "If": 2, "While": 1}[kind]
-    assert grown(before) - {"Program", "SourceUnit"} == needed
+    assert built() - {"Program", "SourceUnit"} == needed
     assert not model._linked
 
 
+@pytest.mark.usefixtures("nothing_old")
 def test_leaves_are_not_built_to_find_out_what_they_are() -> None:
-    before = built()
     model = open_program(ROBOT)
     assert len(model.Call.all) == 5
-    assert not grown(before) & {"IntegerLiteral", "TypeUse", "MacroUse", "Include"}
+    assert not built() & {"IntegerLiteral", "TypeUse", "MacroUse", "Include"}
 
 
+@pytest.mark.usefixtures("nothing_old")
 def test_an_id_builds_only_the_way_to_its_element() -> None:
-    before = built()
     model = open_program(ROBOT)
     element = model.element("//@units.0/@declarations.1/@body/@statements.0/@condition")
     assert isinstance(element, ccode.Binary)
     assert model.id_of(element) == "//@units.0/@declarations.1/@body/@statements.0/@condition"
-    assert not grown(before) & {"While", "Call", "NameReference"}
+    assert not built() & {"While", "Call", "NameReference"}
 
 
 def test_what_was_built_stays() -> None:
