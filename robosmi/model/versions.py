@@ -14,13 +14,14 @@ from pathlib import Path
 from typing import Protocol
 
 from robosmi.diagnostics import Location
-from robosmi.errors import ModelError
+from robosmi.errors import ModelError, RuleError
 from robosmi.model.by_name import feature_values
 from robosmi.model.ecore import DynamicEObject, EObject, Package
+from robosmi.model.features import as_package
 from robosmi.model.metamodels import Metamodels
 from robosmi.model.xmi_reader import UnreadableModelError, read_models
 from robosmi.plugins import load, registry
-from robosmi.typed import first_of
+from robosmi.typed import attribute_of, first_of
 
 KIND = "model migration"
 
@@ -109,8 +110,30 @@ def _current(roots: dict[Path, DynamicEObject], steps: dict[str, Migration]) -> 
         older = {file: current[file] for file, uri in pending.items() if steps[uri] is step}
         seen |= {pending[file] for file in older}
         replaced += older.values()
-        current |= step(older)
+        try:
+            current |= step(older)
+        except RuleError as error:
+            error.fix = "; ".join(each for each in (error.fix, _other_version(step, steps)) if each)
+            raise
     return current, replaced
+
+
+def _other_version(step: Migration, steps: Mapping[str, Migration]) -> str:
+    """What to do if a step that names no newer version was to lead to one of those from which other steps lead on."""
+    if (into := attribute_of(step, "assumed", str)) is None:
+        return ""
+    names = _types(step)
+    between = [uri for uri, other in steps.items() if other is not step and not names.isdisjoint(_types(other))]
+    if not between:
+        return ""
+    own = first_of(uri for uri, other in steps.items() if other is step)
+    advice = f"if it leads to '{between[0]}', write ModelMigration(OLD, rules, Metamodel.load(FILE)) with its file"
+    return f"the step of '{own}' leads to {into}; {advice}"
+
+
+def _types(step: Migration) -> set[str]:
+    """The names of the types of a step's older version."""
+    return {str(each.name) for package in step.packages() for each in as_package(package).eClassifiers}
 
 
 def _namespace(root: EObject) -> str:

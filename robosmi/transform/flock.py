@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, TypeVar, cast, overload
 
 from msgspec import Struct
 
-from robosmi.errors import RuleError, UsageError, did_you_mean
+from robosmi.errors import RobosmiError, RuleError, UsageError, did_you_mean
 from robosmi.model.driver import TypeHandle, class_of
 from robosmi.model.ecore import EClass, EEnum, EEnumLiteral, EObject
 from robosmi.model.emf import EmfModel
@@ -36,6 +36,8 @@ if TYPE_CHECKING:
 
 
 T = TypeVar("T")
+
+_MOST_NAMES = 40
 
 
 class Mapping(Struct, eq=False):
@@ -255,7 +257,7 @@ class Flock(Settings):
                 raise RuleError(
                     f"{mapping.what}: the new metamodel has no type '{mapping.evolved}' that can have elements"
                     f"{did_you_mean(mapping.evolved, names)}",
-                    fix=f"use one of: {', '.join(names)}",
+                    fix=f"use one of: {', '.join(names[:_MOST_NAMES])}{' ...' * (len(names) > _MOST_NAMES)}",
                 )
         for rule in self._rules:
             what = f"migrate {rule.original}"
@@ -361,7 +363,16 @@ class Flock(Settings):
                 try:
                     rule.body(original, migrated)
                 except (Exception, SystemExit) as error:
-                    raise failed(error, f"the rule 'migrate {rule.original}'", rule.body, original, [self.original]) from error
+                    told = failed(error, f"the rule 'migrate {rule.original}'", rule.body, original, [self.original])
+                    if migrated is None and not isinstance(error, RobosmiError):
+                        told.fix = _BECOMES_NOTHING.format(original.eClass.name)
+                    raise told from error
+
+
+_BECOMES_NOTHING = (
+    "elements of {0} become nothing, since the new metamodel has no such type, or they are deleted: "
+    'write retype("{0}", NEW), or ask whether there is a migrated element'
+)
 
 
 def _emf(given: Model | EObject) -> EmfModel:

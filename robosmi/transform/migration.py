@@ -29,11 +29,13 @@ class ModelMigration(Struct, dict=True):
             packages where they have that namespace, so that elements of other models stay what they are.
         rules: adds the rules to a `Flock`; what the newer version still takes is copied without any.
         new: packages of the newer version; if None those that a model is loaded with, the built-in ones beside them.
+        assumed: the namespaces of the metamodel that a model is loaded with, if these are the newer version since none is named.
     """
 
     old: Path
     rules: Callable[[Flock], object]
     new: Metamodel | None = None
+    assumed: str | None = None
 
     @cached_property
     def _metamodel(self) -> Metamodel:
@@ -59,7 +61,8 @@ class ModelMigration(Struct, dict=True):
             return self
         known = {package.nsURI for package in metamodels.packages}
         beside = [package for package in built_in().packages if package.nsURI not in known]
-        return ModelMigration(self.old, self.rules, Metamodel([*metamodels.packages, *beside]))
+        namespaces = ", ".join(str(package.nsURI) for package in metamodels.packages)
+        return ModelMigration(self.old, self.rules, Metamodel([*metamodels.packages, *beside]), namespaces)
 
     def packages(self) -> list[Package]:
         """The packages of the older version."""

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from robosmi.chain import read_chain
-from robosmi.errors import RobosmiError
+from robosmi.errors import RobosmiError, RuleError
 from robosmi.model import Session, open_model, versions
 from robosmi.model.driver import Model
 from robosmi.model.emf import EmfModel
@@ -71,6 +71,39 @@ def test_migrations_follow_each_other(monkeypatch: pytest.MonkeyPatch) -> None:
     for _ in range(2):  # the steps are kept, and their models are not
         model = EmfModel.load(MODEL, HERE / "doors3.ecore", "H")
         assert evaluate("Portal.all.label", [model]) == ["front", "back"]
+
+
+@pytest.mark.parametrize(
+    ("rules", "said"),
+    [
+        (lambda f: f.retype("Door", "Gate"), "the new metamodel has no type 'Gate' that can have elements"),
+        (lambda f: f.migrate("Door")(lambda o, m: setattr(m, "label", o.title)), "the rule 'migrate Door' fails"),
+    ],
+)
+def test_a_step_to_a_middle_version_that_names_none_is_told_how(
+    rules: Callable[[Flock], Any], said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    steps = {"first": ModelMigration(HERE / "doors1.ecore", rules), "second": ModelMigration(METAMODEL, lambda f: None)}
+    entries = {**registry().entries, versions.KIND: {OLD: "first", OLD[:-1] + "2": "second"}}
+    monkeypatch.setattr(versions, "registry", lambda: Registry(entries))
+    monkeypatch.setattr(versions, "load", steps.__getitem__)
+    with pytest.raises(RuleError, match=said) as told:
+        EmfModel.load(MODEL, HERE / "doors3.ecore", "H")
+    fix = str(told.value.fix)
+    assert f"the step of '{OLD}' leads to http://robosmi.org/test/doors/3" in fix
+    assert f"if it leads to '{OLD[:-1]}2', write ModelMigration(OLD, rules, Metamodel.load(FILE)) with its file" in fix
+    assert len(fix) < 1200
+
+
+def test_a_rule_for_elements_that_become_nothing_is_told_so() -> None:
+    f = Flock(EmfModel.load(MODEL, HERE / "doors1.ecore"), EmfModel((), HERE / "doors3.ecore"))
+    f.migrate("Door")(lambda o, m: setattr(m, "label", o.title))
+    with pytest.raises(RuleError, match="the rule 'migrate Door' fails") as told:
+        f.run()
+    assert told.value.fix == (
+        "elements of Door become nothing, since the new metamodel has no such type, or they are deleted: "
+        'write retype("Door", NEW), or ask whether there is a migrated element'
+    )
 
 
 @pytest.mark.usefixtures("registered")
