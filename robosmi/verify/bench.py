@@ -23,6 +23,8 @@ Seen = TypeVar("Seen", PinChange, Wave, ConsoleByte, DeviceEvent)
 
 Level = int | str
 """How the program drives a pin: 0, 1, `z` (an input) or `p` (an input with its pull-up on)."""
+AIMS = FOR_A_TIME, BY_A_WAY, TO_A_PLACE = ("time", "way", "place")
+"""How a program drives a device that moves: until it says otherwise, so far from its last goal, or to a fixed place."""
 MOST_CHANGES = 2_000_000
 """Limit on the pin changes of a run; each takes about 130 bytes, and as many again while it is transferred."""
 
@@ -149,6 +151,11 @@ class Bench(ABC):
             device.pin_changed(pin, level)
         if pin in self._contacts:
             self._pass_on(pin)
+
+    def aimed(self, pin: str, aim: str) -> None:
+        """Tell the devices at a pin how the program drives them from now on: one of `AIMS`."""
+        for device in self._at_pin.get(pin, ()):
+            device.aimed(aim)
 
     def bus_start(self, address: int, read: bool) -> bool:
         """The program addresses a device on the bus; returns whether one acknowledges."""
@@ -278,6 +285,9 @@ class Device:
 
     def pin_changed(self, pin: str, level: Level) -> None:
         """React to a change of how the program drives one of the device's pins."""
+
+    def aimed(self, aim: str) -> None:
+        """React to how the program drives the device from now on, one of `AIMS`; only models of libraries tell that."""
 
     def ended(self) -> None:
         """Record what is unfinished when the run is over."""

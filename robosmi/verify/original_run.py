@@ -21,7 +21,7 @@ from msgspec import Struct
 
 from robosmi.errors import UsageError, VerificationError
 from robosmi.typed import sum_of
-from robosmi.verify.bench import Bench, Level, device_class
+from robosmi.verify.bench import AIMS, Bench, Level, device_class
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.processes import ending_with_us
 from robosmi.verify.processor_time import HANGS
@@ -36,7 +36,7 @@ _COMMAND = struct.Struct("<iiq")
 _SETTINGS = struct.Struct("<QQQQdddddddIIIIIIIII")
 _FLOAT = struct.Struct("<f")
 _WORD = struct.Struct("<I")
-_PIN, _WAVE, _CONSOLE, _SYNC, _BUS_START, _BUS_WRITE, _BUS_READ, _BUS_STOP, _END, _CALL = range(1, 11)
+_PIN, _WAVE, _CONSOLE, _SYNC, _BUS_START, _BUS_WRITE, _BUS_READ, _BUS_STOP, _END, _CALL, _AIM = range(1, 12)
 _GO, _LEVEL, _VOLTAGE, _TYPED, _JOIN, _PART = range(6)
 _LET_GO = 2
 _NEVER = (1 << 62) - 1
@@ -251,6 +251,9 @@ class _HostBench(Bench):
         if kind == _CALL:
             if not self.calls or self.calls[-1][1:] != (a, b, bool(c)):
                 self.calls.append((self.now, a, b, bool(c)))
+            return None
+        if kind == _AIM:
+            self.aimed(self.labels[a], AIMS[b])
             return None
         if kind == _SYNC:
             due = self.wake()

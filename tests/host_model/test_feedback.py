@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.data_text import as_number
+from robosmi.data_text import as_list, as_number
 from robosmi.verify.simulation import DeviceUse, PinTrace
 from tests.host_model.bench import run
 from tests.tools import require_tools
@@ -157,3 +157,17 @@ def test_the_header_says_which_drive_is_meant() -> None:
         '#include <simpletools.h>\n#include "abdrive.h"\nint main() { drive_speed(0, 0); while (1) pause(9); }', 500
     ).trace
     assert [round(width) for _, width in plain.pulses("P12")] == [1500, 1500]
+
+
+def test_each_motion_tells_what_it_aims_at() -> None:
+    """Where a servo rests hangs on that: an angle, for so long as the program waits, or so far from the last goal."""
+    _, trace = driven(
+        "servo360.h",
+        "servo360_connect(12, 14); servo360_angle(12, 60); pause(1500); servo360_speed(12, 180); pause(700); "
+        "servo360_speed(12, 0); pause(800); servo360_goto(12, 90); pause(2000);",
+        7000,
+    )
+    rests = [as_list(event.value) for event in trace.device_events if event.what == "rests"]
+    assert [as_list(rest[5])[2] for rest in rests] == ["place", "time", "way"]
+    timed = [as_number(as_list(rest[5])[0]) / as_number(rest[1]) for rest in rests]
+    assert timed == pytest.approx([0, 1, 0], abs=0.02)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, SAME
-from robosmi.verify.resting_places import Rest, RestKind, compare_rests
+from robosmi.verify.goals_of_motions import Driven, Rest, RestKind
+from robosmi.verify.resting_places import compare_rests
 
 PLACED, TIMED = RestKind("ticks", 1.6, timed=False), RestKind("ticks", 0.0, timed=True)
 
@@ -58,3 +59,51 @@ def test_a_difference_tells_both_places_and_what_is_the_same() -> None:
     assert found.difference.message == (
         "rests 84.0 ticks from where it began, instead of 90.0 (between 88.9 and 91.6 are the same)"
     )
+
+
+WHEEL, SERVO = RestKind("ticks", 1.6, timed=True, recounts=6.0), RestKind("degrees", 5.7, timed=True)
+
+
+def motions(*steps: tuple[str, float]) -> list[Rest]:
+    """Rests a second apart, after motions of such a kind and length; those for a time are at 64 units a second."""
+    rests: list[Rest] = []
+    place = 0.0
+    for aim, way in steps:
+        place = way if aim == "place" else place + way
+        driven = Driven(abs(way), 128.0, aim) if aim == "time" else Driven(0.0, 0.0, aim)
+        rests.append(Rest(1000.0 * (len(rests) + 1), place, abs(way), 128.0, driven=driven))
+    return rests
+
+
+@pytest.mark.parametrize(
+    ("kind", "source", "target", "status"),
+    [
+        (WHEEL, [("time", 50.5), ("way", 26)], [52.0, 78.0], SAME),
+        (WHEEL, [("time", 50.5), ("way", 26)], [52.9, 78.0], DIFFERENT),  # a frame at 64 ticks/s is 1.3 of them
+        (WHEEL, [("time", 50.5), ("way", 26)], [52.0, 75.6], DIFFERENT),  # a tenth less
+        (WHEEL, [("time", 50.5), ("way", 26)], [51.9, 76.6], SAME),  # counted from the tick where it stood
+        (WHEEL, [("time", 50.5), ("way", 26), ("way", 26)], [51.9, 78.0, 103.0], SAME),
+        (WHEEL, [("time", 50.5), ("way", 26), ("way", 26)], [51.9, 78.0, 100.8], DIFFERENT),  # what is counted adds up
+        (WHEEL, [("way", 26.2), ("time", 3.9), ("way", 26)], [26.2, 28.9, 56.1], SAME),  # so short that the old goal counts
+        (WHEEL, [("way", 26.2), ("time", 50.0), ("way", 26)], [26.2, 77.0, 105.0], DIFFERENT),
+        (SERVO, [("time", 200), ("way", 90)], [203.0, 288.0], SAME),
+        (SERVO, [("time", 200), ("way", 90)], [190.0, 290.0], SAME),  # where it stands in between does not matter to its goal
+        (SERVO, [("time", 200), ("way", 90)], [200.0, 280.0], DIFFERENT),
+        (SERVO, [("time", 200), ("way", 90), ("time", 200), ("way", 90)], [207.0, 297.0, 500.0, 588.0], SAME),
+        (SERVO, [("time", 200), ("place", 90)], [206.0, 95.0], SAME),
+        (SERVO, [("time", 200), ("place", 90)], [206.0, 96.0], DIFFERENT),  # a place is the same wherever it began
+        (SERVO, [("time", 200), ("place", 90), ("way", 90)], [206.0, 92.0, 186.0], DIFFERENT),
+    ],
+)
+def test_each_motion_is_compared_as_exactly_as_its_kind_allows(
+    kind: RestKind, source: list[tuple[str, float]], target: list[float], status: str
+) -> None:
+    theirs = [Rest(1000.0 * (number + 1), place, 0.0, 0.0) for number, place in enumerate(target)]
+    assert compare_rests("wheel at rest", [motions(*source)], theirs, kind).status == status
+
+
+def test_a_short_rest_that_all_runs_have_is_compared() -> None:
+    brief = way(64, 90, barely=(0, 1))
+    assert compare_rests("wheel at rest", [brief, brief], way(64, 90), PLACED).status == SAME
+    assert compare_rests("wheel at rest", [brief, brief], way(64, 87), PLACED).status == DIFFERENT
+    assert compare_rests("wheel at rest", [brief, way(64)], way(64, 87), PLACED).status == SAME

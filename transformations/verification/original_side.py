@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 
 from msgspec import Struct
 
-from robosmi.data_text import as_whole
+from robosmi.data_text import as_list, as_number, as_whole
 from robosmi.transformations.verification.exact_numbers import MEASURED, with_exact_numbers
 from robosmi.transformations.verification.places_seen import rests_seen
 from robosmi.transformations.verification.played_devices import brief_pins, devices_at, played
@@ -22,13 +22,13 @@ from robosmi.verify.activity import IDLE, LEVEL, LINE, SIGHTS, WAVE, ActivityEve
 from robosmi.verify.alignment import with_vague_widths
 from robosmi.verify.comparison import NOT_EXERCISED, RACY, SAME, ChannelComparison, ClosedLoop, compare
 from robosmi.verify.driven_lines import held_levels, let_go_levels, pulse_lengths
+from robosmi.verify.goals_of_motions import Rest
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_calls import with_place
 from robosmi.verify.original_coverage import coverage
 from robosmi.verify.original_run import OriginalRun, Variation, run_original
 from robosmi.verify.processor_time import used_s
 from robosmi.verify.pulses import pulses_of
-from robosmi.verify.resting_places import Rest
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace
 
@@ -184,6 +184,10 @@ def _told(trace: PinTrace, number: int, facts: SimulatedKind, measures: bool) ->
             told.append(ActivityEvent(event.at_us, LINE, (f"{event.what} {event.value}",)))
         elif event.what == facts.get("tells_barely") and (last := of_value.get(str(event.value))) is not None:
             told[last] = replaced(told[last], barely=True)
+        elif event.what == facts.get("tells_slowly"):
+            value, vague_us = as_list(event.value)
+            last = of_value[str(value)]
+            told[last] = replaced(told[last], vague_us=as_number(vague_us))
     return told
 
 

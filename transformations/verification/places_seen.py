@@ -9,7 +9,8 @@ from robosmi.transformations.verification.played_devices import devices_at
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.transformations.verification.simulated_kinds import device_facts
 from robosmi.verify.comparison import NOT_EXERCISED, ChannelComparison
-from robosmi.verify.resting_places import Rest, RestKind, compare_rests
+from robosmi.verify.goals_of_motions import Driven, Rest, RestKind
+from robosmi.verify.resting_places import compare_rests
 from robosmi.verify.simulation import PinTrace
 
 RESTING = " at rest"
@@ -44,7 +45,9 @@ def rests_compared(
     """
     theirs = rests_seen(trace, ports, target=True)
     kinds = {
-        name: RestKind(facts["rests_in"], facts["rests_within"] if at[0].placed else 0.0, at[0].timed or not at[0].placed)
+        name: RestKind(
+            facts["rests_in"], facts["rests_within"] if at[0].placed else 0.0, at[0].timed or not at[0].placed, at[0].recounts
+        )
         for device in devices_at(ports, target=True)
         if "rests_in" in (facts := device_facts().get(device.kind, {}))
         and (name := _channel(at := [ports[n] for n in device.ports]))
@@ -62,6 +65,12 @@ def _rests(trace: PinTrace, number: int) -> list[Rest]:
     found: list[Rest] = []
     for event in trace.device_events:
         if event.device == number and event.what == _RESTS:
-            place, way, changes, since_us, barely = as_list(event.value)
-            found.append(Rest(as_number(since_us) / 1000, as_number(place), as_number(way), as_number(changes), bool(barely)))
+            place, way, changes, since_us, barely, timed = as_list(event.value)
+            driven = None
+            if timed is not None:
+                timed_way, timed_changes, aim = as_list(timed)
+                driven = Driven(as_number(timed_way), as_number(timed_changes), str(aim))
+            found.append(
+                Rest(as_number(since_us) / 1000, as_number(place), as_number(way), as_number(changes), bool(barely), driven)
+            )
     return found

@@ -73,6 +73,8 @@ class BoundPort(Struct, frozen=True):
         loop_ms: tolerance of the end of a wait in milliseconds, if the program waits for the device in a closed loop.
         placed: whether the program drives the device to positions that the device reports.
         timed: whether the program drives the device for a time.
+        recounts: how far the last goal has to be from where the device stands for the next goal to be counted from there; 0 if it
+            is always counted from the last one.
     """
 
     name: str
@@ -96,6 +98,7 @@ class BoundPort(Struct, frozen=True):
     loop_ms: float = 0.0
     placed: bool = False
     timed: bool = False
+    recounts: float = 0.0
     near: tuple[float, float] | None = None
 
     @property
@@ -228,15 +231,16 @@ def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice]) -> Non
         if not set(at.values()) <= ports.keys():
             continue
         group = first_of(at.values())
-        closed = any(not set(device.closed_by).isdisjoint(ports[source].functions) for source in at.values())
+        functions = {name for source in at.values() for name in ports[source].functions}
+        closed, placed, timed = (not functions.isdisjoint(by) for by in (device.closed_by, device.placed_by, device.timed_by))
+        settings = {**device.settings, "timed": int(timed)} if device.placed_by else device.settings
         shown = () if closed else device_facts().get(device.kind, {}).get("shown", ())
         for source in distinct(at.values()):
             called = [name for name, place in at.items() if place == source]
             ports[source] = replaced(
-                ports[source], device=device.kind, pin=" ".join(called), line=False, group=group, settings=device.settings,
+                ports[source], device=device.kind, pin=" ".join(called), line=False, group=group, settings=settings,
                 shown=not set(called).isdisjoint(shown), loop_ms=device.loop_ms if closed else 0.0,
-                placed=not set(device.placed_by).isdisjoint(ports[source].functions),
-                timed=not set(device.timed_by).isdisjoint(ports[source].functions),
+                placed=placed, timed=timed, recounts=device.recounts,
             )  # fmt: skip
 
 

@@ -57,6 +57,7 @@ class SimulatedKind(TypedDict, total=False):
     tells_as: str
     tells_at: str
     tells_barely: str
+    tells_slowly: str
     tells_text: str
 
 

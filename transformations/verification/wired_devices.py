@@ -31,6 +31,8 @@ class WiredDevice(Struct, frozen=True):
         loop_ms: by how much such a function may end earlier or later, in milliseconds.
         placed_by: functions that drive the device to a position that it reports, however long that takes.
         timed_by: functions that drive it until the program stops it.
+        recounts: how far the last goal of such a function has to be from where the device stands for the next goal to be counted
+            from there; 0 if it is always counted from the last one.
     """
 
     kind: str
@@ -40,6 +42,7 @@ class WiredDevice(Struct, frozen=True):
     loop_ms: float = 0.0
     placed_by: tuple[str, ...] = ()
     timed_by: tuple[str, ...] = ()
+    recounts: float = 0.0
 
 
 def wired_devices(views: Sequence[CodeView], rules: Sequence[DataTable], roles: Mapping[str, int]) -> list[WiredDevice]:
@@ -69,6 +72,7 @@ def wired_devices(views: Sequence[CodeView], rules: Sequence[DataTable], roles: 
                         loop_ms=rule.optional_number("loop_ms") or 0,
                         placed_by=rule.texts("placed_by", ()),
                         timed_by=rule.texts("timed_by", ()),
+                        recounts=rule.optional_number("recounts") or 0,
                     )
                 )
                 taken |= places

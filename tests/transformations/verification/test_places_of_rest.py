@@ -31,6 +31,32 @@ def driven(*steps: tuple[float, int]) -> list[Json]:
     return [[*as_list(each)[:3], as_list(each)[4]] for each in told]
 
 
+@pytest.mark.parametrize(
+    ("aims", "timed"),
+    [
+        (("time", "time"), [20.0, 200.0, "time"]),
+        (("time", "way"), [10.0, 100.0, "way"]),  # as if it had stopped in between
+        (("way", "time"), [10.0, 200.0, "time"]),
+        (("place", "place"), [0.0, 0.0, "place"]),
+    ],
+)
+def test_what_is_driven_for_a_time_is_told_apart(aims: tuple[str, str], timed: list[Json]) -> None:
+    told: list[Json] = []
+    rests = PlacesOfRest(150_000.0, 250_000.0, 0.5, lambda _, value: told.append(value))
+    place, now_ms = 0.0, 0
+    for aim, speed in zip(aims, (50, 100), strict=True):
+        rests.aimed(aim)
+        for _ in range(10 * FRAME_MS * 50 // speed):
+            rests.driven(speed, 1000.0 * now_ms)
+            place, now_ms = place + speed / 1000, now_ms + 1
+            rests.moved(place, 1000.0 * now_ms)
+    for _ in range(300):
+        now_ms += 1
+        rests.moved(place, 1000.0 * now_ms)
+    rests.ended(1000.0 * now_ms)
+    assert [as_list(each)[5] for each in told] == [timed]
+
+
 FIRST: Json = [10.0, 10.0, 100.0, False]
 
 

@@ -30,6 +30,7 @@ class FeedbackServo(PulseDriven):
     pin_names = ("servo", "feedback")
     setting_names: ClassVar[Mapping[str, Json]] = {
         "degrees": 90.0, "neutral_us": 1500.0, "dead_us": 20.0, "degrees_per_s_per_us": 4.88,
+        "timed": 1,
     }  # fmt: skip
 
     def start(self) -> None:
@@ -47,6 +48,8 @@ class FeedbackServo(PulseDriven):
         beyond = width_us - self.settings["neutral_us"]
         turning = max(0.0, abs(beyond) - self.settings["dead_us"]) * self.settings["degrees_per_s_per_us"]
         self._speed = turning if beyond > 0 else -turning
+        if not turning:
+            self.driven(0.0)
 
     def _tell(self) -> None:
         if self.left_alone:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from robosmi.transformations.verification.devices.leeway import Leeway
 from robosmi.transformations.verification.devices.places_of_rest import PlacesOfRest
 from robosmi.transformations.verification.devices.way_marks import WayMarks
 from robosmi.verify.bench import Device, Level
@@ -29,6 +30,7 @@ class PulseDriven(Device):
         self._begun: float | None = None
         self._last_pulse = 0.0
         self._marks = WayMarks(self.mark, self.note)
+        self._leeway = Leeway(bool(self.settings["timed"]))
         self._rests = PlacesOfRest(*self.rest_us, self.least_motion, self.note)
 
     def pin_changed(self, pin: str, level: Level) -> None:
@@ -52,6 +54,7 @@ class PulseDriven(Device):
         Args:
             position: where the device is now, in its own unit.
         """
+        self._marks.leeway = self._leeway.distance
         self._marks.moved(position, self.bench.now)
         self._rests.moved(position, self.bench.now)
 
@@ -63,6 +66,15 @@ class PulseDriven(Device):
         """
         self._rests.begin(position)
 
+    def aimed(self, aim: str) -> None:
+        """Take how the program drives the device from now on.
+
+        Args:
+            aim: one of `robosmi.verify.bench.AIMS`.
+        """
+        self._rests.aimed(aim)
+        self._leeway.aimed(aim)
+
     def driven(self, speed: float) -> None:
         """Set the speed at which the device is driven.
 
@@ -70,6 +82,7 @@ class PulseDriven(Device):
             speed: in the device's own unit per second, negative backwards; 0 if it is to stand still.
         """
         self._rests.driven(speed, self.bench.now)
+        self._leeway.driven(speed)
 
     def ended(self) -> None:
         """Note the last place of rest."""

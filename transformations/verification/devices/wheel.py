@@ -28,7 +28,7 @@ class Wheel(PulseDriven):
 
     optional_pin_names = ("encoder",)
     setting_names: ClassVar[Mapping[str, Json]] = {
-        "neutral_us": 1500.0, "ticks_per_s_per_us": 0.64, "ticks_per_s_limit": 200.0, "starts_at": 0.5,
+        "neutral_us": 1500.0, "ticks_per_s_per_us": 0.64, "ticks_per_s_limit": 200.0, "starts_at": 0.5, "timed": 1,
     }  # fmt: skip
 
     def start(self) -> None:
@@ -50,8 +50,9 @@ class Wheel(PulseDriven):
         self.driven(self._speed)
 
     def _turn(self) -> None:
-        if self.left_alone:
+        if self.left_alone and self._speed:
             self._speed = 0.0
+            self.driven(0.0)
         self._place += self._speed * _STEP_US / 1e6
         self.moved_to(self._place)
         if floor(self._place) != self._tick:

@@ -54,7 +54,7 @@ unsigned pins_levels(void);
 
 /* link.c */
 enum record { RECORD_PIN = 1, RECORD_WAVE, RECORD_CONSOLE, RECORD_SYNC, RECORD_BUS_START, RECORD_BUS_WRITE, RECORD_BUS_READ,
-              RECORD_BUS_STOP, RECORD_END, RECORD_CALL };
+              RECORD_BUS_STOP, RECORD_END, RECORD_CALL, RECORD_AIM };
 extern unsigned watched;               /* pins at which a device is */
 extern unsigned asking[3];             /* pins at which one has to be told at once: of 0, of 1, of not driven any more */
 extern unsigned brief;                 /* pins of which only the first change to each level is told */

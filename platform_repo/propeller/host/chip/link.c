@@ -146,6 +146,8 @@ int host_console_read(host_time limit) {
 
 int host_millivolts(int channel) { return channel >= 0 && channel < CHANNELS ? millivolts[channel] : 0; }
 
+void host_aims(int pin, int aim) { link_record(host_now(), RECORD_AIM, pin & 31, aim, 0); }
+
 int host_bus(int scl, int sda) { return (scl & 31) << 5 | (sda & 31); }
 int host_bus_start(int bus, int address, int read) { return link_sync(host_now(), RECORD_BUS_START, bus, (address & 0x7F) << 1 | !!read); }
 int host_bus_write(int bus, int byte) { return link_sync(host_now(), RECORD_BUS_WRITE, bus, byte & 0xFF); }

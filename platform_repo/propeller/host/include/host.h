@@ -51,6 +51,10 @@ unsigned host_random(void);                   /* 15 bits; another sequence in ea
 void host_unmodelled(const char *name) __attribute__((noreturn));  /* ends the run: nothing is known of what would happen */
 void host_end(const char *status, const char *cause) __attribute__((noreturn));
 
+/* ---- motions (chip/link.c): how the device at a pin is driven from now on. What of its way is right hangs on that. */
+enum { HOST_FOR_A_TIME, HOST_BY_A_WAY, HOST_TO_A_PLACE };  /* until it is told otherwise; so far from its last goal; to an angle */
+void host_aims(int pin, int aim);
+
 /* ---- text (chip/text.c): numbers with the machine's own double, which variadic functions receive */
 int host_print(char *text, int size, const char *format, va_list values);    /* as vsnprintf */
 int host_scan(const char *text, const char *format, va_list places);         /* as vsscanf; %f and %lf read 4 bytes */

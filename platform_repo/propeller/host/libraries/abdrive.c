@@ -20,7 +20,7 @@ static struct wheel {
 static volatile unsigned frames_done;
 static volatile int corrects = 1, most_ahead = 10;  /* calculated ticks stay that near to those of the encoders */
 static volatile int speed_limit = ABD_SPEED_LIMIT, ramp_step = ABD_RAMP_STEP, goto_step = ABD_GOTO_RAMP_STEP, goto_waits = 1;
-static int drive_cog, ready, last[2];
+static int drive_cog, ready, last[2], aim = -1;
 
 static int magnitude(int value) { return value < 0 ? -value : value; }
 
@@ -128,6 +128,12 @@ static void read_pins(void) {
   }
 }
 
+static void aims(int now) {
+  if (now != aim)
+    for (int side = 0; side < 2; side++) host_aims(wheels[side].servo, now);
+  aim = now;
+}
+
 static void wait_for_rest(void) {
   while (wheels[0].rest || wheels[1].rest) host_call();
 }
@@ -138,6 +144,7 @@ static void wait_frames(unsigned count) {
 
 static void head_for(int left, int right) {
   int wanted[2] = {left, right}, change[2];
+  aims(HOST_FOR_A_TIME);
   for (int side = 0; side < 2; side++) {
     struct wheel *wheel = &wheels[side];
     wheel->wanted = wanted[side];
@@ -189,6 +196,7 @@ void drive_goto(int distLeft, int distRight) {
   host_call();
   if (wheels[0].wanted || wheels[1].wanted) drive_speed(0, 0);
   start();
+  aims(HOST_BY_A_WAY);
   speed_limit = ABD_GOTO_SPEED_LIMIT;
   for (int side = 0; side < 2; side++) {
     struct wheel *wheel = &wheels[side];

@@ -12,6 +12,7 @@ static volatile struct servo {
   int set_point, deviation_before, integral, most_integral, kp, ki, kd, target_angle, approaching;
   int partner, partner_scale;
   int out;                                                                /* beyond neutral, as it is sent */
+  int aim;                                                                /* as it was told last, plus 1 */
 } servos[S360_DEVS_MAX];
 static int connected;
 static int *cog;
@@ -231,6 +232,11 @@ int servo360_connect(int pinControl, int pinFeedback) {
 
 /* ---- what the program asks */
 
+static void aims(volatile struct servo *servo, int aim) {
+  if (servo->aim != aim + 1) host_aims(servo->control_pin, aim);
+  servo->aim = aim + 1;
+}
+
 #define SERVO(pin) volatile struct servo *servo = found(pin); if (!servo) return -1
 
 int servo360_unitsAngleToEncoder(int value, int unitsRev) { return value * S360_UNITS_ENCODER / unitsRev; }
@@ -245,6 +251,7 @@ int servo360_angle(int pin, int position) {
   if (position <= servo->least_angle) position = servo->least_angle;
   servo->set_point = to_steps(servo, position);
   servo->mode = S360_POSITION;
+  aims(servo, HOST_TO_A_PLACE);
   forget_speed(servo);
   return place_of(servo);
 }
@@ -256,6 +263,7 @@ int servo360_speed(int pin, int speed) {
   if (servo->mode == S360_POSITION || servo->mode == S360_GOTO) servo->calculated = servo->target_angle;
   servo->asked_speed = within(speed, servo->speed_limit);
   servo->mode = S360_SPEED;
+  aims(servo, HOST_FOR_A_TIME);
   forget_angle(servo);
   return place_of(servo);
 }
@@ -270,12 +278,14 @@ int servo360_goto(int pin, int position) {
   servo->target_angle = to_steps(servo, position) + from;
   if (servo->mode == S360_GOTO) servo->approaching = 0;
   servo->mode = S360_GOTO;
+  aims(servo, HOST_BY_A_WAY);
   return place_of(servo);
 }
 
 int servo360_set(int pinControl, int time) {
   SERVO(pinControl);
   servo->out = (time - 1500) * 10;
+  aims(servo, HOST_FOR_A_TIME);
   return place_of(servo);
 }
 
