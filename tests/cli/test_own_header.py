@@ -31,6 +31,13 @@ def test_a_header_with_an_adapter_file_is_nothing_to_write(program: Path, tmp_pa
     assert [task for task in made.document["tasks"] if "beacon.h" in task["message"]] == []
     assert "beacon.h" not in (tmp_path / "out" / "signal" / "signal.ino").read_text()
     assert "RS501" in {task["rule"] for task in made.document["tasks"]}  # beacon_sound has no adapter
+    headers = {adapter["name"]: adapter["header"] for adapter in made.result["plan"]["adapters"]}
+    assert headers["beacon_flash"] == "beacon.h"
+    assert headers["beacon_sound"] == "unknown"
+    counts = made.result["plan"]["call_sites"]["by_header"]
+    assert counts["beacon.h"]["with_body"] == counts["beacon.h"]["total"] == 1
+    rows = [line for line in (tmp_path / "out" / "signal" / "MIGRATION.md").read_text().splitlines() if "beacon_flash(" in line]
+    assert [line.split(" | ")[1] for line in rows if line.startswith("| `")] == ["beacon.h"]
 
 
 def test_the_header_itself_may_be_given_too(program: Path, tmp_path: Path) -> None:

@@ -10,13 +10,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from robosmi.data_text import Json
-from robosmi.metamodels import ccode, migration, platform
-from robosmi.query import ancestor_of_kind
+from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, task_place
 from robosmi.transformations.queries.choices import reason
 from robosmi.transformations.queries.connector_names import told_names
 from robosmi.transformations.queries.macro_calls import MacroCalls
-from robosmi.transformations.queries.plan import called
+from robosmi.transformations.queries.plan import called, header_name
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.verdicts import CARE, Construct, verdict_counts
 from robosmi.typed import distinct, sum_of
@@ -209,10 +208,9 @@ def _counts(judged: Sequence[Construct]) -> str:
 
 
 def _adapter(adapter: migration.AdapterUse, of_macros: MacroCalls) -> dict[str, Json]:
-    header = ancestor_of_kind(adapter.function, platform.Header) if adapter.function else None
     piece = adapter.adapter
     return {
-        "signature": adapter.signature, "header": header.name if header else "unknown",
+        "signature": adapter.signature, "header": header_name(adapter),
         "calls": len(adapter.calls) + len(of_macros.of(adapter)),
         "state": adapter.status.name, "kind": RELATIONS[piece.adapterKind.name] if piece is not None else "",
         "fidelity": piece.fidelity if piece is not None else "written by you" if adapter.written else adapter.reason,

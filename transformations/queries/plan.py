@@ -63,9 +63,10 @@ def disposition_counts(plan: migration.MigrationPlan) -> dict[str, int]:
 
 
 def header_name(adapter: migration.AdapterUse) -> str:
-    """The header that declares an adapted function, `unknown` where none does."""
+    """The header that declares an adapted function: the platform's, or the one that its adapter file names; `unknown` if none."""
     header = ancestor_of_kind(adapter.function, platform.Header) if adapter.function else None
-    return header.name if header else "unknown"
+    own = adapter.adapter.sourceHeader if adapter.adapter is not None else ""
+    return header.name if header else own or "unknown"
 
 
 def call_sites(plan: migration.MigrationPlan) -> dict[str, Any]:
