@@ -77,7 +77,10 @@ class Project(Struct, frozen=True):
 
     def places(self, table: str, keys: Iterable[str]) -> dict[str, Location]:
         """Where a table of the file has each of some keys; the file alone where the line of one is not found."""
-        return {key: Location(str(self.path), _line_of(table, key, self.text)) for key in keys} if self.path is not None else {}
+        if self.path is None:
+            return {}
+        lines = _lines_of(table, self.text)
+        return {key: Location(str(self.path), lines.get(key)) for key in keys}
 
 
 _TABLES = ("migrate", "libraries", "bind", "roles", "servos", "severity", "accept")
@@ -163,7 +166,8 @@ def _table(path: Path, data: dict[str, Json], name: str, text: str) -> dict[str,
     table = data.get(name, {})
     wrong = next((key for key, value in table.items() if not isinstance(value, str)), None) if isinstance(table, dict) else ""
     if wrong is not None:
-        line = _line_of(name, wrong, text) or _line_of(name, wrong.partition(".")[0], text) if wrong else None
+        lines = _lines_of(name, text)
+        line = lines.get(wrong) or lines.get(wrong.partition(".")[0])
         which = f", and '{wrong}' is none" if wrong else ""
         message = f"[{name}] must hold texts only{which}"
         raise SourceError(message, location=Location(str(path), line), fix=f'write {wrong or "NAME"} = "VALUE"')
@@ -188,7 +192,8 @@ def _servos(path: Path, data: dict[str, Json], text: str) -> dict[str, ServoTrim
         inner = entry if isinstance(entry, dict) and entry and not set(entry) & set(_SERVO) else None
         named = inner is not None and all(isinstance(value, dict) for value in inner.values())
         found |= {f"{name}.{key}": value for key, value in inner.items()} if named and inner is not None else {name: entry}
-    return {name: _servo(path, name, entry, _line_of("servos", name, text)) for name, entry in found.items()}
+    lines = _lines_of("servos", text)
+    return {name: _servo(path, name, entry, lines.get(name)) for name, entry in found.items()}
 
 
 def _servo(path: Path, name: str, entry: Json, line: int | None) -> ServoTrim:
@@ -225,17 +230,25 @@ def _servo(path: Path, name: str, entry: Json, line: int | None) -> ServoTrim:
     return ServoTrim(at_rest, tuple(sorted(points.items())), place)
 
 
-def _line_of(table: str, name: str, text: str) -> int | None:
-    """The line in which an entry of a table, or a table in it, begins; None where it is not written as one."""
-    called = rf"[\"']?{re.escape(name)}[\"']?"
-    outer = re.compile(rf"\s*\[\s*{table}\s*\]")
-    inner, entry = re.compile(rf"\s*\[\s*{table}\s*\.\s*{called}\s*\]"), re.compile(rf"\s*{called}\s*=")
+_KEY = r"\"[^\"]*\"|'[^']*'|[\w.-]+"
+_HEAD = re.compile(rf"\s*\[\s*(\w+)\s*(?:\.\s*({_KEY})\s*)?\]")
+_ENTRY = re.compile(rf"\s*({_KEY})\s*=")
+
+
+def _lines_of(table: str, text: str) -> dict[str, int]:
+    """The lines in which the entries of a table, or the tables in it, begin; without those that are not written as such."""
+    found: dict[str, int] = {}
     inside = False
     for number, line in enumerate(text.splitlines(), 1):
-        if inner.match(line) or (inside and entry.match(line)):
-            return number
-        inside = bool(outer.match(line)) or (inside and not line.lstrip().startswith("["))
-    return None
+        if (head := _HEAD.match(line)) is not None:
+            inside = head[1] == table and not head[2]
+            if head[1] == table and head[2]:
+                found.setdefault(head[2].strip("\"'"), number)
+        elif line.lstrip().startswith("["):
+            inside = False
+        elif inside and (entry := _ENTRY.match(line)) is not None:
+            found.setdefault(entry[1].strip("\"'"), number)
+    return found
 
 
 def _list_of_tables(path: Path, data: dict[str, Json], name: str) -> list[Json]:

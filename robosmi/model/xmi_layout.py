@@ -110,8 +110,9 @@ class Layout:
         cls = eclass.python_class
         known = cls.__dict__.get("_robosmi_layout")
         if known is None:
-            named = [(f, _column(eclass, f)) for f in features.all_features(eclass) if not f.transient]
-            known = features.id_attribute(eclass) is not None, [column for _, column in named if column is not None]
+            inherited = features.all_features(eclass)
+            written = [column for f in inherited if not f.transient and (column := _column(eclass, f)) is not None]
+            known = any(f.is_attribute and f.iD for f in inherited), written
             if issubclass(cls, Element):
                 cls._robosmi_layout = known
         self.has_id: bool = known[0]

@@ -8,14 +8,15 @@ is how much of the library's name the part's words explain. `device_ranker` comb
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TypeAlias
 
 from msgspec import Struct
 
-from robosmi.recommend.index import FIELDS, LibraryIndex
+from robosmi.recommend.index import FIELDS, Library, LibraryIndex
 from robosmi.recommend.part_words import PartWords
 from robosmi.recommend.words import StopWords, chunks, is_model, parts
-from robosmi.typed import paired, remembered, sum_of
+from robosmi.typed import distinct, paired, remembered, sum_of
 
 FIELD_WEIGHTS = (3.0, 2.0, 1.0, 1.6, 0.35)
 """Weight of a word (BM25F) by the library's field that contains it: name, header, keyword, meta, ident."""
@@ -28,6 +29,8 @@ _MODEL_FIELDS = (1.0, 1.0, 0.75, 0.8, 0.4)
 _SHORTER, _LONGER, _WILDCARD = 0.95, 0.9, 0.85  # SHT15C by SHT15, LIS331 by LIS331HH, SHT15 by SHT1x
 _PER_LETTER = 0.93
 _MOST_LETTERS = 4
+_REMEMBERED = 4096  # libraries whose names are kept
+_Name: TypeAlias = list[tuple[tuple[str, ...], float]]  # the significant words of a name, each with its pieces and its rarity
 
 
 class Evidence(Struct):
@@ -63,12 +66,15 @@ class EvidenceFinder:
         filled = [sum_of(1 for length in lengths if length) for lengths in index.lengths]
         self._average = [sum_of(lengths) / max(count, 1) or 1.0 for lengths, count in paired(index.lengths, filled)]
         self._hits = remembered(1024)(self._model_hits)
-        self._words_of = remembered(4096)(self._name_words)
+        self._words_of: dict[int, list[_Name]] = {}
         self._scored = remembered(512)(self._word_scores)
 
     def rarity(self, word: str) -> float:
         """The inverse document frequency of BM25, ln(1 + (N - df + 0.5) / (df + 0.5)); 0 for a word that no library has."""
-        found = len(self.index.facts(word)[0])
+        return self._rarity(len(self.index.facts(word)[0]))
+
+    def _rarity(self, found: int) -> float:
+        """The rarity of a word that so many libraries have."""
         return math.log(1 + (len(self.index) - found + 0.5) / (found + 0.5)) if found else 0.0
 
     def having(self, word: str) -> Sequence[int]:
@@ -93,8 +99,9 @@ class EvidenceFinder:
         for library, (value, _) in part.usual.items():
             found.setdefault(library, Evidence(library)).usual = value
         first = sorted(found.values(), key=lambda e: (-(e.text + 1.5 * e.model + 1.5 * e.usual), e.library))[:most]
+        names = self._names([entry.library for entry in first])
         for entry in first:
-            entry.name = self._coverage(entry.library, part)
+            entry.name = self._coverage(names[entry.library], part)
         return first
 
     def _texts(self, part: PartWords) -> dict[int, float]:
@@ -157,10 +164,10 @@ class EvidenceFinder:
             elif stem == number and len(number) >= 5 and 0 < len(longer) - len(number) <= _MOST_LETTERS:
                 yield longer, _LONGER * _PER_LETTER ** (len(longer) - len(number) - 1)
 
-    def _coverage(self, library: int, part: PartWords) -> float:
+    def _coverage(self, names: list[_Name], part: PartWords) -> float:
         """The share of the library's name, or of a main header's, that the part's words explain; words are weighted by rarity."""
         best = 0.0
-        for name in self._words_of(library):
+        for name in names:
             total = got = 0.0
             for pieces, rarity in name:
                 total += rarity
@@ -183,12 +190,21 @@ class EvidenceFinder:
             return 0.85 * max(like, default=0.0)
         return 0.0
 
-    def _name_words(self, library: int) -> list[list[tuple[tuple[str, ...], float]]]:
-        """The significant words of the library's name and of its first main headers, each with its pieces and its rarity."""
-        facts = self.index.library(library)
-        names = [facts.name, *(file.rsplit(".", 1)[0] for file in facts.main[:3])]
-        found = []
-        for name in names:
-            telling = [pieces for chunk in chunks(name) if (pieces := parts(chunk))[0] not in self.stop]
-            found.append([(pieces, max(self.rarity(piece) for piece in pieces)) for pieces in telling])
-        return found
+    def _names(self, libraries: Sequence[int]) -> Mapping[int, list[_Name]]:
+        """The names of libraries and of the first main headers of each, asked for at once."""
+        known = self._words_of
+        if len(known) > _REMEMBERED:
+            known = self._words_of = {}
+        if wanted := [number for number in libraries if number not in known]:
+            telling = {library.id: self._telling(library) for library in self.index.libraries(wanted)}
+            pieces = (piece for names in telling.values() for name in names for word in name for piece in word)
+            spread = self.index.spread(distinct(pieces))
+            rarity = {piece: self._rarity(found) for piece, found in spread.items()}
+            for number, names in telling.items():
+                known[number] = [[(word, max(rarity.get(piece, 0.0) for piece in word)) for word in name] for name in names]
+        return known
+
+    def _telling(self, library: Library) -> list[list[tuple[str, ...]]]:
+        """The significant words, each with its pieces, of the library's name and of its first main headers."""
+        names = [library.name, *(file.rsplit(".", 1)[0] for file in library.main[:3])]
+        return [[pieces for chunk in chunks(name) if (pieces := parts(chunk))[0] not in self.stop] for name in names]

@@ -50,7 +50,6 @@ class LayeredIndex(LibraryIndex):
         self.postings = remembered(256)(lambda term: self._counts(lambda layer: layer.postings(term)))
         self.identifiers = remembered(256)(lambda term: self._counts(lambda layer: layer.identifiers(term)))
         self.facts = remembered(1024)(self._facts)
-        self.library = remembered(2048)(self._library)
         self.library_named = remembered(2048)(self._library_named)
         self.header = remembered(4096)(self._header)
 
@@ -123,10 +122,19 @@ class LayeredIndex(LibraryIndex):
                         column.append(values[place] if values else 0)
         return libraries, tuple(bytes(column) if any(column) else b"" for column in columns) if libraries else ()
 
-    def _library(self, number: int) -> Library:
+    def library(self, number: int) -> Library:
+        """See `LibraryIndex.library`."""
         n = self._layer(self._first, number)
         own = self._layers[n].library(number - self._first[n])
         return own if not n else replaced(own, id=number)
+
+    def libraries(self, numbers: Sequence[int]) -> list[Library]:
+        """See `LibraryIndex.libraries`."""
+        return [self.library(number) for number in numbers]
+
+    def spread(self, terms: Sequence[str]) -> dict[str, int]:
+        """See `LibraryIndex.spread`."""
+        return {term: found for term in terms if (found := len(self.facts(term)[0]))}
 
     def _header(self, number: int) -> Header:
         n = self._layer(self._first_header, number)

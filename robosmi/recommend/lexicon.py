@@ -19,9 +19,12 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.recommend.words import plain
+from robosmi.typed import kept
 
 Need = Literal["library", "optional", "none", ""]
 """Whether a program needs a library for a device: needed; helpful, though plain calls suffice; not needed; unknown."""
+
+_NEEDS = get_args(Need)
 
 COLUMNS = ("names", "is", "need", "interface")
 """The columns of a table. `names` apart by |, the first being the one it is called by; a model number may end in *, which
@@ -72,7 +75,7 @@ class Lexicon:
         for number, row in enumerate(rows):
             for name in row.names:
                 (self._prefixes if name.endswith("*") else self._exact).setdefault(plain(name), number)
-        self.devices = _resolved(rows, self.number_of)
+        self.devices = _resolved(rows, kept(self.number_of))  # many entries are of the same kinds
 
     def number_of(self, name: str) -> int | None:
         """The index of the entry with a name, ignoring letter case and punctuation; None if there is none.
@@ -146,8 +149,8 @@ def _row(row: list[str], place: Location) -> _Row:
         raise PlatformDataError("this line names no device", location=place, fix=_FIX)
     kinds = tuple(part.strip() for part in row[1].split("+") if part.strip())
     need = row[2].strip()
-    if need not in get_args(Need):
-        known = [each for each in get_args(Need) if each]
+    if need not in _NEEDS:
+        known = [each for each in _NEEDS if each]
         raise PlatformDataError(
             f"'{need}' is no need{did_you_mean(need, known)}", location=place, fix=f"use one of: {', '.join(known)}"
         )

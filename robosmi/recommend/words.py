@@ -122,6 +122,10 @@ def runs(text: str, longest: int = 5) -> Iterator[tuple[int, int, str]]:
 def plain(name: str) -> str:
     """The normal form in which names are compared: lower-case stems of letters and digits, joined."""
     name = name.lower()
-    if name.isalnum() and name[-1] != "s":  # most names of tables: no work
-        return name
-    return "".join([stem(chunk) for chunk in chunks(name)])
+    if name.isalnum():  # most names of tables: no work
+        return name if name[-1] != "s" else stem(name)
+    found = chunks(name)
+    for chunk in found:
+        if chunk[-1] == "s":
+            return "".join([stem(chunk) for chunk in found])
+    return "".join(found)

@@ -115,3 +115,23 @@ def test_command_line(tiny_facts: Path, tmp_path: Path, capsys: pytest.CaptureFi
     assert main([str(tmp_path / "absent"), str(tmp_path / "x")]) == 3
     (tmp_path / "text.gz").write_bytes(gzip.compress(b"{}\n{,"))
     assert main([str(tmp_path / "text.gz"), str(tmp_path / "x")]) == 3
+
+
+def test_libraries_that_are_read_at_once(tiny: LibraryIndex) -> None:
+    assert tiny.libraries([3, 0, 3]) == [tiny.library(3), tiny.library(0), tiny.library(3)]
+    assert tiny.libraries([]) == []
+    with pytest.raises(PlatformDataError, match="library 99 is not there"):
+        tiny.libraries([1, 99])
+
+
+def test_libraries_are_read_again_when_there_were_many_others(tiny: LibraryIndex, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("robosmi.recommend.index._REMEMBERED", 2)
+    first = tiny.libraries([0, 1, 2])
+    assert tiny.libraries([2, 3, 0])[::2] == [first[2], first[0]]
+
+
+def test_how_many_libraries_have_a_word(tiny: LibraryIndex) -> None:
+    words = [*tiny.terms_from("", 1000), "nobody has this"]
+    expected = {word: found for word in words if (found := len(tiny.facts(word)[0]))}
+    assert expected
+    assert tiny.spread(words) == expected
