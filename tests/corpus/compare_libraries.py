@@ -73,6 +73,10 @@ def sources(folder: Path, header: str, place: Path) -> list[Path]:
     return found
 
 
+_OF_MODELS = ["tests/host_model/test_feedback.py::test_each_motion_tells_what_it_aims_at"]
+"""Tests of what models tell the verification, which the libraries' own sources do not."""
+
+
 def main() -> int:
     """Run the tests."""
     folder, arguments = Path(sys.argv[1]).resolve(), sys.argv[2:] or [str(ROOT / "tests" / "host_model")]
@@ -91,7 +95,8 @@ def main() -> int:
             return build([*programs, *more], *rest)
 
         monkeypatch.setattr(original_build, "build_original", with_sources)
-        return int(pytest.main(["-q", "-p", "no:cacheprovider", "--rootdir", str(ROOT), *arguments]))
+        left_out = [f"--deselect={test}" for test in _OF_MODELS]
+        return int(pytest.main(["-q", "-p", "no:cacheprovider", "--rootdir", str(ROOT), *left_out, *arguments]))
 
 
 if __name__ == "__main__":
