@@ -26,6 +26,7 @@ import robosmi
 from robosmi.errors import RobosmiError
 from robosmi.transformations.chains.models import load_models
 from robosmi.transformations.chains.verify import FOLDER, Verified, _board, _original, verify
+from robosmi.transformations.verification.after_the_end import simulated_longer
 from robosmi.transformations.verification.judging import judged
 from robosmi.transformations.verification.original_side import SourceRuns, run_further, run_source, run_varied
 from robosmi.transformations.verification.played_devices import played
@@ -192,7 +193,7 @@ class Study:
                 if part and short.horizon_ms >= scenario.horizon_ms:
                     continue
                 asked = short if part else scenario
-                (trace,) = side.run([asked])
+                (trace,) = side.run([asked if part else simulated_longer(scenario, runs)])
                 if isinstance(trace, RobosmiError):
                     raise trace
                 one_thread, at_rest = self._models.plan.concurrency is None, resting_pins(self._models.plan)

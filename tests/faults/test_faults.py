@@ -4,10 +4,19 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 import robosmi
+from robosmi.transformations.chains.verify import Verified
+from robosmi.transformations.verification.original_side import SourceRuns, channel_events
+from robosmi.transformations.verification.port_devices import BoundPort
+from robosmi.verify.original_run import OriginalRun
+from robosmi.verify.scenario import Scenario
+from robosmi.verify.simulation import PinChange, PinTrace
+from robosmi.verify.verdict import Verdict
+from tests.faults import campaign
 from tests.faults.__main__ import stale
 from tests.faults.campaign import FOLDERS, ROOT, SKETCH_FILES, STUDIES, Study, executed
 from tests.faults.executed_lines import built_for_lines, lines_of
@@ -81,6 +90,32 @@ def test_a_fault_of_what_is_shown_is_noticed(parking_aid: Study, kind: str) -> N
 def test_a_harmless_rewriting_is_not_called_different(study: Study, number: int) -> None:
     outcome = study.judge(rewritings("line_follower")[number].put_into(study.files), early=False)
     assert outcome.verdict == "no-difference-found", outcome.told
+
+
+def test_what_a_fault_does_after_the_end_of_the_original_is_noticed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    scenario = Scenario("rest", 3000.0)
+    until_us: list[float] = []
+
+    def pin(name: str, *changes: tuple[float, int]) -> PinTrace:
+        seen = tuple(PinChange(at_us, name, level) for at_us, level in changes if at_us <= (until_us or [3e6])[-1])
+        return PinTrace("", "done" if name == "P26" else "running", (until_us or [1e6])[-1], seen, (), (), ())
+
+    class Side:
+        def run(self, scenarios: list[Scenario]) -> list[PinTrace]:
+            until_us.append(scenarios[0].horizon_ms * 1000)
+            return [pin("D13", (100.0, 1), (900_000.0, 0), (6_000_000.0, 1), (6_100_000.0, 0))]
+
+    ports = [BoundPort("lamp", "P26", "D13")]
+    run = OriginalRun(pin("P26", (100.0, 1), (900_000.0, 0)), "finished", "", b"")
+    events = channel_events(run.trace, ports, target=False)
+    runs = SourceRuns(run, (run,), {name: [[each] * 2 for each in events[name]] for name in events})
+    monkeypatch.setattr(campaign, "resting_pins", lambda plan: {})
+    plan = SimpleNamespace(plan=SimpleNamespace(concurrency=None))
+    found = Study("p", tmp_path, tmp_path, Verified(Verdict(), None), ports, [(scenario, runs)], {}, _models=plan)  # type: ignore[arg-type]
+    monkeypatch.setattr(found, "_further", lambda scenario, runs: runs)
+    outcome = found._compared(Side(), early=True)  # type: ignore[arg-type]
+    assert (outcome.verdict, outcome.channel) == ("different", "lamp")
+    assert "which the source does not do: it has ended at 1000.0 ms" in outcome.told
 
 
 def test_each_line_that_does_something_stands_for_instructions(tmp_path: Path) -> None:
