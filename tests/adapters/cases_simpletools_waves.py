@@ -47,6 +47,45 @@ void setup() { Serial.begin(115200);
     assert trace.text == "0 200"  # 20 ms without a pulse, and in units of 100 us
 
 
+@proves(*s("square_wave", "count"))
+def a_wave_is_counted_at_its_own_pin(uno: Uno) -> None:
+    """The wave is another cog's, which goes on driving."""
+    program = """
+void setup() { Serial.begin(115200); square_wave(8, 0, 20); delay(10); Serial.print(count(8, 300)); Serial.print(' ');
+  square_wave(8, 0, 400); Serial.print(count(8, 100)); high(9); Serial.print(' '); Serial.print(count(9, 10)); delay(5); }
+void loop() {}
+"""
+    trace = uno.run(program, s("square_wave", "count", "high"), 500)
+    assert trace.text in ("6 40 0", "6 41 0")
+    assert hertz(trace, "D8", 20, 310) == pytest.approx(20, rel=0.01)
+    assert trace.levels("D9")[-1][1] == "z"  # any other pin becomes an input
+
+
+@proves(*s("square_wave", "square_wave_stop", "freqout"))
+def slow_waves_go_on_until_they_are_ended(uno: Uno) -> None:
+    """The phase of a counter begins at 0, so that the first half period is low."""
+    program = """
+void setup() {
+  square_wave(8, 0, 10); delay(420); square_wave(8, 0, 30); delay(400); square_wave(8, 0, 3000); delay(20);
+  square_wave(8, 0, 20); delay(120); freqout(9, 50, 2000); delay(210); square_wave(-8, 0, 0); delay(200);
+  square_wave(10, 1, 1); delay(1600); square_wave_stop(); freqout(9, 50, 1000); delay(50);
+} void loop() {}
+"""
+    trace = uno.run(program, s("square_wave", "square_wave_stop", "freqout"), 3400)
+    pulses = trace.pulses("D8")
+    assert [begun / 1000 for begun, _ in pulses[:4]] == pytest.approx([50, 150, 250, 350], abs=0.3)
+    assert [width / 1000 for _, width in pulses[:3]] == pytest.approx([50] * 3, abs=0.1)
+    assert hertz(trace, "D8", 480, 820) == pytest.approx(30, rel=0.003)
+    assert hertz(trace, "D8", 822, 839) == pytest.approx(3000, rel=0.01)
+    assert [begun / 1000 for begun, _ in pulses if begun > 841e3] == pytest.approx([865, 915], abs=0.5)  # until the tone
+    assert hertz(trace, "D9", 960, 1010) == pytest.approx(2000, rel=0.01)
+    assert trace.levels("D8")[-1][1] == "z"
+    assert [begun / 1000 for begun, _ in trace.pulses("D10")] == pytest.approx([1920, 2920], abs=1)
+    assert [width / 1000 for _, width in trace.pulses("D10")] == pytest.approx([500, 100], abs=1)
+    assert hertz(trace, "D9", 3020, 3070) == pytest.approx(1000, rel=0.01)
+    assert trace.levels("D10")[-1][1] == "z"
+
+
 @proves(*s("pwm_start", "pwm_set", "pwm_stop"))
 def two_channels_have_pulses_of_their_own_in_any_cycle(uno: Uno) -> None:
     program = """

@@ -89,7 +89,7 @@ class _Run(Bench):
         super().__init__(tuple(job.pins), job.clock_hz)
         self._process, self._job = process, job
         self._cycle = 0
-        self._commands: list[list[Any]] = []
+        self._commands: list[list[Json]] = []
         self._console: list[ConsoleByte] = []
         self.timers = Timers(job.timers, job.pins, job.clock_hz)
 

@@ -645,12 +645,17 @@ inline void pulse_out(int32_t pin, int32_t time) {
   SREG = old;
 }
 
+//# helper wave_pins
+//#   fidelity: the pin of each channel of square_wave
+//#   ram: 8
+static int32_t wave_pins[2] = {-1, -1};
+
 //# adapter count
 //#   for: long count(int pin, long duration)
 //#   kind: semantic
-//#   needs: Io TimedInput
+//#   needs: Io TimedInput wave_pins
 //#   pin: pin digital in
-//#   fidelity: rising edges in so many milliseconds
+//#   fidelity: rising edges in so many milliseconds, of a wave of square_wave, too
 //#   limit: it polls: up to about 200 kHz, beside servos 20 kHz, as edges within an interrupt are not counted; other cogs wait meanwhile
 //#   stack: 38 16
 inline int32_t count(int32_t pin, int32_t duration) {
@@ -659,7 +664,7 @@ inline int32_t count(int32_t pin, int32_t duration) {
     delay((uint32_t)duration);
     return 0;
   }
-  io.drive(false);
+  if (pin != wave_pins[0] && pin != wave_pins[1]) io.drive(false);
   TimedInput timed;
   int32_t edges = 0;
   uint8_t last = *io.in & io.mask;
@@ -737,41 +742,152 @@ inline void freqout(int32_t pin, int32_t msTime, int32_t frequency) {
 
 // ---------------------------------------------------------------- waves that go on
 
-//# helper wave_pins
+//# helper wave_timer
 //#   timer: Timer2
-//#   fidelity: the pin of each channel of square_wave
-//#   ram: 8
-static int32_t wave_pins[2] = {-1, -1};
+//#   fidelity: the timer of tone(), which makes slow waves by itself: it counts 1,024 cycles of the clock
+#define WAVE_NEXT OCR2B
+#define WAVE_COUNT TCNT2
+#define WAVE_MASK TIMSK2
+#define WAVE_PENDING TIFR2
+#define WAVE_MODE TCCR2A
+#define WAVE_CLOCK TCCR2B
+const uint8_t slow_clock = _BV(CS22) | _BV(CS21) | _BV(CS20), usual_clock = _BV(CS22), usual_mode = _BV(WGM20);
+const uint8_t wave_bit = _BV(OCIE2B);
+
+//# helper wave_timer
+//#   mcu: atmega32u4
+//#   timer: Timer3
+#define WAVE_NEXT OCR3B
+#define WAVE_COUNT TCNT3
+#define WAVE_MASK TIMSK3
+#define WAVE_PENDING TIFR3
+#define WAVE_MODE TCCR3A
+#define WAVE_CLOCK TCCR3B
+const uint8_t slow_clock = _BV(CS32) | _BV(CS30), usual_clock = _BV(CS31) | _BV(CS30), usual_mode = _BV(WGM30);
+const uint8_t wave_bit = _BV(OCIE3B);
+
+//# helper wave_interrupt
+//#   needs: wave_timer
+//#   vector: TIMER2_COMPB_vect
+inline void slow_wave_due();
+
+ISR(TIMER2_COMPB_vect) { slow_wave_due(); }
+
+inline void interrupt_for_waves() {
+  WAVE_PENDING = wave_bit;
+  WAVE_MASK = wave_bit;
+}
+
+//# helper wave_interrupt
+//#   mcu: atmega32u4
+//#   needs: wave_timer
+//#   vector: TIMER3_COMPB_vect
+inline void slow_wave_due();
+
+ISR(TIMER3_COMPB_vect) { slow_wave_due(); }
+
+inline void interrupt_for_waves() {
+  WAVE_PENDING = wave_bit;
+  WAVE_MASK = wave_bit;
+}
+
+//# helper slow_wave
+//#   needs: Io wave_timer wave_interrupt
+//#   fidelity: up to 30 Hz, each edge within 64 us of its time
+//#   ram: 10
+struct SlowWave {
+  volatile uint8_t *out;
+  uint8_t mask;
+  uint8_t twice, rest, sum;  // what a half period has beyond its counts: rest / twice of one
+  uint16_t half, left;       // counts of a half period, and from the next compare to the next edge
+};
+static SlowWave slow_wave;
+
+inline void slow_wave_due() {
+  SlowWave &wave = slow_wave;
+  if (WAVE_CLOCK != slow_clock) return;  // a tone has taken the timer
+  if (!wave.left) {
+    *wave.out ^= wave.mask;
+    wave.left = wave.half;
+    wave.sum += wave.rest;
+    if (wave.sum >= wave.twice) {
+      wave.sum -= wave.twice;
+      wave.left++;
+    }
+  }
+  uint8_t step = wave.left > 200 ? 100 : wave.left;
+  wave.left -= step;
+  WAVE_NEXT += step;
+}
+
+inline bool slow_wave_runs() { return WAVE_MASK & wave_bit; }
+
+inline void begin_slow_wave(const Io &io, uint8_t frequency) {  // low first, as there; a wave that runs goes on
+  const uint16_t counts = F_CPU / 1024;                         // of a second
+  uint8_t old = SREG;
+  cli();
+  slow_wave.twice = 2 * frequency;
+  slow_wave.half = counts / slow_wave.twice;
+  slow_wave.rest = counts % slow_wave.twice;
+  slow_wave.sum = 0;
+  if (!slow_wave_runs()) {
+    slow_wave.out = io.out;
+    slow_wave.mask = io.mask;
+    slow_wave.left = slow_wave.half - 100;
+    WAVE_MODE = 0;
+    WAVE_CLOCK = slow_clock;
+    WAVE_COUNT = 0;
+    WAVE_NEXT = 100;
+    interrupt_for_waves();
+  }
+  SREG = old;
+}
+
+inline void end_slow_wave() {
+  WAVE_MASK = 0;
+  WAVE_MODE = usual_mode;  // as the core begins
+  WAVE_CLOCK = usual_clock;
+}
 
 //# helper end_wave
-//#   needs: Io wave_pins
+//#   needs: Io wave_pins slow_wave
 inline void end_wave(uint8_t channel) {
   Io io(wave_pins[channel]);
   wave_pins[channel] = -1;
   if (!io.wired()) return;
-  noTone(io.pin);
+  if (slow_wave_runs()) end_slow_wave();
+  else noTone(io.pin);
   io.drive(false);
 }
 
 //# adapter square_wave
 //#   for: void square_wave(int pin, int channel, int freq)
 //#   kind: semantic
-//#   needs: Io wave_pins end_wave in_range_of_tone
+//#   needs: Io wave_pins end_wave in_range_of_tone slow_wave low
 //#   timer: Timer2
 //#   pin: pin digital out signed
-//#   fidelity: 1 % in frequency from 31 Hz up to 65 kHz; a negative pin ends the channel's wave
+//#   fidelity: 1 % in frequency up to 65 kHz; a negative pin ends the channel's wave
 //#   limit: one wave at a time: while one channel plays, the other stays silent
-//#   limit: below 31 Hz and above 65,535 Hz there is no wave
-//#   range: freq 31..65535 or 0: there is no wave
-//#   stack: 30 14
+//#   limit: below 31 Hz a wave stands still from the next freqout on
+//#   limit: above 65,535 Hz there is no wave
+//#   range: freq 0..65535: there is no wave
+//#   stack: 43 26
 //#   interrupt: TIMER2_COMPA_vect 19
+//#   interrupt: TIMER2_COMPB_vect 11
 inline void square_wave(int32_t pin, int32_t channel, int32_t freq) {
   uint8_t at = channel != 0;
-  if (pin != wave_pins[at] || !in_range_of_tone(freq)) end_wave(at);
+  bool slow = freq > 0 && freq < 31, wave = slow || in_range_of_tone(freq);
+  if (pin != wave_pins[at] || !wave || slow != slow_wave_runs()) end_wave(at);
   Io io(pin);
-  if (!io.wired() || !in_range_of_tone(freq) || wave_pins[!at] >= 0) return;
+  if (!io.wired() || !wave || wave_pins[!at] >= 0) return;
+  bool begins = wave_pins[at] != pin;
   wave_pins[at] = pin;
-  tone(io.pin, (unsigned int)freq);
+  if (!slow) {
+    tone(io.pin, (unsigned int)freq);
+    return;
+  }
+  if (begins) low(pin);
+  begin_slow_wave(io, freq);
 }
 
 //# adapter square_wave_stop
@@ -782,6 +898,7 @@ inline void square_wave(int32_t pin, int32_t channel, int32_t freq) {
 //#   fidelity: exact; the pins become inputs
 //#   stack: 14
 //#   interrupt: TIMER2_COMPA_vect 19
+//#   interrupt: TIMER2_COMPB_vect 11
 inline void square_wave_stop() {
   end_wave(0);
   end_wave(1);

@@ -1,7 +1,7 @@
 #include "simpletools.h"
 #include "fdserial.h"
 #include "servo.h"
-#define DEEP 10
+#define SHRILL 70000
 enum { FAST = 115200 };
 const int tones[] = {440, 20, 880};
 
@@ -10,7 +10,7 @@ void beep(int hertz) {
 }
 
 int main(void) {
-  square_wave(4, 0, DEEP);  // RS334: square_wave(4, 0, DEEP)
+  square_wave(4, 0, SHRILL);  // RS334: square_wave(4, 0, SHRILL)
   for (int i = 0; i < 3; i++) beep(tones[i]);
   dac_ctr_res(10);  // RS334: dac_ctr_res(10)
   fdserial *line = fdserial_open(7, 8, 0, FAST);  // RS334: fdserial_open(7, 8, 0, FAST)
