@@ -7,13 +7,18 @@ from __future__ import annotations
 
 import os
 import posixpath
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
+from pathlib import Path
 
 import jinja2
 from jinja2.loaders import split_template_path
 
-from robosmi import inputs, trust
+from robosmi import inputs, resources, trust
+from robosmi.errors import did_you_mean
+
+FOLDER = "templates"
+"""The folder of templates in a folder of data."""
 
 
 class TemplateFiles(jinja2.FileSystemLoader):
@@ -49,6 +54,38 @@ class TemplateFiles(jinja2.FileSystemLoader):
             text = data.decode(self.encoding).replace("\r\n", "\n").replace("\r", "\n")
             return text, os.path.normpath(path), partial(_is_of, path, changed)
         raise jinja2.TemplateNotFound(template)
+
+
+def misnamed(own: Path, files: Iterable[str]) -> dict[str, str]:
+    """The templates of a project whose names are nearly those of templates that they do not replace.
+
+    One that another template of the project names, as by `include`, is not among them; names in Python code are not known here.
+
+    Args:
+        own: the project's `.robosmi` folder, which is trusted.
+        files: relative paths of files in it.
+
+    Returns:
+        Relative path -> ` (did you mean '...'?)`.
+
+    Raises:
+        SourceError: a template cannot be read.
+    """
+    mine = own / FOLDER
+    known = {
+        path.relative_to(folder).as_posix()
+        for folder in (resources.built_in(FOLDER), *resources.folders(FOLDER, own.parent))
+        if folder.resolve() != mine.resolve()
+        for path in folder.rglob("*")
+    }
+    names = {name: name.removeprefix(f"{FOLDER}/") for name in files if name.startswith(f"{FOLDER}/")}
+    texts = {name: inputs.read_text(own / name, inputs.DATA, errors="replace") for name in names}
+    found = {
+        name: did_you_mean(short, known)
+        for name, short in names.items()
+        if short not in known and not any(short in text for other, text in texts.items() if other != name)
+    }
+    return {name: meant for name, meant in found.items() if meant}
 
 
 def _is_of(path: str, changed: int) -> bool:

@@ -26,8 +26,12 @@ class _Arguments(argparse.Namespace):
 
 def run(arguments: _Arguments) -> Report:
     """Run the command."""
+    from robosmi.template_files import misnamed  # Jinja2
+
     report = Report("trust")
     folder, files = trust(arguments.folder)
-    report.result = {"folder": str(folder), "trusted": files}
+    odd = misnamed(folder, files)
+    report.result = {"folder": str(folder), "trusted": files, "misnamed": list(odd)}
     report.lines = [f"trusted as they are now, in {folder}:", *(f"  {name}" for name in files)]
+    report.lines += [f"{name} replaces no template{meant}" for name, meant in odd.items()]
     return report

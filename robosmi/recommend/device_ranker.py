@@ -73,13 +73,16 @@ class DeviceRanker:
         index: the libraries of the target.
         knowledge: what else is known.
         architecture: the target's processor architecture, as libraries name it; None if it does not matter.
+
+    Attributes:
+        libraries: name of each library -> its number in the index.
     """
 
     def __init__(self, index: LibraryIndex, knowledge: Knowledge, architecture: str | None = None) -> None:
         self.index, self.knowledge, self.architecture = index, knowledge, architecture
         self._finder = EvidenceFinder(index, knowledge.stop)
         self._weighed: dict[tuple[object, ...], tuple[PartWords, list[tuple[float, Evidence]]]] = {}
-        numbers = {name: number for number, name in enumerate(index.names())}
+        self.libraries = numbers = {name: number for number, name in enumerate(index.names())}
         self._usual = {
             device: [numbers[name] for name in libraries if name in numbers] for device, libraries in knowledge.usual.items()
         }

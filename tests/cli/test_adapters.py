@@ -47,8 +47,10 @@ def sites(outcome: Outcome) -> tuple[int, int]:
     return found["with_body"], found["todo"]
 
 
-def write_body(project: Path, name: str = "s3_ping", body: str = "return pulseIn(Pin, HIGH) - 5000;") -> None:
-    path = project / "out" / "tilt" / "adapters.h"
+def write_body(
+    project: Path, name: str = "s3_ping", body: str = "return pulseIn(Pin, HIGH) - 5000;", program: str = "tilt"
+) -> None:
+    path = project / "out" / program / "adapters.h"
     text, count = re.subn(rf"({name}\(int32_t \w+\)) \{{.*?^\}}", rf"\1 {{\n  {body}\n}}", path.read_text(), flags=re.S | re.M)
     assert count == 1
     path.write_text(text)
@@ -264,6 +266,35 @@ def test_a_body_that_does_not_compile_is_not_saved(project: Path) -> None:
     assert not (project / "adapters").exists()
     write_body(project, "s3_setVolume", "digitalWrite(Volume, !digitalRead(Volume));")
     assert run("adapters", "save", project / "out", "--as", "project").code == 0
+
+
+@pytest.mark.needs_tool
+def test_a_body_that_uses_a_pin_of_the_sketch_is_told_how_adapter_files_name_pins(project: Path) -> None:
+    require_tools("avr-gcc", "avr-g++", "arduino-core-avr")
+    drawing = project / "lamp.csv"
+    for path in (project / "lamp.c", drawing):
+        shutil.copy(SOURCE.parent / path.name, path)
+    plan = run("migrate", project / "lamp.c", "--hardware", drawing, "-o", project / "out", "--json")
+    pin = "lampWriteP1"
+    assert plan.code == 0
+    write_body(project, "s3_setVolume", f"digitalWrite({pin}, Volume);", "lamp")
+    outcome = run("adapters", "save", project / "out", "--as", "project")
+    assert outcome.code == 3
+    assert f"'{pin}' is a pin of this sketch" in outcome.err
+    assert "//# port: CONSTANT = LIBRARY.NAME NUMBER digital out" in outcome.err
+
+
+def test_a_body_for_a_function_of_no_known_header_is_told_alone(project: Path) -> None:
+    shutil.copy(SOURCE.parent / "beep.c", project)
+    run("migrate", project / "beep.c", "-o", project / "out", "--yes")
+    adapters = project / "out" / "beep" / "adapters.h"
+    text = adapters.read_text()
+    assert "// TODO: complete method" in text
+    adapters.write_text(text.replace("// TODO: complete method", "pinMode(argument1, OUTPUT);"))
+    outcome = run("adapters", "save", project / "out", "--as", "project", "--json")
+    assert [f["message"] for f in outcome.document["findings"]] == [
+        "'beep_twice' has a body of yours, and is no function of a known header: it cannot be saved"
+    ]
 
 
 @pytest.mark.needs_tool

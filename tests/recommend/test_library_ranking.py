@@ -189,3 +189,16 @@ def test_ranking_is_not_imported_before_it_is_wanted() -> None:
     root = Path(__file__).resolve().parents[2]
     done = subprocess.run([sys.executable, "-c", code], cwd=root, capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "False"
+
+
+def test_a_library_of_a_persons_own_table_that_the_index_lacks_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    table = tmp_path / ".robosmi" / "platform_repo" / library_ranking.default_library_platform() / device_knowledge.USUAL
+    table.parent.mkdir(parents=True)
+    monkeypatch.chdir(tmp_path)
+    table.write_text("device,libraries\nlamp,Servo\nbadge,Servo|Servoo\n")
+    with pytest.raises(PlatformDataError, match=r"the index has no library 'Servoo' \(did you mean 'Servo'\?\)") as told:
+        device_ranker()
+    assert told.value.location is not None
+    assert (told.value.location.path, told.value.location.line) == (str(table), 3)
+    table.write_text("device,libraries\nlamp,Servo\n")
+    assert device_ranker().knowledge.usual["lamp"] == ("Servo",)

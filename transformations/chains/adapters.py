@@ -153,6 +153,9 @@ def _to_write(api: ApiIndex, header: str, name: str) -> dict[str, Json]:
 _FOREIGN = "keep it in the program, or write adapters/NAME.cpp by hand for the header NAME.h that the program includes for it"
 
 
+_PORT = "//# port: CONSTANT = LIBRARY.NAME NUMBER digital out"
+
+
 def _whole(piece: AdapterPiece) -> dict[str, Json]:
     return {
         "signatures": list(piece.signatures), "fidelity": piece.fidelity, "needs": list(piece.needs), "mcus": list(piece.mcus),
@@ -185,7 +188,7 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
             continue
         header = ancestor_of_kind(use.function, platform.Header) if use.function is not None else None
         if header is None:
-            message = f"'{use.name}' is no function of a known header, so no adapter file can be for it"
+            message = f"'{use.name}' has a body of yours, and is no function of a known header: it cannot be saved"
             told.findings.append(Finding("RS528", Severity.warning, message, Location(str(output)), fix=_FOREIGN))
             continue
         wanted[str(header.name), str(use.name)] = use
@@ -195,6 +198,8 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
         message, place = f"the body of '{function}' does not compile alone: {said}", Location(str(output))
         del wanted[header_name, function]
         outside = f"; what it uses of the sketch may stand in '{header_name.removesuffix('.h')}{ending}' as a helper"
+        if pin := next((str(each.name) for each in plan.connections if f"'{each.name}'" in said), None):
+            outside = f"; '{pin}' is a pin of this sketch: an adapter file has its own constants, by lines such as {_PORT}"
         if not wanted:
             fix = f"correct it in the sketch, or keep it there: nothing was saved{outside}"
             raise PlatformDataError(message, location=place, fix=fix)
@@ -223,7 +228,7 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
             told.findings.append(Finding("RS528", Severity.info, message, Location(str(path)), fix="take over what is wanted"))
         write_atomic(path, text.encode())
     told.written = [str(path) for path in files]
-    if not files:
+    if not files and not told.findings:
         message = "no placeholder of the program has a body of yours"
         told.findings.append(
             Finding("RS528", Severity.info, message, Location(str(output)), fix="write one in adapters.h, then save")

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import csv
 import io
+from collections.abc import Collection, Iterator
 from functools import lru_cache
 from pathlib import Path
 
 from robosmi import inputs, resources
 from robosmi.data_text import as_texts
 from robosmi.diagnostics import Location
-from robosmi.errors import PlatformDataError
+from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.project import read_data
 from robosmi.recommend.decision import DecisionModel
 from robosmi.recommend.device_ranker import Knowledge
@@ -65,24 +66,56 @@ def _knowledge(tables: _Files, usual: _Files, single: _Files) -> Knowledge:
     )
 
 
+def refuse_unknown_usual(platform: str, libraries: Collection[str], project: Path | None = None) -> None:
+    """Refuse a library that a table of the user's own calls usual and that the index does not have.
+
+    The built-in table may name libraries that another index lacks.
+
+    Args:
+        platform: folder of the target in the platform repository.
+        libraries: the names of all libraries of the index.
+        project: the project folder; the current folder if None.
+
+    Raises:
+        PlatformDataError: there is such a library, at its line, or a table is damaged.
+    """
+    for folder in resources.folders("platform_repo", project):
+        path = folder / platform / USUAL
+        if folder == resources.built_in("platform_repo") or not path.is_file():
+            continue
+        for _, names, place in _rows(path):
+            if missing := [name for name in names if name not in libraries]:
+                raise PlatformDataError(
+                    f"the index has no library '{missing[0]}'{did_you_mean(missing[0], libraries)}",
+                    location=place,
+                    fix="write the name of a library as the index has it: robosmi recommend WORDS lists some",
+                )
+
+
 def _usual(paths: list[Path]) -> dict[str, tuple[str, ...]]:
     found: dict[str, tuple[str, ...]] = {}
     for path in paths:
-        try:
-            with io.StringIO(inputs.read_bytes(path, inputs.DATA).decode(), newline="") as lines:
-                table = csv.reader(lines, strict=True)
-                for row in table:
-                    if row and table.line_num > 1:
-                        _add(found, row, Location(str(path), table.line_num))
-        except (OSError, UnicodeDecodeError, csv.Error) as error:
-            raise PlatformDataError(
-                f"the table of usual libraries cannot be read: {error}", location=Location(str(path)), fix="correct it"
-            ) from error
+        for device, libraries, _ in _rows(path):
+            found.setdefault(device, libraries)
     return found
 
 
-def _add(found: dict[str, tuple[str, ...]], row: list[str], place: Location) -> None:
+def _rows(path: Path) -> Iterator[tuple[str, tuple[str, ...], Location]]:
+    """The lines of a table of usual libraries: a device, its libraries, and the place of the line."""
+    try:
+        with io.StringIO(inputs.read_bytes(path, inputs.DATA).decode(), newline="") as lines:
+            table = csv.reader(lines, strict=True)
+            for row in table:
+                if row and table.line_num > 1:
+                    yield *_row(row, place := Location(str(path), table.line_num)), place
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise PlatformDataError(
+            f"the table of usual libraries cannot be read: {error}", location=Location(str(path)), fix="correct it"
+        ) from error
+
+
+def _row(row: list[str], place: Location) -> tuple[str, tuple[str, ...]]:
     libraries = tuple(name.strip() for name in row[-1].split("|") if name.strip())
     if len(row) != 2 or not plain(row[0]) or not libraries:
         raise PlatformDataError("this line names no device and its libraries", location=place, fix="write device,library|library")
-    found.setdefault(plain(row[0]), libraries)
+    return plain(row[0]), libraries

@@ -21,7 +21,7 @@ from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.device_ranker import DeviceRanker, Knowledge
 from robosmi.recommend.index import Library, LibraryIndex
 from robosmi.recommend.ranking import Choices, Ranker, Recommendation
-from robosmi.transformations.knowledge.device_knowledge import device_knowledge
+from robosmi.transformations.knowledge.device_knowledge import device_knowledge, refuse_unknown_usual
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.typed import distinct
 
@@ -145,7 +145,10 @@ def device_ranker(platform: str | None = None, *, architecture: str | None = Non
         PlatformDataError: there is no index, or a data file is damaged.
     """
     platform = platform or default_library_platform()
-    return _device_ranker(library_index(platform, project), device_knowledge(platform, project), architecture)
+    index = library_index(platform, project)
+    made = _device_ranker(index, device_knowledge(platform, project), architecture)
+    refuse_unknown_usual(platform, made.libraries, project)
+    return made
 
 
 @lru_cache(maxsize=4)

@@ -1,0 +1,5 @@
+int main()
+{
+  beep_twice(3);
+  while (1);
+}
