@@ -7,7 +7,7 @@ drawing.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from fnmatch import fnmatchcase, translate
 from pathlib import Path
 from typing import NamedTuple
@@ -93,6 +93,22 @@ class _Entry(NamedTuple):
     forbidden: Phrases
 
 
+class _Names(Struct, frozen=True):
+    """Names of connectors: those without wildcards, and a pattern of all others if there are any."""
+
+    plain: frozenset[str]
+    others: re.Pattern[str] | None
+
+    def __contains__(self, word: str) -> bool:
+        return word in self.plain or (self.others is not None and self.others.match(word) is not None)
+
+
+def _names(names: Sequence[str]) -> _Names:
+    plain = frozenset(name for name in names if _PLAIN.issuperset(name))
+    others = [translate(name) for name in names if name not in plain]  # to compile all names would take three times as long
+    return _Names(plain, re.compile("|".join(others)) if others else None)
+
+
 class ElectricalFacts:
     """The content of one file: its entries, and the meanings of connector names."""
 
@@ -101,10 +117,7 @@ class ElectricalFacts:
         devices = [as_table(device) for device in as_list(table.get("device", ()))]
         self._entries = [_entry(device, path) for device in devices]
         self._words = Phrases((word, number) for number, device in enumerate(devices) for word in _texts(device, "words"))
-        self.names = {
-            key: re.compile("|".join(translate(name.lower()) for name in as_texts(names)))
-            for key, names in as_table(table.get("names", {})).items()
-        }
+        self.names = {key: _names([name.lower() for name in as_texts(n)]) for key, n in as_table(table.get("names", {})).items()}
         self._known: dict[tuple[object, ...], DeviceFacts | None] = {}
         limits = [as_list(limit) for limit in as_list(as_table(table.get("board", {})).get("supply_ma", ()))]
         self.supply_ma = [(as_number(volts), int(as_number(most))) for volts, most in limits]
@@ -164,7 +177,7 @@ class Electrical:
     def meanings(self, name: str) -> tuple[str, ...]:
         """The meanings of a connector's name (`sda`, `output`; the keys of `[names]`), without duplicates."""
         word = " ".join(name.lower().split())
-        found = (key for file in self._files for key, pattern in file.names.items() if pattern.match(word))
+        found = (key for file in self._files for key, names in file.names.items() if word in names)
         return tuple(distinct(found))
 
     @property
