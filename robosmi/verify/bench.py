@@ -98,6 +98,17 @@ class Bench(ABC):
         It has an effect only while the program does not drive the pin.
         """
 
+    def set_level_at(self, at_us: float, pin: str, level: int | None, holds: Callable[[], bool] = lambda: True) -> None:
+        """Drive a pin from outside, as `set_level`, at a time to come.
+
+        Args:
+            at_us: the time in microseconds.
+            pin, level: as of `set_level`.
+            holds: tells at that time whether it is still to be done. It may be false only if the pin's level was set meanwhile,
+                because an engine that plans it ahead forgets it then.
+        """
+        self.at(at_us, lambda: self.set_level(pin, level) if holds() else None)
+
     def join(self, pin: str, other: str) -> None:
         """Close a contact between two pins: what the program drives on one is read on the other.
 

@@ -10,11 +10,12 @@ from __future__ import annotations
 
 import math
 import os
-import select
 import signal
 import struct
 import subprocess
-from collections.abc import Collection, Sequence
+import threading
+from collections.abc import Callable, Collection, Iterator, Sequence
+from contextlib import contextmanager
 from time import monotonic
 
 from msgspec import Struct
@@ -37,7 +38,7 @@ _SETTINGS = struct.Struct("<QQQQdddddddIIIIIIIII")
 _FLOAT = struct.Struct("<f")
 _WORD = struct.Struct("<I")
 _PIN, _WAVE, _CONSOLE, _SYNC, _BUS_START, _BUS_WRITE, _BUS_READ, _BUS_STOP, _END, _CALL, _AIM = range(1, 12)
-_GO, _LEVEL, _VOLTAGE, _TYPED, _JOIN, _PART = range(6)
+_GO, _LEVEL, _VOLTAGE, _TYPED, _JOIN, _PART, _LEVEL_AHEAD = range(7)
 _LET_GO = 2
 _NEVER = (1 << 62) - 1
 _MOST_RECORDS = 1_000_000
@@ -125,7 +126,7 @@ def run_original(
             [program.binary], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=place, env={},
             bufsize=0, start_new_session=True,
         )
-    ) as process:  # fmt: skip
+    ) as process, _killed_after(process, HANGS * limit_s):  # fmt: skip
         run = _Conversation(bench, process, monotonic() + HANGS * limit_s)
         run.begin(program, horizon_us, variation or Variation(), limit_s, calls_from_us)
         status, cause, counts = run.result()
@@ -214,6 +215,14 @@ class _HostBench(Bench):
     def set_level(self, pin: str, level: int | None) -> None:
         self._command(_LEVEL, self.numbers[pin], _LET_GO if level is None else level)
 
+    def set_level_at(self, at_us: float, pin: str, level: int | None, holds: Callable[[], bool] = lambda: True) -> None:
+        """Tell the process ahead, which saves one exchange of messages; it forgets it when the pin's level is set before."""
+        cycle = round(at_us * self.clock_hz / 1e6)
+        if cycle <= self.cycle:
+            self.set_level(pin, level)
+        else:
+            self._command(_LEVEL_AHEAD, self.numbers[pin] | (_LET_GO if level is None else level) << 5, cycle)
+
     def set_voltage(self, pin: str, millivolts: float) -> None:
         if pin not in self.channels:
             raise UsageError(f"there is no converter at '{pin}'", fix=f"use one of: {', '.join(sorted(self.channels))}")
@@ -283,7 +292,7 @@ class _Conversation:
         assert process.stdout is not None
         self.bench, self.process, self.until = bench, process, until
         self._to, self._from = process.stdin.fileno(), process.stdout.fileno()
-        self._waiting = bytearray()
+        self._data, self._at = b"", 0
 
     def begin(
         self, program: OriginalProgram, horizon_us: float, variation: Variation, limit_s: float, calls_from_us: float | None
@@ -330,15 +339,23 @@ class _Conversation:
             pass  # it has ended: reading tells how
 
     def _read(self, size: int) -> bytes | None:
-        """The given number of bytes; None if the process has ended or time is up."""
-        while len(self._waiting) < size:
-            left = self.until - monotonic()
-            if left <= 0 or not select.select([self._from], [], [], left)[0]:
+        """The given number of bytes; None if the process has ended."""
+        while len(self._data) - self._at < size:
+            more = os.read(self._from, 65536)
+            if not more:
                 return None
-            data = os.read(self._from, 65536)
-            if not data:
-                return None
-            self._waiting += data
-        taken = bytes(self._waiting[:size])
-        del self._waiting[:size]
-        return taken
+            self._data, self._at = self._data[self._at :] + more, 0
+        self._at += size
+        return self._data[self._at - size : self._at]
+
+
+@contextmanager
+def _killed_after(process: subprocess.Popen[bytes], seconds: float) -> Iterator[None]:
+    """Context manager: kill a process at a time limit by the clock, so that reading from it needs none."""
+    timer = threading.Timer(seconds, process.kill)
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()

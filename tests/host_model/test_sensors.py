@@ -57,6 +57,20 @@ def test_keys_of_a_remote_control_are_read() -> None:  # sirc.c
     assert told[6] == 20  # a side effect
 
 
+def test_a_capacitor_decays_from_where_it_was_charged_last() -> None:
+    """The fall that was to come of an earlier charge is void; a charge that has decayed stays so."""
+    sense = [DeviceUse("capacitor", {"pin": "P7"}, {"points": [[0, 5000]]})]
+    again = "high(7); pause(1); input(7); pause(3); high(7); pause(1); input(7); "
+    wait = "waitcnt(CNT + {} * 80); SAY(input(7)); "
+    told = numbers("", again + wait.format(4500) + wait.format(1000) + "high(7); low(7); SAY(input(7));", devices=sense)
+    assert told == [1, 0, 0]
+
+
+def test_echoes_of_a_ranger_come_and_go_on_time() -> None:
+    far = [DeviceUse("ranger", {"signal": "P3"}, {"points": [[0, 100], [500, 200]]})]
+    assert numbers("ping.h", "SAY(ping(3)); pause(600); SAY(ping(3));", devices=far) == [5800, 11600]
+
+
 KEYS = "int rows[2] = {4, 5}, columns[3] = {6, 7, 8}, values[6] = {1, 2, 3, 'A', 'B', 'C'};\n"
 KEY_PINS = {"row0": "P4", "row1": "P5", "column0": "P6", "column1": "P7", "column2": "P8"}
 

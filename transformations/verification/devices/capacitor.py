@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import inf
 from typing import Any, ClassVar
 
 from robosmi.transformations.verification.devices.levels import value_at
@@ -22,23 +23,22 @@ class Capacitor(Device):
 
     def start(self) -> None:
         """Start without charge."""
-        self._charged, self._turn = False, 0
+        self._charged = False
+        self._falls_us = inf
         self.bench.set_level(self.pins["pin"], 0)
 
     def pin_changed(self, pin: str, level: Level) -> None:
         """Charge at a high output, discharge at a low one, and begin to decay when the pin becomes an input."""
-        self._turn += 1
+        charged = self._charged and self.bench.now < self._falls_us
+        self._falls_us = inf
         if level in (0, 1):
             self._charged = level == 1
             self.bench.set_level(pin, level)  # which it keeps when it is let go
-        elif self._charged or level == "p":
-            if level == "p":
-                self.bench.set_level(pin, 1)
-            else:
-                turn, decay = self._turn, value_at(self.settings["points"], self.bench.now)
-                self.bench.at(self.bench.now + decay, lambda: self._fall(turn))
-
-    def _fall(self, turn: int) -> None:
-        if turn == self._turn:
-            self._charged = False
-            self.bench.set_level(self.pins["pin"], 0)
+        elif level == "p":
+            self._charged = charged
+            self.bench.set_level(pin, 1)
+        else:
+            self._charged = charged
+            if charged:
+                falls_us = self._falls_us = self.bench.now + value_at(self.settings["points"], self.bench.now)
+                self.bench.set_level_at(falls_us, pin, 0, lambda: self._falls_us == falls_us)

@@ -48,8 +48,8 @@ class _Ranger(Device):
 
     def _answer(self, at_us: float, width_us: float) -> None:
         pin = self.pins[self.echo]
-        self.bench.at(at_us, lambda: self.bench.set_level(pin, 1))
-        self.bench.at(at_us + width_us, lambda: self.bench.set_level(pin, 0))
+        self.bench.set_level_at(at_us, pin, 1)
+        self.bench.set_level_at(at_us + width_us, pin, 0)
 
 
 class Ranger(_Ranger):

@@ -48,7 +48,10 @@ void pins_update(host_time when);      /* work out the levels anew */
 void pins_cog_stopped(struct cog *cog);
 host_time pins_next(void);             /* when a counter's output changes next */
 void pins_advance(host_time when);     /* let counters toggle at that time */
-void pins_outside(int pin, int level, host_time when);
+void pins_outside(int pin, int level, host_time when);          /* the world drives a pin; what it said ahead of it is void */
+void pins_outside_ahead(int pin, int level, host_time due);     /* the world will drive a pin then */
+host_time pins_ahead(void);            /* when it does so next */
+void pins_reach(host_time when);       /* let it do so at that time */
 void pins_contact(int pin, int other, int closed, host_time when);
 unsigned pins_levels(void);
 

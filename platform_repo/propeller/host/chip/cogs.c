@@ -41,9 +41,10 @@ static int next_cog(void) {
   for (;;) {
     int best = earliest();
     if (best < 0) host_end("finished", "");
-    host_time when = cogs[best].now, toggle = pins_next();
+    host_time when = cogs[best].now, toggle = pins_next(), ahead = pins_ahead();
     host_time world = next_wake < horizon ? next_wake : horizon;
-    if (toggle < when && toggle < world) pins_advance(toggle);
+    if (toggle < when && toggle < world && toggle < ahead) pins_advance(toggle);
+    else if (ahead <= when && ahead < world) pins_reach(ahead);
     else if (world <= when) finish_or_sync(world);
     else return best;
   }
@@ -53,6 +54,7 @@ static void set_bound(void) {
   bound = next_wake < horizon ? next_wake : horizon;
   host_time toggle = pins_next();
   if (toggle < bound) bound = toggle;
+  if (pins_ahead() < bound) bound = pins_ahead();
   for (int i = 0; i < COGS; i++)
     if (i != running && cogs[i].used && !cogs[i].asleep && cogs[i].now < bound) bound = cogs[i].now;
 }

@@ -18,7 +18,7 @@ struct settings_in {
   double block_factor, call_factor, noise, late_us, early_part, line_part, clock_us;
   unsigned block_ticks, call_ticks, watched, asking[3], brief, seed, limit_s;
 };
-enum { GO, LEVEL, VOLTAGE, TYPED, JOIN, PART };
+enum { GO, LEVEL, VOLTAGE, TYPED, JOIN, PART, LEVEL_AHEAD };
 
 static struct record_out buffer[1024];
 static int filled;
@@ -89,6 +89,7 @@ static int obey(host_time when) {
     get(&command, sizeof command);
     switch (command.kind) {
     case LEVEL: pins_outside(command.a, (int)command.b, when); break;
+    case LEVEL_AHEAD: pins_outside_ahead(command.a & 31, command.a >> 5, command.b); break;
     case JOIN: case PART: pins_contact(command.a, (int)command.b, command.kind == JOIN, when); break;
     case VOLTAGE: millivolts[command.a] = (int)command.b; break;
     case TYPED:

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "chip.h"
 
+enum { AHEAD = 64 };
 enum { OFF, PLL_INTERNAL, PLL, PLL_BOTH, NCO, NCO_BOTH, DUTY, DUTY_BOTH, HIGH, RISING = 10, LOW = 12, FALLING = 14, DETECTORS_END = 16 };
 static const double SLOWEST_WAVE_HZ = 20, FASTEST_EDGES_HZ = 200000;
 
@@ -14,6 +15,9 @@ static unsigned told[3];           /* pins of which each of these levels was tol
 static unsigned contacts[PINS];    /* the pins that a contact joins with each */
 static unsigned sampled;           /* pins that detectors or waiting cogs look at */
 static host_time next_toggle = HOST_NEVER;
+static struct { host_time when; int pin, level; } ahead[AHEAD];  /* what the world does at pins later on, in no order */
+static int ahead_count;
+static host_time next_ahead = HOST_NEVER;
 
 static int mode(const struct counter *counter) { return counter->control >> 26 & 31; }
 static unsigned bit(const struct counter *counter) { return 1u << (counter->control & 31); }
@@ -177,11 +181,44 @@ void pins_update(host_time when) {
 
 void pins_begin(void) { memset(shown, 2, sizeof shown); }
 
-void pins_outside(int pin, int level, host_time when) {
+/* Forgets what is said ahead of a pin, of any if it is negative, that is due by then. */
+static void forget_ahead(int pin, host_time until) {
+  int kept = 0;
+  next_ahead = HOST_NEVER;
+  for (int i = 0; i < ahead_count; i++) {
+    if ((pin < 0 || ahead[i].pin == pin) && ahead[i].when <= until) continue;
+    if (ahead[i].when < next_ahead) next_ahead = ahead[i].when;
+    ahead[kept++] = ahead[i];
+  }
+  ahead_count = kept;
+}
+
+static void drive_outside(int pin, int level, host_time when) {
   unsigned mask = 1u << pin;
   outside_drives = level == 2 ? outside_drives & ~mask : outside_drives | mask;
   outside = level == 1 ? outside | mask : outside & ~mask;
   set_levels((levels & driven) | (~driven & from_outside(levels)), when);
+}
+
+void pins_outside(int pin, int level, host_time when) {
+  if (ahead_count) forget_ahead(pin, HOST_NEVER);
+  drive_outside(pin, level, when);
+}
+
+void pins_outside_ahead(int pin, int level, host_time due) {
+  if (ahead_count == AHEAD) host_unmodelled("a device that plans too many levels ahead");
+  ahead[ahead_count].when = due;
+  ahead[ahead_count].pin = pin;
+  ahead[ahead_count++].level = level;
+  if (due < next_ahead) next_ahead = due;
+}
+
+host_time pins_ahead(void) { return next_ahead; }
+
+void pins_reach(host_time when) {
+  for (int i = 0; i < ahead_count; i++)
+    if (ahead[i].when <= when) drive_outside(ahead[i].pin, ahead[i].level, when);
+  forget_ahead(-1, when);
 }
 
 void pins_contact(int pin, int other, int closed, host_time when) {
