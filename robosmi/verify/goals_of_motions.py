@@ -12,7 +12,7 @@ from math import floor
 from typing import NamedTuple
 
 from robosmi.typed import paired, sum_of
-from robosmi.verify.bench import BY_A_WAY, TO_A_PLACE
+from robosmi.verify.bench import BY_A_WAY, FOR_A_TIME, TO_A_PLACE
 
 _FRAME_S = 0.021
 """Frames of servos are 20 ms apart, 21 ms where a program makes them itself."""
@@ -117,7 +117,7 @@ class Goals:
         """
         kind = self._kind
         driven = [each.driven for each in motion if each.driven is not None]
-        if len(driven) < len(motion):
+        if len(driven) < len(motion) or not (kind.within or driven[-1].last == FOR_A_TIME):  # of a goal nothing is known then
             if not kind.timed:
                 return [Expected([*places], kind.within, moved=False, loose=False)]
             width = 2 * kind.within + _width(sum_of(each.changes for each in motion), sum_of(each.way for each in motion))

@@ -93,6 +93,7 @@ def motions(*steps: tuple[str, float]) -> list[Rest]:
         (SERVO, [("time", 200), ("place", 90)], [206.0, 95.0], SAME),
         (SERVO, [("time", 200), ("place", 90)], [206.0, 96.0], DIFFERENT),  # a place is the same wherever it began
         (SERVO, [("time", 200), ("place", 90), ("way", 90)], [206.0, 92.0, 186.0], DIFFERENT),
+        (TIMED, [("way", 26)], [27.0], SAME),  # how exactly such a goal is reached is not known of the device
     ],
 )
 def test_each_motion_is_compared_as_exactly_as_its_kind_allows(
