@@ -523,3 +523,8 @@ def test_adapters_beside_a_program_without_a_project_file_are_told(project: Path
     assert [Path(f["location"]["path"]).name for f in told if f["rule"] == "RS529"] == ["adapters"]
     (project / "robosmi.toml").write_text("")
     assert "RS529" not in run("migrate", project / "stick.c", "-o", project / "out", "--json").rules()
+    (project / "adapters").rename(project / "adapter")
+    told = run("migrate", project / "stick.c", "-o", project / "out", "--json").document["findings"]
+    assert [(f["message"], f["fix"]) for f in told if f["rule"] == "RS529"] == [
+        ("the adapter files are not read: their folder is not called 'adapters'", "rename it to 'adapters'")
+    ]

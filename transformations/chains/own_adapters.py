@@ -82,20 +82,27 @@ def still_unknown(findings: Iterable[Finding], index: AdapterIndex | None) -> li
 
 
 def unread_adapters(settings: Project, folders: Iterable[Path]) -> list[Finding]:
-    """A warning about a folder of adapter files beside a program that is ignored because there is no project file.
+    """A warning about a folder of adapter files beside a program that is ignored: without a project file, or under another name.
 
     Args:
         settings: of the project.
         folders: where the program's files lie.
     """
+    without_project = settings.path is None
     found = []
-    for folder in distinct(folders) if settings.path is None else ():
-        paths = adapter_paths(folder / OWN) if (folder / OWN).is_dir() else []
-        if any(MARK.encode() in inputs.read_bytes(path, inputs.DATA) for path in paths):
-            message = f"the adapter files are not read: there is no {FILE_NAME} beside the folder"
-            fix = f"make an empty {FILE_NAME} there"
-            found.append(Finding("RS529", Severity.warning, message, Location(str(folder / OWN)), fix=fix))
+    for folder in distinct(folders):
+        for name in (OWN, *_OTHER_NAMES) if without_project else _OTHER_NAMES:
+            paths = adapter_paths(folder / name) if (folder / name).is_dir() else []
+            if any(MARK.encode() in inputs.read_bytes(path, inputs.DATA) for path in paths):
+                fix = [f"rename it to '{OWN}'"] if name != OWN else []
+                fix += [f"make an empty {FILE_NAME} there"] if without_project else []
+                why = f"there is no {FILE_NAME} beside the folder" if name == OWN else f"their folder is not called '{OWN}'"
+                message, place = f"the adapter files are not read: {why}", Location(str(folder / name))
+                found.append(Finding("RS529", Severity.warning, message, place, fix=", and ".join(fix)))
     return found
+
+
+_OTHER_NAMES = ("adapter", "adaptor", "adaptors")
 
 
 def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platform.Board) -> None:
