@@ -218,20 +218,21 @@ def distance_after(timed: bool, *steps: float | str) -> float:
     return leeway.distance
 
 
-FRAME_S = 0.021
+FRAME_S, LATE_S = 0.021, 0.024
 
 
 @pytest.mark.parametrize(
     ("timed", "steps", "distance"),
     [
-        (True, [64.0], 64 * FRAME_S),  # as far as it goes in a frame, at whichever end
-        (True, [32.0, 64.0, 48.0, 64.0, 0.0], 80 * FRAME_S),
-        (True, [64.0, -64.0, 0.0], 128 * FRAME_S),
-        (True, [64.0, 0.0] * 18, 64 * FRAME_S * 9),  # three standard deviations of 18 motions, not their sum
+        (True, [64.0], 64 * FRAME_S + 64 * LATE_S),  # as far as it goes in a frame, at whichever end, and while it is late
+        (True, [32.0, 64.0, 48.0, 64.0, 0.0], 80 * FRAME_S + 64 * LATE_S),
+        (True, [64.0, -32.0], 96 * FRAME_S + 64 * LATE_S),  # where it turns back it was as fast as before
+        (True, [64.0, 0.0, 32.0, 0.0, 32.0], 128 * FRAME_S + 32 * LATE_S),  # how late it is does not add up
+        (True, [64.0, 0.0] * 18, 64 * FRAME_S * 9 + 64 * LATE_S),  # three standard deviations of 18 motions, not their sum
         (False, [64.0, -64.0, 0.0], 0.0),
         (True, ["way", 64.0, 0.0], 0.0),
-        (False, ["time", 64.0, "way", 32.0, 0.0], 64 * FRAME_S),
-        (True, ["time", 64.0, 0.0, "way", 64.0, 0.0, "time", 32.0, 0.0], 96 * FRAME_S),
+        (False, ["time", 64.0, "way", 32.0, 0.0], 64 * FRAME_S + 64 * LATE_S),
+        (True, ["time", 64.0, 0.0, "way", 64.0, 0.0, "time", 32.0, 0.0], 96 * FRAME_S + 64 * LATE_S),
         (True, ["time", 64.0, 0.0, "place", 64.0, 0.0], 0.0),  # the place is the same wherever that began
     ],
 )

@@ -8,6 +8,8 @@ from robosmi.verify.bench import FOR_A_TIME, TO_A_PLACE
 
 _FRAME_S = 0.021
 """A change of speed takes effect in the present frame of the pulses or in the next one."""
+_LATE_S = 0.045 - _FRAME_S
+"""How much later than in a frame a motion may begin: events may be 45 ms late. If an input ends it, it is shorter by that."""
 _SURE = 3 / sqrt(2)
 """Three standard deviations of the sum of many motions, each of which is a frame longer, as long, or a frame shorter on the other
 side: in the worst case each of the first and the last has a probability of a quarter, so the variance is half a frame squared."""
@@ -27,6 +29,7 @@ class Leeway:
 
     def _forget(self) -> None:
         self._changes = self._sum = self._squares = 0.0
+        self._fastest = self._fastest_before = 0.0
 
     def aimed(self, aim: str) -> None:
         """Set how the program drives the device from now on.
@@ -57,6 +60,9 @@ class Leeway:
             if before:
                 self._end()
             self._changes += abs(speed)
+            if speed:
+                self._fastest_before, self._fastest = self._fastest, 0.0
+        self._fastest = max(self._fastest, abs(speed))
 
     def _end(self) -> None:
         distance = _FRAME_S * self._changes / 2
@@ -69,4 +75,5 @@ class Leeway:
         """How far apart two correct programs may be now, if this motion ends now."""
         stop = abs(self._speed) if self._timed else 0.0
         distance = _FRAME_S * (self._changes + stop) / 2
-        return min(self._sum + distance, _SURE * sqrt(self._squares + distance**2))
+        late = _LATE_S * max(self._fastest, self._fastest_before)
+        return min(self._sum + distance, _SURE * sqrt(self._squares + distance**2)) + late
