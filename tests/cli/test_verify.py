@@ -331,15 +331,16 @@ def test_a_body_counts_as_it_stands_now(tmp_path: Path) -> None:
     assert run("migrate", program, "-o", out, "--adapters", "placeholders", "--bind", "P5=D5").code == 0
     adapters = out / "blink" / "adapters.h"
     text = adapters.read_text()
-    for name, body in (("high", "pinMode(pin, OUTPUT); digitalWrite(pin, HIGH);"), ("low", "digitalWrite(pin, LOW);")):
-        begin = text.index(f"void {name}(int32_t pin)")
+    bodies = {"high(int32_t pin)": "pinMode(pin, OUTPUT); digitalWrite(pin, HIGH);", "pause(int32_t time)": "delay(time);"}
+    for signature, body in bodies.items():
+        begin = text.index(f"void {signature}")
         text = text[:begin] + text[begin:].replace("// TODO: complete method", body, 1)
     adapters.write_text(text)
     half = run("verify", out, "--json")
     assert half.code == 6
-    adapters.write_text(text.replace("// TODO: complete method", "delay(time);"))
-    assert run("verify", out, "--json").code == 0  # nothing was generated in between
     low = "digitalWrite(pin, LOW);"
+    adapters.write_text(text.replace("// TODO: complete method", low))
+    assert run("verify", out, "--json").code == 0  # nothing was generated in between
     adapters.write_text(adapters.read_text().replace(low, f"// TODO: complete method\n  {low}"))
     undone = run("verify", out, "--json")
     assert (undone.code, undone.result["verdict"]) == (1, "not-decidable")

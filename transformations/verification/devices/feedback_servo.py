@@ -62,7 +62,7 @@ class FeedbackServo(PulseDriven):
         self.moved_to(self._degrees)
         duty = _MOST_DUTY - self._degrees % 360 / 360 * (_MOST_DUTY - _LEAST_DUTY)
         self.bench.set_level(self.pins["feedback"], 1)
-        self.bench.at(self.bench.now + duty * self._cycle_us, lambda: self.bench.set_level(self.pins["feedback"], 0))
+        self.bench.set_level_at(self.bench.now + duty * self._cycle_us, self.pins["feedback"], 0)
         self.bench.at(self.bench.now + self._cycle_us, self._tell)
 
     def ended(self) -> None:
