@@ -5,6 +5,7 @@ What raises them is `strict` and `construct`, and the drivers of other technolog
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Sequence
 from typing import Any
 
@@ -94,7 +95,11 @@ class NotComputedError(ModelError):
 
 def not_computed(element: EObject, name: str) -> NotComputedError:
     """The error for a derived feature that no code computes."""
-    return NotComputedError(f"{class_name(element)}.{name} is derived, and no code is there that computes it", fix=_BODY)
+    cls = element.__class__
+    is_generated = attribute_of(sys.modules.get(cls.__module__), "eClassifiers", dict) is not None
+    again = f"define it in class {cls.__name__}Mixin of mixins.py, and generate the package again"
+    message = f"{class_name(element)}.{name} is derived, and no code is there that computes it"
+    return NotComputedError(message, fix=again if is_generated else _BODY)
 
 
 def unknown_feature(element: EObject, name: str) -> UnknownFeatureError:
