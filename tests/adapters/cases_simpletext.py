@@ -138,6 +138,7 @@ void setup() {
   r = sscan("x=7, y=-2.75z", "x=%d, y=%f%c", &small, &f, u); print("%d %d %f %c\n", r, small, f, u[0]);
   r = sscan("1234", "%2d%2d", &a, &b); print("%d %d %d\n", r, a, b);
   r = sscan("abc 5 0.1 1.25", "%d %f %f", &a, &f, &g); print("%d %d %f %f\n", r, a, f, g);
+  r = sscan("5. none", "%f %f", &f, &g); print("%d %f %f\n", r, f, g);
   r = sscani("50% 9", "%d%% %u", &a, &b); print("%d %d %d\n", r, a, b);
   r = sscan("abcdef 77", "%3s%s%d", s, u, &a); print("%d %s %s %d\n", r, s, u, a);
   r = sscan("1.0_1 -2147483648 FFFFFFFF", "%b %d %x", &a, &b, &c); print("%d %d %d %x\n", r, a, b, c);
@@ -152,8 +153,9 @@ void loop() {}
     names = ("sscan", "sscani", "sscanAfterStr", "scan", "scani", "dscan", "dscani", "print", "dport_ptr")
     trace = uno.run(program, t(*names), 120, [typed("-70000 2.5\n12x\r0.5\nfF\n", 30)])
     assert trace.text.split("\n")[:-1] == [
-        "5 12 -34 255 5 hello", "3 7 -2.750000 z", "2 12 23", "3 5 0.100000 1.250000", "2 50 9", "3 abc def 77",
-        "3 5 -2147483648 ffffffff", "0 0", "1 70000 0", "1 1 0.100000", "2 -70000 2.500000", "2 12 x", "1 0.500000", "1 255",
+        "5 12 -34 255 5 hello", "3 7 -2.750000 z", "2 12 23", "3 5 0.100000 1.250000", "2 5.000000 0.000000",
+        "2 50 9", "3 abc def 77", "3 5 -2147483648 ffffffff", "0 0", "1 70000 0", "1 1 5.000000",
+        "2 -70000 2.500000", "2 12 x", "1 0.500000", "1 255",
     ]  # fmt: skip
 
 

@@ -98,6 +98,7 @@ def test_print_beyond_its_buffer_ends_the_run() -> None:
         ('print("%d ", getDec()); print("%d ", getHex()); print("%d ", getBin()); print("%f", '
             'getFloat())', "-42\r1f\r101\r-2.5\r", "-42 31 5 -2.500000"),
         ('float f; char w[9]; sscan("x 1.25 word", "x %f %s", &f, w); print("%f %s", f, w)', "", "1.250000 word"),
+        ('float f = 7, g = 7; int n = sscan("5. none", "%f %f", &f, &g); print("%d %f %f", n, f, g)', "", "2 5.000000 0.000000"),
         ('int n; sscanAfterStr("a=5,b=17", "b=", "%d", &n); print("%d", n)', "", "17"),
         ('terminal_setEcho(simpleterm_pointer(), 1); char s[10]; getStr(s, 9); print("<%s>", s)', "abx\bc\r", "abx\b \bc\r<abc>"),
         ('int a; float f; double d; scanf("%d %f %lf", &a, &f, &d); printf("%d %.2f %.2f", a, f, '
