@@ -14,7 +14,7 @@ import signal
 import struct
 import subprocess
 import threading
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from time import monotonic
 
@@ -37,7 +37,7 @@ _COMMAND = struct.Struct("<iiq")
 _SETTINGS = struct.Struct("<QQQQdddddddIIIIIIIII")
 _FLOAT = struct.Struct("<f")
 _WORD = struct.Struct("<I")
-_PIN, _WAVE, _CONSOLE, _SYNC, _BUS_START, _BUS_WRITE, _BUS_READ, _BUS_STOP, _END, _CALL, _AIM = range(1, 12)
+_PIN, _WAVE, _CONSOLE, _SYNC, _BUS_START, _BUS_WRITE, _BUS_READ, _BUS_STOP, _END, _CALL, _AIM, _COMPARED = range(1, 13)
 _GO, _LEVEL, _VOLTAGE, _TYPED, _JOIN, _PART, _LEVEL_AHEAD = range(7)
 _LET_GO = 2
 _NEVER = (1 << 62) - 1
@@ -85,6 +85,8 @@ class OriginalRun(Struct, frozen=True):
         calls: if requested, the library calls: (microseconds, return address in the program, address in the called function,
             whether it prints). The last one of a crashed run is where it crashed.
         mixed_text_us: times at which cores print so close together that the order of their texts is random.
+        compared: place of a comparison in the program -> the least and the most by which one side was greater than the other.
+            The places mean the same in each run of one program.
     """
 
     trace: PinTrace
@@ -93,6 +95,7 @@ class OriginalRun(Struct, frozen=True):
     counts: bytes
     calls: tuple[tuple[float, int, int, bool], ...] = ()
     mixed_text_us: tuple[float, ...] = ()
+    compared: Mapping[int, tuple[float, float]] = {}
 
 
 def run_original(
@@ -133,7 +136,7 @@ def run_original(
     trace = bench.trace(
         f"{program.model.title}, {program.compiler}", STATES.get(status, "crashed"), horizon_us, bench.waves, bench.console
     )
-    return OriginalRun(trace, status, cause, counts, tuple(bench.calls), tuple(bench.mixed_text_us))
+    return OriginalRun(trace, status, cause, counts, tuple(bench.calls), tuple(bench.mixed_text_us), bench.compared)
 
 
 def _boards_own(program: OriginalProgram, devices: Sequence[DeviceUse]) -> list[DeviceUse]:
@@ -160,6 +163,12 @@ def _ended_by(code: int) -> str:
     return f"its process ended with {f'signal {-code}' if code < 0 else f'exit code {code}'} before its time"
 
 
+def _float(bits: int) -> float:
+    """The number whose bits came as a word."""
+    number: float = _FLOAT.unpack(_WORD.pack(bits))[0]
+    return number
+
+
 class _HostBench(Bench):
     """The bench of a program that runs in a host model: its cycles are the ticks of the virtual time."""
 
@@ -174,6 +183,7 @@ class _HostBench(Bench):
         self.console: list[ConsoleByte] = []
         self.calls: list[tuple[float, int, int, bool]] = []
         self.mixed_text_us: list[float] = []
+        self.compared: dict[int, tuple[float, float]] = {}
         self._speaker = 0
         self.tick = 0
         self.next_wake = _NEVER
@@ -248,14 +258,16 @@ class _HostBench(Bench):
             self.pin_changed(pin, level)
             return 0 if self._reacts(pin, level) else None
         if kind == _WAVE:
-            hz, duty = (_FLOAT.unpack(_WORD.pack(bits))[0] for bits in (b, c))
-            self.waves.append(Wave(self.now, self.labels[a], hz, duty))
+            self.waves.append(Wave(self.now, self.labels[a], _float(b), _float(c)))
             return None
         if kind == _CONSOLE:
             if self.console and self._speaker != b and self.now - self.console[-1].at_us < _TOGETHER_US:
                 self.mixed_text_us.append(self.now)
             self._speaker = b
             self.console.append(ConsoleByte(self.now, a))
+            return None
+        if kind == _COMPARED:
+            self.compared[a] = (_float(b), _float(c))
             return None
         if kind == _CALL:
             if not self.calls or self.calls[-1][1:] != (a, b, bool(c)):

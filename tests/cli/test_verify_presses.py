@@ -1,4 +1,4 @@
-"""`robosmi verify` presses a button until a mode has come round, and all keys of a keypad: what comes late is compared."""
+"""`robosmi verify` presses a button until a mode comes round, holds it for as long as a program tells apart, presses all keys."""
 
 from __future__ import annotations
 
@@ -25,6 +25,18 @@ int main() {
   }
 }
 """,
+    "held": """#include "simpletools.h"
+int main() {
+  while (1) {
+    int t = 0;
+    while (input(5) == 0) pause(5);
+    while (input(5) == 1) { pause(10); t += 10; }
+    if (t < 300) high(6);
+    else if (t < 1200) high(7);
+    else { low(6); low(7); }
+  }
+}
+""",
     "keys": """#include "simpletools.h"
 #include "keypad.h"
 int rows[4] = {4, 5, 6, 7}, columns[3] = {8, 9, 10}, values[12] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 42, 0, 35};
@@ -42,13 +54,14 @@ int main() {
 }
 BINDINGS = {
     "modes": {"P5": "D5"},
+    "held": {"P5": "D5", "P6": "D6", "P7": "D7"},
     "keys": {f"rows[{n}]": f"D{n + 4}" for n in range(4)} | {f"columns[{n}]": f"D{n + 8}" for n in range(3)},
 }
-EDITS = {"modes": ("% 4", "% 5"), "keys": ("9, 42, 0, 35", "9, 0, 42, 35")}
+EDITS = {"modes": ("% 4", "% 5"), "held": ("t < 1200", "t < 1260"), "keys": ("9, 42, 0, 35", "9, 0, 42, 35")}
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
-def test_what_comes_late_is_noticed(name: str, tmp_path: Path) -> None:
+def test_what_only_such_presses_show_is_noticed(name: str, tmp_path: Path) -> None:
     require_verification("simavr")
     (tmp_path / f"{name}.c").write_text(PROGRAMS[name])
     bound = [word for port, pin in BINDINGS[name].items() for word in ("--bind", f"{port}={pin}")]

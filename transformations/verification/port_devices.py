@@ -39,6 +39,8 @@ _NUMBERS = (50, 70000)
 _NUMBER_LINES = ("70000\r", "-40000\r", "4\r30\r-5\r12\r7\r")
 _MOST_COMPARED = 12
 """At most this many numbers that a program compares are typed, each with its neighbours."""
+_NUMBERS_BEFORE = ("1\r", "1\r1\r")
+"""Other numbers that a program may read first."""
 _LARGEST = 2**31 - 1
 _LEVELS_DEVICE, _LEVELS_PIN = "levels", "pin"
 """Kind of the device, and its pin, that plays a port at which the program reads levels."""
@@ -279,13 +281,17 @@ def texts_understood(plan: migration.MigrationPlan) -> list[str]:
 def numbers_understood(plan: migration.MigrationPlan) -> list[tuple[str, int]]:
     """The numbers that a plan's program compares with those that it reads, each with a text to type before it.
 
-    That text is empty, or one that the program may react to.
+    That text is empty, one that the program may react to, or other numbers that it reads first. If the program compares none
+    with a constant, 0 stands for them.
     """
     assert plan.program is not None
     assert plan.source is not None
-    shown, words, _ = _understood(plan)
+    shown, words, reads_numbers = _understood(plan)
     before = ["", *[*(f"{word} " for word in words), *shown, *(f"{word}\r" for word in words)][:_MOST_TEXTS]]
     numbers = compared_numbers(plan.program, _table(str(plan.source.name)).table("console").texts("numbers", ()))
+    if reads_numbers:
+        before += _NUMBERS_BEFORE
+        numbers = numbers or [0]
     return [(each, number) for number in numbers[:_MOST_COMPARED] if abs(number) < _LARGEST for each in before]
 
 

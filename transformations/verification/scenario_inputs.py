@@ -15,7 +15,7 @@ from robosmi.data_text import Json
 from robosmi.transformations.verification.played_devices import CONSOLE, TYPING
 from robosmi.transformations.verification.port_devices import BoundPort, at_rest
 from robosmi.transformations.verification.simulated_kinds import device_facts
-from robosmi.typed import replaced
+from robosmi.typed import paired, replaced
 from robosmi.verify.scenario import POINTS, Points
 
 Signals = Mapping[str, Mapping[str, Points]]
@@ -27,6 +27,7 @@ FIRST_TEXT_MS = 900.0
 LONGEST_MS = 24_000.0
 """Time at which a series ends, in milliseconds, even if values are left."""
 _LEAST_PRESSES = 5
+_SHORTLY_MS = 150.0
 _QUARTERS = 8
 """How often each contact of a turned knob changes."""
 
@@ -43,6 +44,7 @@ class ScenarioInput(Struct, frozen=True):
         ends: the least and the greatest value, if the device measures something.
         series: values that follow one another in one scenario.
         near: how far from a border of the program values are tried, as in `BoundPort`.
+        rest: the value while nothing happens; None if there is none.
     """
 
     name: str
@@ -53,6 +55,7 @@ class ScenarioInput(Struct, frozen=True):
     ends: tuple[Json, ...] = ()
     series: tuple[Json, ...] = ()
     near: tuple[float, float] | None = None
+    rest: Json = None
 
     def with_ends(self) -> ScenarioInput:
         """The input with its least and greatest value among those to try."""
@@ -72,6 +75,11 @@ class ScenarioInput(Struct, frozen=True):
     def is_contact(self) -> bool:
         """Whether it is a contact such as a button, with exactly two values."""
         return not self.happens and len(self.values) == 2
+
+    @property
+    def pressed(self) -> Json:
+        """What a contact shows that it does not show at rest."""
+        return next(value for value in self.values if value != self.rest)
 
 
 def scenario_inputs(ports: Sequence[BoundPort], texts: Sequence[str], types: bool, steps: int = 0) -> list[ScenarioInput]:
@@ -93,7 +101,7 @@ def scenario_inputs(ports: Sequence[BoundPort], texts: Sequence[str], types: boo
                 taken = [*_keys(port, ports, known.get("keys", [])), *taken]
                 ends = tuple(known.get("ends", {}).get(setting, ()))
                 rest = at_rest(port.device, port.kinds).get(setting)
-                each = ScenarioInput(port.name, setting, tuple(taken), known["hold_ms"], port.device, ends, near=port.near)
+                each = ScenarioInput(port.name, setting, tuple(taken), known["hold_ms"], port.device, ends, (), port.near, rest)
                 made.append(replaced(each, series=_series(each, rest, steps)))
     if types:
         each = ScenarioInput(CONSOLE, POINTS, (*texts, *facts[TYPING]["values"][POINTS]), facts[TYPING]["hold_ms"], TYPING)
@@ -115,8 +123,7 @@ def _series(each: ScenarioInput, rest: Json, steps: int) -> tuple[Json, ...]:
     if device_facts().get(each.device, {}).get("keys"):
         return tuple(value for key in each.values if key is not None for value in (key, None))
     if steps and each.is_contact and rest in each.values:
-        pressed = next(value for value in each.values if value != rest)
-        return (pressed, rest) * max(_LEAST_PRESSES, 2 * steps + 1)
+        return (each.pressed, rest) * max(_LEAST_PRESSES, 2 * steps + 1)
     return ()
 
 
@@ -170,6 +177,18 @@ def together(inputs: Sequence[ScenarioInput], number: int) -> dict[str, dict[str
     for each in inputs:
         signals.setdefault(each.name, {})[each.setting] = ((0.0, each.values[number % len(each.values)]),)
     return signals
+
+
+def held(each: ScenarioInput, ms: float, begin_ms: float) -> Signals:
+    """Signals of a button that is pressed once, for some time."""
+    return {each.name: {each.setting: ((begin_ms, each.pressed), (begin_ms + ms, each.rest))}}
+
+
+def pressed_twice(each: ScenarioInput, ms: float, begin_ms: float) -> Signals:
+    """Signals of a button that is pressed twice shortly, with some time between."""
+    again_ms = begin_ms + _SHORTLY_MS + ms
+    times = (begin_ms, begin_ms + _SHORTLY_MS, again_ms, again_ms + _SHORTLY_MS)
+    return {each.name: {each.setting: tuple(paired(times, (each.pressed, each.rest) * 2))}}
 
 
 def turned(one: ScenarioInput, other: ScenarioInput, backwards: bool) -> dict[str, dict[str, Points]]:

@@ -47,3 +47,12 @@ class SearchEffort(Struct):
         return (
             self.given_up or self.spent_s >= share * self.budget_s or monotonic() - self.begun_s >= share * _OUTER * self.budget_s
         )
+
+    def has_spent(self, since_s: float, seconds: float) -> bool:
+        """Whether a stage of the search has spent what it may.
+
+        Args:
+            since_s: what was spent when it began.
+            seconds: of a usual machine.
+        """
+        return self.spent_s - since_s >= seconds or self.is_over()

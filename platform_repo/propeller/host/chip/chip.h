@@ -35,6 +35,7 @@ extern host_time horizon, next_wake;   /* the end of the run; when the world act
 
 /* cogs.c */
 void cogs_begin(void (*function)(void *));
+int cogs_started(void);                /* whether the program runs */
 void cogs_reschedule(void);            /* another cog may have to run before this one goes on */
 void cogs_look(void);                  /* something may have to happen earlier than was planned */
 void cogs_wake(struct cog *cog, host_time when);
@@ -57,7 +58,7 @@ unsigned pins_levels(void);
 
 /* link.c */
 enum record { RECORD_PIN = 1, RECORD_WAVE, RECORD_CONSOLE, RECORD_SYNC, RECORD_BUS_START, RECORD_BUS_WRITE, RECORD_BUS_READ,
-              RECORD_BUS_STOP, RECORD_END, RECORD_CALL, RECORD_AIM };
+              RECORD_BUS_STOP, RECORD_END, RECORD_CALL, RECORD_AIM, RECORD_COMPARED };
 extern unsigned watched;               /* pins at which a device is */
 extern unsigned asking[3];             /* pins at which one has to be told at once: of 0, of 1, of not driven any more */
 extern unsigned brief;                 /* pins of which only the first change to each level is told */
@@ -66,6 +67,9 @@ void link_open(void);
 void link_record(host_time when, enum record kind, unsigned a, unsigned b, unsigned c);
 int link_sync(host_time when, enum record kind, unsigned a, unsigned b);  /* tell, and do what the world answers; its value */
 double link_noise(void);               /* from -1 to 1 */
+
+/* compared.c */
+void compared_tell(host_time when);     /* a record for each comparison that the program has made */
 
 /* guard.c */
 void guard_begin(void);

@@ -94,6 +94,8 @@ void __sanitizer_cov_trace_pc(void) {
   advance(vary(settings.block_ticks, settings.noise));
 }
 
+int cogs_started(void) { return started; }
+
 host_time host_now(void) { return cogs[running].now; }
 
 extern char __start_program_text[] __attribute__((weak)), __stop_program_text[] __attribute__((weak));

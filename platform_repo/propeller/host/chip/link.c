@@ -165,6 +165,7 @@ static void end(const char *status, const char *cause, int with_counters) {
   if (!ending++) pins_commit();  /* what was written last is seen, too */
   host_time when = cogs[running].now < horizon ? cogs[running].now : horizon;
   unsigned size = with_counters ? __stop_program_data - __start_program_data : 0;
+  if (ending == 1) compared_tell(when);
   if (filled == sizeof buffer / sizeof *buffer) flush();
   buffer[filled++] = (struct record_out){when, RECORD_END, strlen(status), strlen(cause), size};
   flush();

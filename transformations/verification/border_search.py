@@ -1,0 +1,222 @@
+"""The stages of a search for scenarios that seek borders: values, numbers and durations at which the source goes another way.
+
+Faults that move a border show beside it and nowhere else. Whether there is one is told by short runs of the source, of which
+hundreds take a second (`turning_points`); only what is found there becomes a scenario.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+from robosmi.data_text import Json
+from robosmi.transformations.verification.original_side import Place
+from robosmi.transformations.verification.scenario_goals import BESIDE, beside
+from robosmi.transformations.verification.scenario_inputs import (
+    FIRST_TEXT_MS,
+    LONGEST_MS,
+    ScenarioInput,
+    Signals,
+    constant,
+    held,
+    in_turn,
+    pressed_twice,
+    series_points,
+)
+from robosmi.transformations.verification.scenario_trials import Trials
+from robosmi.transformations.verification.simulated_kinds import device_facts
+from robosmi.transformations.verification.turning_points import Fineness, Look, turning_points
+from robosmi.typed import distinct, replaced
+
+_SURE_BACKGROUNDS, _MOST_BACKGROUNDS = 4, 8
+_NUMBERS_SHARE = 0.5
+"""Share of the effort after which no more numbers are typed."""
+_NUMBERS = (-40_000.0, -300.0, -1.0, 0.0, 1.0, 4.0, 50.0, 1_200.0, 70_000.0)
+"""Those that are typed to find out at which others a program goes another way."""
+_TENTH = 0.1
+_HELD_MS = (60.0, 250.0, 700.0, 1_500.0, 3_000.0, 5_000.0)
+"""For so long a button is held to find out whether a program tells durations apart, and for so long it is let go between two
+presses."""
+_LATEST_MS = 6_000.0
+"""Not later a button is pressed."""
+_AFTER_MS = 1_500.0
+"""So long it is looked what a program does behind a press."""
+_EFFORT_S = 5.0
+"""Seconds of a usual machine that durations may take, and the values of an input before what comes last of it is left out."""
+_DURATION = Fineness(1.0, 4.0, 0.004)
+_MOVED_MS = 45.0
+"""So far beside a border a button is held at least: both of its edges may come 20 ms earlier or later."""
+_FURTHER = (0.01, 0.1, 0.25)
+"""Parts of the duration beside it, the next one where the source differs from itself."""
+Held = Callable[[ScenarioInput, float, float], Signals]
+_LOOKS, _MOST_BORDERS = 24, 4
+_OF_NEAR = 0.04
+"""A border is sought to this part of how far beside it values are tried."""
+_MOST_LOOKS = 60
+"""So often at most one input is looked at beyond the values that it has."""
+
+
+def try_numbers(trials: Trials, each: ScenarioInput, numbers: Sequence[tuple[str, int]]) -> None:
+    """Let an input give the numbers around each one at which the source takes another way.
+
+    If the source takes the same ways after several texts in front of a number, as if it ignores them, the first text is
+    enough.
+
+    Args:
+        trials: the search.
+        each: an input that takes text.
+        numbers: those with which the program compares what it reads, each with a text before it.
+    """
+    done: set[tuple[float, frozenset[Place]]] = set()
+    for before in distinct(before for before, _ in numbers):
+        known = [number for text, number in numbers if text == before]
+
+        def look(number: float, before: str = before) -> Look | None:
+            over = trials.effort.is_over(_NUMBERS_SHARE)
+            return None if over else _look(trials, each, f"{before}{_written(number)}\r", {})
+
+        step = _TENTH if _reads_fractions(look) else 1.0
+        values = {*_NUMBERS, *(float(number + more) for number in known for more in (-1, 0, 1))}
+        tried = -math.inf
+        for turn in turning_points(values, look, Fineness(step, step), _LOOKS, _MOST_BORDERS + 2 * len(known)):
+            where = frozenset(place[:1] for place in turn.apart)
+            if turn.high - tried < 1.5 * step or (turn.high, where) in done:
+                continue
+            tried = turn.high
+            done.add((turn.high, where))
+            # a fraction at which both sides are equal may be read a little above or below it
+            least = turn.low - step if step < 1 else turn.low
+            texts = tuple(f"{before}{_written(number)}\r" for number in (least, turn.high, turn.high + step))
+            there: Place = (BESIDE, each.name, each.setting, texts[-1])
+            try_in_series(trials, replaced(each, series=texts), there, (4, 16))
+
+
+def _reads_fractions(look: Callable[[float], Look | None]) -> bool:
+    """Whether what a program compares lies in the middle for a number in the middle."""
+    found = [look(number) for number in (0.0, 0.5, 1.0)]
+    if None in found:
+        return False
+    low, middle, high = (seen.compared if seen else {} for seen in found)
+    return any(
+        low[place][0] != high[place][0] and 2 * middle[place][0] == low[place][0] + high[place][0]
+        for place in low.keys() & middle.keys() & high.keys()
+    )
+
+
+def _written(number: float) -> str:
+    return str(int(number)) if number == int(number) else f"{number:.1f}"
+
+
+def try_in_series(trials: Trials, each: ScenarioInput, goal: Place, slower: Sequence[int]) -> None:
+    """Try an input's series, with values held longer and longer by the factors `slower` as long as the scenario is racy."""
+    for times in slower:
+        points, racy = series_points(each, times), trials.found.racy
+        ends_ms = min(LONGEST_MS, 1000 * math.ceil(points[-1][0] / 1000 + 1)) if points else 0.0
+        trials.try_signals({each.name: {each.setting: points}}, frozenset([goal]), max(trials.horizon, ends_ms))
+        if trials.found.racy == racy:
+            break
+
+
+# ---- durations
+
+
+def try_durations(trials: Trials, contacts: Sequence[ScenarioInput]) -> None:
+    """Hold buttons for less and for more than each duration that a program tells apart, and let them go for so long.
+
+    Buttons that a program asks at the same places of its text are told apart by one of them.
+    """
+    done: set[Place] = set()
+    begun_s = trials.effort.spent_s
+    for each in contacts:
+        for kind, signal in (("held", held), ("twice", pressed_twice)):
+            begin = max(FIRST_TEXT_MS, min(trials.probe_ms, _LATEST_MS))
+            until = begin + _HELD_MS[-1] + _AFTER_MS
+
+            def look(
+                ms: float, each: ScenarioInput = each, signal: Held = signal, begin: float = begin, until: float = until
+            ) -> Look | None:
+                over = trials.effort.has_spent(begun_s, _EFFORT_S)
+                return None if over else trials.look(signal(each, ms, begin), until)
+
+            for turn in turning_points(_HELD_MS, look, _DURATION, _LOOKS, _MOST_BORDERS):
+                if not turn.apart <= done and _try_beside(trials, each, kind, signal, begin, turn.high):
+                    done |= turn.apart
+
+
+def _try_beside(trials: Trials, each: ScenarioInput, kind: str, signal: Held, begin: float, border: float) -> bool:
+    """Hold a button for less and for more than a border; whether the source does the same in each of its runs."""
+    for part in _FURTHER:
+        racy = trials.found.racy
+        moved = max(_MOVED_MS, part * border)
+        for side, ms in enumerate((border - moved, border + moved)):
+            if ms > 0:
+                there: Place = (BESIDE, each.name, kind, round(border), side)
+                ends = 1000 * math.ceil((begin + ms + _AFTER_MS) / 1000)
+                trials.try_signals(signal(each, round(ms), begin), frozenset([there]), ends, at_any_phase=True)
+        if trials.found.racy == racy:
+            return True
+    return False
+
+
+# ---- values
+
+
+def with_borders(trials: Trials, each: ScenarioInput) -> ScenarioInput:
+    """Seek the values at which the source goes another way.
+
+    Some behaviour shows only at the border itself, such as that of a count that equals a limit, and faults that move a
+    border show beside it: the input gets these values as well, and a scenario that goes from one side to the other is
+    tried.
+    """
+    values = list(each.values)
+    begun_s = trials.effort.spent_s
+    for number, background in enumerate(_backgrounds(trials, each)):
+        if number >= _SURE_BACKGROUNDS and trials.effort.has_spent(begun_s, _EFFORT_S):
+            break
+        values += [value for value in _borders(trials, each, background) if value not in values]
+    return replaced(each, values=tuple(values))
+
+
+def _backgrounds(trials: Trials, each: ScenarioInput) -> list[Signals]:
+    """Constant signals of the other inputs while borders are sought: none, and those of the scenarios that were kept."""
+    found: list[Signals] = [{}]
+    for scenario, _ in trials.found.scenarios:
+        others = {name: settings for name, settings in scenario.signals.items() if name != each.name}
+        steady = all(len(points) == 1 and points[0][0] == 0 for settings in others.values() for points in settings.values())
+        if steady and others not in found:
+            found.append(others)
+    return found[:_MOST_BACKGROUNDS]
+
+
+def _borders(trials: Trials, each: ScenarioInput, background: Signals) -> list[float]:
+    """The values at both sides of each border that is found with a background of other signals."""
+    numbers = {float(v) for v in each.values if isinstance(v, (int, float)) and not isinstance(v, bool)}
+    facts = device_facts().get(each.device, {})
+    smallest = float(facts.get("finest", 1.0))
+
+    def look(value: float) -> Look | None:
+        seen = _look(trials, each, value, background)
+        if seen is not None and value not in numbers and trials.takes_new_edge(seen):
+            trials.try_signals({**background, **constant(each, value)})
+        return seen
+
+    values: list[float] = []
+    percent = each.near[0] if each.near else float(facts.get("near_percent", 10))
+    fine = Fineness(smallest, smallest, max(0.001, percent / 100 * _OF_NEAR))
+    before = -math.inf
+    for turn in turning_points(numbers, look, fine, _MOST_LOOKS, _MOST_LOOKS) if len(numbers) > 2 else ():
+        if turn.high - before < 2.5 * fine.width(turn.high):  # two sides of one value
+            continue
+        before = turn.high
+        sides = [round(value, 1) for value in beside(turn.high, facts, each.near)]
+        values += sides
+        there: Place = (BESIDE, each.name, each.setting, round(turn.high))
+        turns = {each.name: {each.setting: in_turn(each, [*sides, sides[0]], trials.horizon)}}
+        trials.try_signals({**background, **turns}, frozenset([there]))
+    return values
+
+
+def _look(trials: Trials, each: ScenarioInput, value: Json, background: Signals) -> Look | None:
+    """What a short run tells in which an input shows one value; None when the search is over."""
+    lasts = trials.probe_ms + (FIRST_TEXT_MS if each.happens else each.hold_ms if each.hold_ms > 1000 else 0)
+    return trials.look({**background, **constant(each, value)}, min(trials.horizon, lasts))
