@@ -213,6 +213,10 @@ def _borders(trials: Trials, each: ScenarioInput, background: Signals) -> list[f
         there: Place = (BESIDE, each.name, each.setting, round(turn.high))
         turns = {each.name: {each.setting: in_turn(each, [*sides, sides[0]], trials.horizon)}}
         trials.try_signals({**background, **turns}, frozenset([there]))
+        both = trials.look({**background, **turns}, trials.horizon)
+        if background and both is not None and not {place for place in turn.apart if len(place) == 1} <= both.told:
+            for side, value in enumerate(sides):  # the program looks once, as after a press, and sees one side alone
+                trials.try_signals({**background, **constant(each, value)}, frozenset([(*there, side)]))
     return values
 
 

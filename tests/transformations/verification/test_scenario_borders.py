@@ -83,6 +83,10 @@ TOGETHER = """
     } else low(10);
     pause(50);
   }"""
+ONCE = """
+  adc_init(21, 20, 19, 18);
+  while (input(3) == 0) pause(10);
+  if (adc_in(2) > 3000) high(10); else high(11);"""
 LOCK = """
   int state = 0;
   while (1) {
@@ -131,6 +135,7 @@ PROGRAMS = {
     "two presses": (TWICE, BUTTONS[:1], [("quiet > 40", "quiet > 50")]),
     "a button to ground": (LOW_ACTIVE, BUTTONS[:1], [("held > 75", "held > 85")]),
     "several at once": (TOGETHER, [*BUTTONS, VOLTAGE], [("> 3000", "> 3100"), ("> 3000", "> 2900")]),
+    "measured once": (ONCE, [*BUTTONS[:1], VOLTAGE], [("> 3000", "> 3100"), ("> 3000", "> 2900")]),
     "a code": (LOCK, BUTTONS[:2], [("state = 3; else if (l) state = 0", "state = 3; else if (l) state = 1")]),
     "numbers": (TYPED, [], [("x > 10000", "x > 10404"), ("v > 2.5", "v > 2.6"), ("v > 2.5", "v > 2.3")]),
 }
