@@ -34,15 +34,23 @@ def migrated(files: list[Path], wiring: Mapping[str, str], folder: Path) -> None
     made = robosmi.plan_migration(files)
     bind = dict(wiring)
     free = [pin for pin in (*_DIGITAL, *_ANALOG) if pin not in wiring.values()]
+    open_ports: list[tuple[str, int]] = []
+    pins: dict[int, str] = {}  # of a port that has several names
     for binding in made.plan.portBindings:
-        names = {str(binding.name), *map(str, binding.names)}
-        analog = str(binding.name).startswith("AD") or ".channel_" in str(binding.name)
-        pin = next((p for p in free if p.startswith("A") or not analog), None)
-        if names & wiring.keys() or pin is None:
-            continue
-        pin = next((p for p in free if p.startswith("A")), pin) if analog else pin
-        free.remove(pin)
-        bind[str(binding.name)] = pin
+        wired = next((wiring[name] for name in (str(binding.name), *map(str, binding.names)) if name in wiring), None)
+        if wired is None:
+            open_ports.append((str(binding.name), int(binding.sourcePin)))
+        else:
+            pins[int(binding.sourcePin)] = wired
+    for name, number in open_ports:
+        analog = name.startswith("AD") or ".channel_" in name
+        fitting = [pin for pin in free if pin.startswith("A") or not analog]
+        if analog or number < 0 or number not in pins:
+            if not fitting:
+                continue
+            pins[number] = next((pin for pin in fitting if analog and pin.startswith("A")), fitting[0])
+            free.remove(pins[number])
+        bind[name] = pins[number]
     robosmi.migrate(files, folder, bind=bind)
 
 

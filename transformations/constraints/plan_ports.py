@@ -91,6 +91,35 @@ def PinIsBoundOnce(b: migration.PortBinding) -> bool | Fail:
     return True
 
 
+@bindings.constraint(
+    id="RS731",
+    severity=Severity.warning,
+    advice="bind both names to one pin",
+    guard=lambda b: b.sourcePin >= 0 and _on_one_pin(b),
+)
+def PortIsOnOnePin(b: migration.PortBinding) -> bool | Fail:
+    """A port of the source that has several names is on one pin of the target."""
+    pin = bound_pin(b)
+    for other in plan_of(b).portBindings:
+        if other is b:
+            return True
+        there = bound_pin(other)
+        if other.sourcePin == b.sourcePin and _on_one_pin(other) and there is not pin:
+            assert pin is not None
+            assert there is not None
+            return Fail(
+                f"P{b.sourcePin} is on two pins, the {named(other)} on {there.label} and the {named(b)} on {pin.label}; "
+                "what happens at one does not reach the other",
+                pin=pin.label,
+            )
+    return True
+
+
+def _on_one_pin(b: migration.PortBinding) -> bool:
+    """Whether a binding has a pin, and not one more on which its component answers."""
+    return bound_pin(b) is not None and b.answer is None
+
+
 @bindings.constraint(id="RS714", guard=lambda b: bool(plan_of(b).portFlows), advice="leave one of them, or migrate again")
 def PortIsDecidedOnce(b: migration.PortBinding) -> bool | Fail:
     """A port of the source, identified by its number or, if conventional, by its name, has a single binding."""

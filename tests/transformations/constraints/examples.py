@@ -41,6 +41,16 @@ def bound(*numbers: int) -> migration.MigrationPlan:
     )
 
 
+def also_called(*numbers: int) -> migration.MigrationPlan:
+    """A plan whose source port 12, under several names, is bound to pins of these numbers."""
+    return a_plan(
+        portBindings=lambda p: [
+            migration.PortBinding(name=f"n{i}", sourcePin=12, pin=pins(p)[n], choice="x", origin="convention" if i else "")
+            for i, n in enumerate(numbers)
+        ]
+    )
+
+
 def decided(*numbers: int) -> migration.MigrationPlan:
     """A plan with flows and a binding for each of these source ports."""
     return a_plan(
@@ -300,6 +310,7 @@ def at(start: int, end: int) -> ccode.Program:
 EXAMPLES: dict[str, tuple[Callable[[], Any], Callable[[], Any]]] = {
     "RS701": (lambda: decided_on(variable), lambda: decided_on(lambda p: ccode.Variable(name="elsewhere"))),
     "RS702": (lambda: bound(0, 1), lambda: bound(0, 0)),
+    "RS731": (lambda: also_called(0, 0), lambda: also_called(0, 1)),
     "RS703": (lambda: of_a_board(lambda p: pins(p)[0]), lambda: of_a_board(foreign_pin)),
     "RS704": (lambda: connected(0), lambda: connected(1)),
     "RS705": (lambda: confident(0.5), lambda: confident(1.5)),
