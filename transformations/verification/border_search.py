@@ -50,8 +50,6 @@ _FURTHER = (0.01, 0.1, 0.25)
 """Parts of the duration beside it, the next one where the source differs from itself."""
 Held = Callable[[ScenarioInput, float, float], Signals]
 _LOOKS, _MOST_BORDERS = 24, 4
-_OF_NEAR = 0.04
-"""A border is sought to this part of how far beside it values are tried."""
 _MOST_LOOKS = 60
 """So often at most one input is looked at beyond the values that it has."""
 
@@ -169,11 +167,12 @@ def with_borders(trials: Trials, each: ScenarioInput) -> ScenarioInput:
     tried.
     """
     values = list(each.values)
+    known: list[float] = []
     begun_s = trials.effort.spent_s
     for number, background in enumerate(_backgrounds(trials, each)):
         if number >= _SURE_BACKGROUNDS and trials.effort.has_spent(begun_s, _EFFORT_S):
             break
-        values += [value for value in _borders(trials, each, background) if value not in values]
+        values += [value for value in _borders(trials, each, background, known) if value not in values]
     return replaced(each, values=tuple(values))
 
 
@@ -188,8 +187,11 @@ def _backgrounds(trials: Trials, each: ScenarioInput) -> list[Signals]:
     return found[:_MOST_BACKGROUNDS]
 
 
-def _borders(trials: Trials, each: ScenarioInput, background: Signals) -> list[float]:
-    """The values at both sides of each border that is found with a background of other signals."""
+def _borders(trials: Trials, each: ScenarioInput, background: Signals, known: list[float]) -> list[float]:
+    """The values at both sides of each border that is found with a background of other signals.
+
+    Borders are added to `known`, those of all backgrounds.
+    """
     numbers = {float(v) for v in each.values if isinstance(v, (int, float)) and not isinstance(v, bool)}
     facts = device_facts().get(each.device, {})
     smallest = float(facts.get("finest", 1.0))
@@ -201,14 +203,17 @@ def _borders(trials: Trials, each: ScenarioInput, background: Signals) -> list[f
         return seen
 
     values: list[float] = []
-    percent = each.near[0] if each.near else float(facts.get("near_percent", 10))
-    fine = Fineness(smallest, smallest, max(0.001, percent / 100 * _OF_NEAR))
+    fine = Fineness(smallest, smallest, 0.001)
     before = -math.inf
     for turn in turning_points(numbers, look, fine, _MOST_LOOKS, _MOST_LOOKS) if len(numbers) > 2 else ():
-        if turn.high - before < 2.5 * fine.width(turn.high):  # two sides of one value
-            continue
-        before = turn.high
         sides = [round(value, 1) for value in beside(turn.high, facts, each.near)]
+        near = 2.5 * fine.width(turn.high)
+        if turn.high - before < near or any(
+            sides[0] <= border <= sides[1] and abs(border - turn.high) >= near for border in known
+        ):
+            continue  # two sides of one value, or a value that another board may see on the other side of another border
+        before = turn.high
+        known.append(turn.high)
         values += sides
         there: Place = (BESIDE, each.name, each.setting, round(turn.high))
         turns = {each.name: {each.setting: in_turn(each, [*sides, sides[0]], trials.horizon)}}
