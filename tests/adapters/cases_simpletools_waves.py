@@ -47,7 +47,7 @@ void setup() { Serial.begin(115200);
     assert trace.text == "0 200"  # 20 ms without a pulse, and in units of 100 us
 
 
-@proves(*s("square_wave", "count"))
+@proves(*s("square_wave", "count"), in_c=False)
 def a_wave_is_counted_at_its_own_pin(uno: Uno) -> None:
     """The wave is another cog's, which goes on driving."""
     program = """
@@ -61,7 +61,7 @@ void loop() {}
     assert trace.levels("D9")[-1][1] == "z"  # any other pin becomes an input
 
 
-@proves(*s("square_wave", "square_wave_stop", "freqout"))
+@proves(*s("square_wave", "square_wave_stop", "freqout"), in_c=False)
 def slow_waves_go_on_until_they_are_ended(uno: Uno) -> None:
     """The phase of a counter begins at 0, so that the first half period is low."""
     program = """

@@ -1118,9 +1118,7 @@ static inline int32_t scan_text(bool floats, const char *text, const char *forma
       if (c == 's') *to = 0;
     } else if (floats && strchr("efg", c)) {
       char *end;
-      float value = string2float(text, &end);
-      if (end == text || !isdigit((uint8_t)end[-1])) break;
-      scan_real_into(target, value);
+      scan_real_into(target, string2float(text, &end));  // 0 for a text without a number, and "5." is 5, as there
       text = end;
     } else {
       int32_t value;

@@ -531,6 +531,7 @@ static inline void pulse_out(int32_t pin, int32_t time) {
 //#   pin: pin digital in
 //#   fidelity: rising edges in so many milliseconds
 //#   limit: it polls: up to about 100 kHz
+//#   limit: the pin becomes an input, so that a wave of square_wave at the same pin is not seen
 static inline int32_t count(int32_t pin, int32_t duration) {
   Io io = io_at(pin);
   if (!io.mask) {
