@@ -195,11 +195,13 @@ def _borders(trials: Trials, each: ScenarioInput, background: Signals, known: li
     numbers = {float(v) for v in each.values if isinstance(v, (int, float)) and not isinstance(v, bool)}
     facts = device_facts().get(each.device, {})
     smallest = float(facts.get("finest", 1.0))
+    is_whole = "whole number" in facts.get("takes", {}).get(each.setting, ())
 
     def look(value: float) -> Look | None:
-        seen = _look(trials, each, value, background)
+        shown = round(value) if is_whole else value
+        seen = _look(trials, each, shown, background)
         if seen is not None and value not in numbers and trials.takes_new_edge(seen):
-            trials.try_signals({**background, **constant(each, value)})
+            trials.try_signals({**background, **constant(each, shown)})
         return seen
 
     values: list[float] = []
@@ -207,6 +209,8 @@ def _borders(trials: Trials, each: ScenarioInput, background: Signals, known: li
     before = -math.inf
     for turn in turning_points(numbers, look, fine, _MOST_LOOKS, _MOST_LOOKS) if len(numbers) > 2 else ():
         sides = [round(value, 1) for value in beside(turn.high, facts, each.near)]
+        if is_whole:  # which both boards read alike
+            sides = [round(turn.low), round(turn.high)]
         near = 2.5 * fine.width(turn.high)
         if turn.high - before < near or any(
             sides[0] <= border <= sides[1] and abs(border - turn.high) >= near for border in known

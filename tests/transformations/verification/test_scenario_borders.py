@@ -19,6 +19,9 @@ from tests.tools import require_tools
 
 BUTTONS = [BoundPort(f"P{n}", f"P{n}", f"D{n}", device="levels", pin="pin") for n in (3, 4, 5)]
 LAMPS = [BoundPort(f"P{n}", f"P{n}", f"D{n}") for n in (10, 11)]
+BITS = [
+    BoundPort(f"P{n}", f"P{n}", f"D{n}", device="shifted_bits", pin=pin, group="P7") for n, pin in ((7, "data_in"), (8, "clock"))
+]
 VOLTAGE = BoundPort("AD2", "AD2", "A2", device="voltages", pin="pin")
 
 HELD = """
@@ -109,6 +112,11 @@ TYPED = """
     scan("%f\\n", &v);
     if (v > 2.5) high(11); else low(11);
   }"""
+SHIFTED = """
+  while (1) {
+    if (shift_in(7, 8, MSBPRE, 8) > 100) high(10); else low(10);
+    pause(50);
+  }"""
 Case = tuple[Scenario, SourceRuns]
 BEFORE = """#include <simpletools.h>
 #include <adcDCpropab.h>
@@ -137,6 +145,7 @@ PROGRAMS = {
     "several at once": (TOGETHER, [*BUTTONS, VOLTAGE], [("> 3000", "> 3100"), ("> 3000", "> 2900")]),
     "measured once": (ONCE, [*BUTTONS[:1], VOLTAGE], [("> 3000", "> 3100"), ("> 3000", "> 2900")]),
     "a code": (LOCK, BUTTONS[:2], [("state = 3; else if (l) state = 0", "state = 3; else if (l) state = 1")]),
+    "whole numbers": (SHIFTED, BITS, [("> 100", "> 108"), ("> 100", "> 92")]),
     "numbers": (TYPED, [], [("x > 10000", "x > 10404"), ("v > 2.5", "v > 2.6"), ("v > 2.5", "v > 2.3")]),
 }
 
