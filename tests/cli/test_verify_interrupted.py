@@ -16,7 +16,15 @@ from tests.running import run
 from tests.tools import require_verification
 
 BUSY = """#include "simpletools.h"
-int main() { while (1) { toggle(26); if (input(3)) print("pressed\\n"); pause(1); } }
+int busy;
+int main() {
+  while (1) {
+    for (int i = 0; i < 200; i++) busy += i;
+    toggle(26);
+    if (input(3)) print("pressed\\n");
+    pause(1);
+  }
+}
 """
 
 
@@ -26,7 +34,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     require_verification("simavr")
     folder = tmp_path_factory.mktemp("busy")
     (folder / "busy.c").write_text(BUSY)
-    (folder / "long.toml").write_text("horizon_ms = 240000\n")
+    (folder / "long.toml").write_text("horizon_ms = 600000\n")
     assert run("migrate", folder / "busy.c", "-o", folder / "out", "--bind", "P26=D13", "--bind", "P3=D3").code in (0, 1)
     return folder
 
