@@ -14,8 +14,8 @@ from typing import NamedTuple
 from robosmi.typed import paired, sum_of
 from robosmi.verify.bench import BY_A_WAY, FOR_A_TIME, TO_A_PLACE
 
-_FRAME_S = 0.021
-"""Frames of servos are 20 ms apart, 21 ms where a program makes them itself."""
+FRAME_S = 0.021
+"""Servo frames are 20 ms apart, 21 ms where a program makes them itself. A change of speed takes effect in one or the next."""
 WAY = 0.01
 """Durations may differ by this part, as for other events, and so may the ways that are driven for a time."""
 _BEYOND = 2.0
@@ -158,4 +158,4 @@ class Goals:
 
 def _width(changes: float, way: float) -> float:
     """By how much two runs may differ after motions for a time."""
-    return _FRAME_S * changes / 2 + WAY * way
+    return FRAME_S * changes / 2 + WAY * way

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import takewhile
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import ccode, hardware, migration, platform
@@ -64,6 +65,11 @@ def bound_pin(binding: migration.PortBinding) -> platform.Pin | None:
     return binding.pin or (binding.connection.pin if binding.connection is not None else None)
 
 
+def _before(binding: migration.PortBinding) -> Iterator[migration.PortBinding]:
+    """The bindings of the plan that come before one, so that two that contradict each other are told once, at the second."""
+    return takewhile(lambda other: other is not binding, plan_of(binding).portBindings)
+
+
 def named(decision: migration.Decision) -> str:
     """How messages call a decision."""
     if isinstance(decision, migration.PortBinding):
@@ -82,9 +88,7 @@ def named(decision: migration.Decision) -> str:
 def PinIsBoundOnce(b: migration.PortBinding) -> bool | Fail:
     """No two ports of the source are bound to one pin."""
     pin = bound_pin(b)
-    for other in plan_of(b).portBindings:
-        if other is b:
-            return True
+    for other in _before(b):
         if bound_pin(other) is pin and (other.sourcePin != b.sourcePin or b.sourcePin < 0):
             assert pin is not None
             return Fail(f"the {named(b)} and the {named(other)} are both bound to pin {pin.label}", pin=pin.label)
@@ -100,9 +104,7 @@ def PinIsBoundOnce(b: migration.PortBinding) -> bool | Fail:
 def PortIsOnOnePin(b: migration.PortBinding) -> bool | Fail:
     """A port of the source that has several names is on one pin of the target."""
     pin = bound_pin(b)
-    for other in plan_of(b).portBindings:
-        if other is b:
-            return True
+    for other in _before(b):
         there = bound_pin(other)
         if other.sourcePin == b.sourcePin and _on_one_pin(other) and there is not pin:
             assert pin is not None
@@ -123,9 +125,7 @@ def _on_one_pin(b: migration.PortBinding) -> bool:
 @bindings.constraint(id="RS714", guard=lambda b: bool(plan_of(b).portFlows), advice="leave one of them, or migrate again")
 def PortIsDecidedOnce(b: migration.PortBinding) -> bool | Fail:
     """A port of the source, identified by its number or, if conventional, by its name, has a single binding."""
-    for other in plan_of(b).portBindings:
-        if other is b:
-            return True
+    for other in _before(b):
         number = b.sourcePin >= 0 and other.sourcePin == b.sourcePin and "convention" not in (b.origin, other.origin)
         if number or other.name == b.name:
             return Fail(f"the {named(b)} has two bindings, to {other.choice or 'nothing'} and to {b.choice or 'nothing'}")

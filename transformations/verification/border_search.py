@@ -20,6 +20,7 @@ from robosmi.transformations.verification.scenario_inputs import (
     constant,
     held,
     in_turn,
+    is_steady,
     pressed_twice,
     series_points,
 )
@@ -181,8 +182,7 @@ def _backgrounds(trials: Trials, each: ScenarioInput) -> list[Signals]:
     found: list[Signals] = [{}]
     for scenario, _ in trials.found.scenarios:
         others = {name: settings for name, settings in scenario.signals.items() if name != each.name}
-        steady = all(len(points) == 1 and points[0][0] == 0 for settings in others.values() for points in settings.values())
-        if steady and others not in found:
+        if is_steady(others) and others not in found:
             found.append(others)
     return found[:_MOST_BACKGROUNDS]
 
@@ -208,9 +208,10 @@ def _borders(trials: Trials, each: ScenarioInput, background: Signals, known: li
     fine = Fineness(smallest, smallest, 0.001)
     before = -math.inf
     for turn in turning_points(numbers, look, fine, _MOST_LOOKS, _MOST_LOOKS) if len(numbers) > 2 else ():
-        sides = [round(value, 1) for value in beside(turn.high, facts, each.near)]
-        if is_whole:  # which both boards read alike
-            sides = [round(turn.low), round(turn.high)]
+        if is_whole:  # both boards read the same
+            sides: list[float] = [round(turn.low), round(turn.high)]
+        else:
+            sides = [round(value, 1) for value in beside(turn.high, facts, each.near)]
         near = 2.5 * fine.width(turn.high)
         if turn.high - before < near or any(
             sides[0] <= border <= sides[1] and abs(border - turn.high) >= near for border in known
@@ -222,8 +223,8 @@ def _borders(trials: Trials, each: ScenarioInput, background: Signals, known: li
         there: Place = (BESIDE, each.name, each.setting, round(turn.high))
         turns = {each.name: {each.setting: in_turn(each, [*sides, sides[0]], trials.horizon)}}
         trials.try_signals({**background, **turns}, frozenset([there]))
-        both = trials.look({**background, **turns}, trials.horizon)
-        if background and both is not None and not {place for place in turn.apart if len(place) == 1} <= both.told:
+        both = trials.look({**background, **turns}, trials.horizon) if background else None
+        if both is not None and not {place for place in turn.apart if len(place) == 1} <= both.told:
             for side, value in enumerate(sides):  # the program looks once, as after a press, and sees one side alone
                 trials.try_signals({**background, **constant(each, value)}, frozenset([(*there, side)]))
     return values

@@ -11,7 +11,14 @@ import random
 from collections.abc import Sequence
 
 from robosmi.data_text import Json
-from robosmi.transformations.verification.scenario_inputs import FIRST_TEXT_MS, LONGEST_MS, ScenarioInput, Signals, constant
+from robosmi.transformations.verification.scenario_inputs import (
+    FIRST_TEXT_MS,
+    LONGEST_MS,
+    ScenarioInput,
+    Signals,
+    constant,
+    is_steady,
+)
 from robosmi.transformations.verification.scenario_trials import Trials
 from robosmi.transformations.verification.turning_points import Compared
 from robosmi.verify.scenario import Points
@@ -38,7 +45,8 @@ def try_settings(trials: Trials, inputs: Sequence[ScenarioInput]) -> None:
     tried: list[Signals] = []
     begun_s = trials.effort.spent_s
     for parent in known if len(levels) > 1 else ():
-        known += [signals for signals in _steady(trials) if signals not in known]
+        listed = (scenario.signals for scenario, _ in trials.found.scenarios)
+        known += [signals for signals in listed if is_steady(signals) and signals not in known]
         for each in levels:
             for value in each.values:
                 if len(tried) >= _MOST_SETTINGS or trials.effort.has_spent(begun_s, _EFFORT_S):
@@ -51,16 +59,6 @@ def try_settings(trials: Trials, inputs: Sequence[ScenarioInput]) -> None:
                 if look is not None and trials.is_new(look):
                     trials.try_signals(signals)
                     known.append(signals)
-
-
-def _steady(trials: Trials) -> list[Signals]:
-    """What the inputs show all the time in the scenarios that were found."""
-    listed = [scenario.signals for scenario, _ in trials.found.scenarios]
-    return [
-        signals
-        for signals in listed
-        if all(len(points) == 1 and points[0][0] == 0 for settings in signals.values() for points in settings.values())
-    ]
 
 
 def try_sequences(trials: Trials, inputs: Sequence[ScenarioInput], chance: random.Random) -> None:

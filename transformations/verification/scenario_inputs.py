@@ -179,6 +179,11 @@ def together(inputs: Sequence[ScenarioInput], number: int) -> dict[str, dict[str
     return signals
 
 
+def is_steady(signals: Signals) -> bool:
+    """Whether all inputs show one value each from the start on."""
+    return all(len(points) == 1 and points[0][0] == 0 for settings in signals.values() for points in settings.values())
+
+
 def held(each: ScenarioInput, ms: float, begin_ms: float) -> Signals:
     """Signals of a button that is pressed once, for some time."""
     return {each.name: {each.setting: ((begin_ms, each.pressed), (begin_ms + ms, each.rest))}}

@@ -5,10 +5,9 @@ from __future__ import annotations
 from math import sqrt
 
 from robosmi.verify.bench import FOR_A_TIME, TO_A_PLACE
+from robosmi.verify.goals_of_motions import FRAME_S
 
-_FRAME_S = 0.021
-"""A change of speed takes effect in the present frame of the pulses or in the next one."""
-_LATE_S = 0.045 - _FRAME_S
+_LATE_S = 0.045 - FRAME_S
 """How much later than in a frame a motion may begin: events may be 45 ms late. If an input ends it, it is shorter by that."""
 _SURE = 3 / sqrt(2)
 """Three standard deviations of the sum of many motions, each of which is a frame longer, as long, or a frame shorter on the other
@@ -65,7 +64,7 @@ class Leeway:
         self._fastest = max(self._fastest, abs(speed))
 
     def _end(self) -> None:
-        distance = _FRAME_S * self._changes / 2
+        distance = FRAME_S * self._changes / 2
         self._sum += distance
         self._squares += distance**2
         self._changes = 0.0
@@ -74,6 +73,6 @@ class Leeway:
     def distance(self) -> float:
         """How far apart two correct programs may be now, if this motion ends now."""
         stop = abs(self._speed) if self._timed else 0.0
-        distance = _FRAME_S * (self._changes + stop) / 2
+        distance = FRAME_S * (self._changes + stop) / 2
         late = _LATE_S * max(self._fastest, self._fastest_before)
         return min(self._sum + distance, _SURE * sqrt(self._squares + distance**2)) + late
