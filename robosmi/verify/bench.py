@@ -109,6 +109,19 @@ class Bench(ABC):
         """
         self.at(at_us, lambda: self.set_level(pin, level) if holds() else None)
 
+    def keeps_charge(self, pin: str, decays: Sequence[tuple[float, float]]) -> bool:
+        """Whether the engine itself plays a capacitor at a pin from now on; if not, the device does.
+
+        An engine that does saves a message for each charge: the pin then keeps the level that the program drives, and falls when
+        it has been let go for the time of the decay.
+
+        Args:
+            pin: the pin.
+            decays: times in microseconds by time, each with how long a charge lasts that begins to decay from then on; the first
+                one counts before its time, too.
+        """
+        return False
+
     def join(self, pin: str, other: str) -> None:
         """Close a contact between two pins: what the program drives on one is read on the other.
 
@@ -159,7 +172,8 @@ class Bench(ABC):
         self.driven[pin] = level
         self.changes.append(PinChange(self.now, pin, level))
         for device in self._at_pin.get(pin, ()):
-            device.pin_changed(pin, level)
+            if not device.is_played:
+                device.pin_changed(pin, level)
         if pin in self._contacts:
             self._pass_on(pin)
 
@@ -275,6 +289,7 @@ class Device:
     address: int | None = None
     heeds_levels: bool = True
     reacts_to: tuple[Level, ...] = (0, 1, "z", "p")
+    is_played: bool = False
 
     def __init__(self, bench: Bench, number: int, pins: Mapping[str, str], settings: Mapping[str, Any]) -> None:
         self.bench = bench

@@ -34,12 +34,15 @@ STATES = {"running": "running", "finished": "done"}
 
 _RECORD = struct.Struct("<QIIII")
 _COMMAND = struct.Struct("<iiq")
+_DECAY_FOR = struct.Struct("<dd")
 _SETTINGS = struct.Struct("<QQQQdddddddIIIIIIIII")
 _FLOAT = struct.Struct("<f")
 _WORD = struct.Struct("<I")
 _PIN, _WAVE, _CONSOLE, _SYNC, _BUS_START, _BUS_WRITE, _BUS_READ, _BUS_STOP, _END, _CALL, _AIM, _COMPARED = range(1, 13)
-_GO, _LEVEL, _VOLTAGE, _TYPED, _JOIN, _PART, _LEVEL_AHEAD = range(7)
+_GO, _LEVEL, _VOLTAGE, _TYPED, _JOIN, _PART, _LEVEL_AHEAD, _DECAY = range(8)
 _LET_GO = 2
+_MOST_DECAYS = 1024
+"""So many the process can keep of all pins."""
 _NEVER = (1 << 62) - 1
 _MOST_RECORDS = 1_000_000
 """Limit on the records of a run: a trace of this many takes 150 MB and a few seconds."""
@@ -188,6 +191,8 @@ class _HostBench(Bench):
         self.tick = 0
         self.next_wake = _NEVER
         self._addressed: dict[int, int] = {}  # bus -> address
+        self._with_charge: set[str] = set()
+        self._decays = 0
 
     @property
     def cycle(self) -> int:
@@ -211,7 +216,7 @@ class _HostBench(Bench):
         return found[0], found[1], found[2]
 
     def _reacts(self, pin: str, level: Level) -> bool:
-        return any(level in device.reacts_to for device in self._at_pin.get(pin, ()))
+        return any(level in device.reacts_to and not device.is_played for device in self._at_pin.get(pin, ()))
 
     def join(self, pin: str, other: str) -> None:
         self._command(_JOIN, self.numbers[pin], self.numbers[other])
@@ -232,6 +237,16 @@ class _HostBench(Bench):
             self.set_level(pin, level)
         else:
             self._command(_LEVEL_AHEAD, self.numbers[pin] | (_LET_GO if level is None else level) << 5, cycle)
+
+    def keeps_charge(self, pin: str, decays: Sequence[tuple[float, float]]) -> bool:
+        if not decays or pin in self._with_charge or self._decays + len(decays) > _MOST_DECAYS:
+            return False
+        self._with_charge.add(pin)
+        self._decays += len(decays)
+        for from_us, lasts_us in decays:
+            self._command(_DECAY, self.numbers[pin], 0)
+            self.commands.append(_DECAY_FOR.pack(from_us, lasts_us))
+        return True
 
     def set_voltage(self, pin: str, millivolts: float) -> None:
         if pin not in self.channels:

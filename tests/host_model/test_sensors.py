@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import pytest
 
+from robosmi.verify import original_run
 from robosmi.verify.original_run import run_original
 from robosmi.verify.simulation import DeviceUse, PinTrace
 from tests.host_model.bench import built, ended, run, said
@@ -64,6 +65,33 @@ def test_a_capacitor_decays_from_where_it_was_charged_last() -> None:
     wait = "waitcnt(CNT + {} * 80); SAY(input(7)); "
     told = numbers("", again + wait.format(4500) + wait.format(1000) + "high(7); low(7); SAY(input(7));", devices=sense)
     assert told == [1, 0, 0]
+
+
+def test_the_host_model_plays_a_capacitor_as_the_device_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Charges that are read while they decay, that are renewed or driven away meanwhile, and whose time changes."""
+    points = [[20, 700.3], [60, 2500.0], [130, 0.004], [160, 30_000.0]]
+    text = (
+        '#include "simpletools.h"\nint main() { for (int i = 0; i < 60; i++) { high(7); pause(1); input(7); int n = 0; '
+        "while (input(7) && n < 150) { waitcnt(CNT + 800 + 37 * i); n++; } if (i % 7 == 3) low(7); if (i % 5 == 2) input(7); "
+        'print("%d %d\\n", n, input(7)); set_direction(6, i & 1); } }'
+    )
+    devices = [DeviceUse("capacitor", {"pin": "P7"}, {"points": points})]
+    answers: list[bytes] = []
+    answer = original_run._HostBench.answer
+
+    def counted(bench: original_run._HostBench, value: int = 0) -> bytes:
+        answers.append(answer(bench, value))
+        return answers[-1]
+
+    monkeypatch.setattr(original_run._HostBench, "answer", counted)
+    with built(text) as program:
+        played = run_original(program, 800_000, devices)
+        assert len(answers) < 5
+        monkeypatch.delattr(original_run._HostBench, "keeps_charge")
+        asked = run_original(program, 800_000, devices)
+    assert played.status == asked.status == "finished"
+    assert played.trace == asked.trace
+    assert len({line.split()[0] for line in played.trace.text.splitlines()}) > 10
 
 
 def test_echoes_of_a_ranger_come_and_go_on_time() -> None:

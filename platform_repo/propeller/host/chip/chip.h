@@ -54,6 +54,7 @@ void pins_outside_ahead(int pin, int level, host_time due);     /* the world wil
 host_time pins_ahead(void);            /* when it does so next */
 void pins_reach(host_time when);       /* let it do so at that time */
 void pins_contact(int pin, int other, int closed, host_time when);
+void pins_decay(int pin, double from_us, double lasts_us);      /* a capacitor is there, whose charge lasts so long from then on */
 unsigned pins_levels(void);
 
 /* link.c */

@@ -1,7 +1,7 @@
 /* The pipe to the world: records of what happens go out, what the world does comes in. The world (devices at the pins, typed text)
  * is played at the other end; the run goes on to the next time at which the world acts, or to a change at a watched pin.
  * Out: records of 24 bytes {time, kind, three values}, and at the end a text and the coverage counters.
- * In: settings; then, after each record that asks, commands of 16 bytes {kind, two values} up to GO. */
+ * In: settings; then, after each record that asks, commands of 16 bytes {kind, two values} up to GO. A DECAY has 16 bytes more. */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ struct settings_in {
   double block_factor, call_factor, noise, late_us, early_part, line_part, clock_us;
   unsigned block_ticks, call_ticks, watched, asking[3], brief, seed, limit_s;
 };
-enum { GO, LEVEL, VOLTAGE, TYPED, JOIN, PART, LEVEL_AHEAD };
+enum { GO, LEVEL, VOLTAGE, TYPED, JOIN, PART, LEVEL_AHEAD, DECAY };
 
 static struct record_out buffer[1024];
 static int filled;
@@ -85,11 +85,16 @@ void link_record(host_time when, enum record kind, unsigned a, unsigned b, unsig
 
 static int obey(host_time when) {
   struct command_in command;
+  double decay[2];
   for (;;) {
     get(&command, sizeof command);
     switch (command.kind) {
     case LEVEL: pins_outside(command.a, (int)command.b, when); break;
     case LEVEL_AHEAD: pins_outside_ahead(command.a & 31, command.a >> 5, command.b); break;
+    case DECAY:
+      get(decay, sizeof decay);
+      pins_decay(command.a, decay[0], decay[1]);
+      break;
     case JOIN: case PART: pins_contact(command.a, (int)command.b, command.kind == JOIN, when); break;
     case VOLTAGE: millivolts[command.a] = (int)command.b; break;
     case TYPED:

@@ -1,10 +1,11 @@
 /* Pins, and the two counters of each cog. A pin is driven where any cog's DIRA says so, high where any such cog's OUTA or counter
  * is high; else the world decides. Counters: NCO, duty and PLL modes make waves, the detectors count. A wave of 20 Hz and more is
  * told as a wave; its single edges are worked out only where a device, a waiting cog or a detector is at that pin. */
+#include <math.h>
 #include <string.h>
 #include "chip.h"
 
-enum { AHEAD = 64 };
+enum { AHEAD = 64, DECAYS = 1024 };
 enum { OFF, PLL_INTERNAL, PLL, PLL_BOTH, NCO, NCO_BOTH, DUTY, DUTY_BOTH, HIGH, RISING = 10, LOW = 12, FALLING = 14, DETECTORS_END = 16 };
 static const double SLOWEST_WAVE_HZ = 20, FASTEST_EDGES_HZ = 200000;
 
@@ -18,6 +19,10 @@ static host_time next_toggle = HOST_NEVER;
 static struct { host_time when; int pin, level; } ahead[AHEAD];  /* what the world does at pins later on, in no order */
 static int ahead_count;
 static host_time next_ahead = HOST_NEVER;
+static struct { int pin; double from_us, lasts_us; } decays[DECAYS];  /* how long charges last, by pin and time */
+static int decay_count;
+static unsigned with_charge, charged;  /* pins at which a charge is kept; those at which there is one, unless it has decayed */
+static double falls_us[PINS];
 
 static int mode(const struct counter *counter) { return counter->control >> 26 & 31; }
 static unsigned bit(const struct counter *counter) { return 1u << (counter->control & 31); }
@@ -159,6 +164,8 @@ static unsigned from_outside(unsigned out) {
   return found;
 }
 
+static void charge(int pin, int level, host_time when);
+
 void pins_update(host_time when) {
   unsigned out = 0;
   driven = 0;
@@ -172,6 +179,7 @@ void pins_update(host_time when) {
     int level = driven >> pin & 1 ? (int)(out >> pin & 1) : 2;
     if (level == shown[pin]) continue;
     shown[pin] = level;
+    if (with_charge >> pin & 1) charge(pin, level, when);
     if (brief & told[level] & 1u << pin) continue;
     told[level] |= 1u << pin;
     if (asking[level] >> pin & 1) link_sync(when, RECORD_PIN, pin, level);
@@ -226,6 +234,44 @@ void pins_contact(int pin, int other, int closed, host_time when) {
   contacts[pin] = closed ? contacts[pin] | bits[1] : contacts[pin] & ~bits[1];
   contacts[other] = closed ? contacts[other] | bits[0] : contacts[other] & ~bits[0];
   set_levels((levels & driven) | (~driven & from_outside(levels)), when);
+}
+
+void pins_decay(int pin, double from_us, double lasts_us) {
+  if (decay_count == DECAYS) host_unmodelled("a charge that lasts differently so many times");
+  with_charge |= 1u << pin;
+  decays[decay_count].pin = pin;
+  decays[decay_count].from_us = from_us;
+  decays[decay_count++].lasts_us = lasts_us;
+}
+
+/* How long a charge lasts that begins to decay now. */
+static double lasts_us(int pin, double now_us) {
+  double found = 0;
+  int any = 0;
+  for (int i = 0; i < decay_count; i++) {
+    if (decays[i].pin != pin) continue;
+    if (any && decays[i].from_us > now_us) break;
+    found = decays[i].lasts_us;
+    any = 1;
+  }
+  return found;
+}
+
+/* A capacitor at a pin: a high output charges it, a low one discharges it, and it decays once the pin is let go. */
+static void charge(int pin, int level, host_time when) {
+  unsigned mask = 1u << pin;
+  double now_us = when * 1e6 / HOST_HZ;
+  int full = level == 2 ? charged & mask && now_us < falls_us[pin] : level;
+  charged = full ? charged | mask : charged & ~mask;
+  falls_us[pin] = HUGE_VAL;
+  if (level != 2) pins_outside(pin, level, when);
+  else if (full) {
+    falls_us[pin] = now_us + lasts_us(pin, now_us);
+    host_time due = (host_time)llrint(falls_us[pin] * HOST_HZ / 1e6);
+    if (due > when) pins_outside_ahead(pin, 0, due);
+    else pins_outside(pin, 0, when);
+  }
+  cogs_look();
 }
 
 int host_outside_level(int pin) { return outside_drives >> pin & 1 ? (int)(outside >> pin & 1) : 2; }
