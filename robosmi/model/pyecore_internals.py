@@ -18,36 +18,27 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from operator import attrgetter, methodcaller
-from typing import TYPE_CHECKING, Any, TypeGuard, TypeVar
+from typing import TYPE_CHECKING, Any, TypeGuard
 
-from pyecore.ecore import Core
 from pyecore.innerutils import InternalSet
 
 from robosmi.model.ecore import (
     Argument,
     DynamicEObject,
-    EAttribute,
-    EClass,
     EClassifier,
-    ECollection,
-    EDataType,
-    ENamedElement,
     EObject,
     EReference,
     EStructuralFeature,
-    ETypedElement,
     EValue,
     Listener,
     ReadResource,
     Resource,
     Scalar,
-    Value,
 )
 from robosmi.typed import attribute_of
 
-F = TypeVar("F", bound=EObject)
-
 if TYPE_CHECKING:
+    from types import ModuleType
 
     class Features(dict[EStructuralFeature, None]):
         """Features in the order in which they were added."""
@@ -126,6 +117,11 @@ def is_element(value: Any) -> TypeGuard[Any]:
     return hasattr(value, SET_FEATURES)
 
 
+def has_slot(element: EObject, key: str) -> bool:
+    """Whether an element has a slot of that key; one that was never read or assigned holds the default."""
+    return key in element.__dict__
+
+
 def is_value(slot: Any) -> TypeGuard[EValue]:
     """Whether a slot holds one value, and no collection."""
     return hasattr(slot, "_value")
@@ -142,8 +138,8 @@ def hold(holder: EValue, value: Argument) -> None:
     held._value = value
 
 
-def contain(element: Any, container: EObject, feature: EStructuralFeature) -> None:
-    """Set the container of an element without changing the container."""
+def contain(element: Any, container: EObject | ModuleType, feature: EStructuralFeature) -> None:
+    """Set the container of an element (for a generated class, the module of its package) without changing the container."""
     element._container = container
     element._containment_feature = feature
 
@@ -151,6 +147,16 @@ def contain(element: Any, container: EObject, feature: EStructuralFeature) -> No
 def set_key(feature: Any, key: str) -> None:
     """Give a feature's slot another key than its name."""
     feature._name = key
+
+
+_FIELDS = {"name": "_name", "eType": "_eType", "upperBound": "_many_cache"}
+"""Attribute of a feature -> the field that follows it, which pyecore sets when it is notified."""
+
+
+def update_field(feature: EStructuralFeature, key: str, value: Argument) -> None:
+    """Update the field of a feature that follows the attribute of that key, if there is one."""
+    if key in _FIELDS:
+        setattr(feature, _FIELDS[key], not 0 <= value <= 1 if isinstance(value, int) else value)
 
 
 def set_own_resource(element: Any, resource: Any) -> None:
@@ -161,11 +167,6 @@ def set_own_resource(element: Any, resource: Any) -> None:
 def set_xmi_id(element: Any, identity: str | None) -> None:
     """Give an element an xmi:id."""
     element._internal_id = identity
-
-
-def set_first_listeners(element: Any, listeners: list[Any]) -> None:
-    """Set the listeners of an element that are notified first."""
-    element._eternal_listener = listeners
 
 
 def empty_ordered_set(collection: Any) -> None:
@@ -200,154 +201,6 @@ def fill_silently(collection: Any, values: Sequence[Scalar]) -> None:
     collection.items[:] = values
     collection.map.clear()
     collection.map.update((value, place) for place, value in enumerate(values))
-
-
-def _of_ecore(cls: type[EObject], name: str) -> EStructuralFeature:
-    """A feature of one of Ecore's own classes."""
-    found: EStructuralFeature = cls.eClass.findEStructuralFeature(name)
-    return found
-
-
-_NAME = _of_ecore(ENamedElement, "name")
-_TYPE = _of_ecore(ETypedElement, "eType")
-_ABSTRACT = _of_ecore(EClass, "abstract")
-_SUPERTYPES = _of_ecore(EClass, "eSuperTypes")
-_FEATURES = _of_ecore(EClass, "eStructuralFeatures")
-_CLASS = _of_ecore(EStructuralFeature, "eContainingClass")
-
-
-def quick_constructor(cls: type[F]) -> Callable[..., F]:
-    """A function that makes what `cls(**arguments)` makes, in a fraction of the time; for EAttribute and EReference.
-
-    pyecore's constructors assign some twelve features one by one, with a notification each, though nobody can listen yet. Here
-    one object that was made without arguments is copied, and what is given is put in, without a word where it is of the plain
-    kind that the feature wants.
-    """
-    plain = cls()
-    slots = [
-        (name, slot.feature, slot.is_ref, slot.is_cont, value_in(slot))
-        for name, slot in plain.__dict__.items()
-        if isinstance(slot, EValue)
-    ]
-    others = {name: value for name, value in plain.__dict__.items() if not isinstance(value, EValue) and not _is_own(name)}
-    inside = set_features_of(plain)
-    names = {"lower": "lowerBound", "upper": "upperBound"}
-
-    def make(**arguments: Argument) -> F:
-        made = cls.__new__(cls)
-        own = made.__dict__
-        own.update(others)
-        set_features_of(made).update(inside)
-        for name, feature, is_ref, is_cont, default in slots:
-            own[name] = _slot(made, feature, is_ref, is_cont, default)
-        first_listeners_of(made).append(made)
-        kind = arguments.get("eType")
-        if cls is EReference and kind is not None and not isinstance(kind, EClass) and hasattr(kind, "eClass"):
-            arguments["eType"] = kind.eClass
-        elif cls is EAttribute and isinstance(kind, EDataType) and arguments.get("default_value") is None:
-            arguments["default_value"] = kind.default_value
-        for name, value in arguments.items():
-            key = names.get(name, name)
-            if value.__class__ is _PLAIN.get(key) or (key == "eType" and isinstance(value, (EDataType, EClass))):
-                hold(own[key], value)
-                _follow(made, key, value)
-            else:
-                setattr(made, key, value)
-        return made
-
-    return make
-
-
-_PLAIN: dict[str, type] = {
-    "name": str, "lowerBound": int, "upperBound": int, "defaultValueLiteral": str,
-    "ordered": bool, "unique": bool, "changeable": bool, "derived": bool, "transient": bool, "volatile": bool, "unsettable": bool,
-    "iD": bool, "containment": bool,
-}  # fmt: skip
-"""Attributes of a feature that are put into a new one without a check, where the value is of exactly this class."""
-
-_FIELDS = {"name": "_name", "eType": "_eType", "upperBound": "_many_cache"}
-"""Attribute of a feature -> the field that follows it, which pyecore sets when it is notified."""
-
-
-def _follow(feature: EObject, key: str, value: Argument) -> None:
-    """Update what depends on an attribute of a feature: its field, and the back reference of its type."""
-    if key in _FIELDS:
-        setattr(feature, _FIELDS[key], not 0 <= value <= 1 if isinstance(value, int) else value)
-    if isinstance(value, EClassifier):
-        inverse_references_of(value).add((feature, _TYPE))
-
-
-def _is_own(name: str) -> bool:
-    """Whether a field belongs to one element only and must not be copied to another."""
-    return name in FIELDS or name in ("listeners", "dyn_inst")
-
-
-def promote(cls: type[EObject], root: type) -> None:
-    """Give a generated class its EClass and put that into its package, as pyecore's metaclass does, in a fraction of the time.
-
-    Nobody can listen to an EClass that is being made, so what it holds is put in without notifications. A class with more than
-    features of its own, as with methods, is left to pyecore.
-
-    Args:
-        cls: the class.
-        root: base class of all generated classes; as a base it makes no supertype.
-    """
-    names = [*vars(cls)]
-    features = {key: feature for key in names if (feature := attribute_of(cls, key, EStructuralFeature)) is not None}
-    if not _are_all(features, names):
-        Core.register_classifier(cls, promote=True)
-        if root in cls.__bases__:
-            cls.eClass.eSuperTypes.remove(EObject.eClass)  # no class of Ecore has it unless the metamodel says so
-        return
-    made = EClass.__new__(EClass, cls.__name__, metainstance=cls)
-    first_listeners_of(made).append(made)
-    _put(made, _NAME, cls.__name__)
-    _put(made, _ABSTRACT, False)
-    cls.eClass = made
-    setattr(cls, IS_STATIC, True)
-    supertypes = _collect(made, _SUPERTYPES)
-    for base in cls.__bases__:
-        if base not in (root, EObject) and issubclass(base, EObject) and add_silently(supertypes, base.eClass):
-            inverse_references_of(base.eClass).add((made, _SUPERTYPES))
-    if features:
-        own = _collect(made, _FEATURES)
-        for key, feature in features.items():
-            if not feature.name:
-                _put(feature, _NAME, key)
-                set_key(feature, key)
-            contain(feature, made, _FEATURES)
-            _put(feature, _CLASS, made)
-            add_silently(own, feature)
-    Core.register_classifier(cls)
-
-
-def _are_all(features: dict[str, EStructuralFeature], names: list[str]) -> bool:
-    """Whether a class consists of exactly these features, none of which another class has, besides Python's own attributes."""
-    new = all(feature.__class__ in (EAttribute, EReference) and container_of(feature) is None for feature in features.values())
-    return new and all(key in features or key[:2] == "__" for key in names)
-
-
-def _slot(owner: EObject, feature: EStructuralFeature, is_ref: bool, is_cont: bool, value: Argument) -> EValue:
-    """A holder with a value, as its constructor makes it."""
-    slot = object.__new__(EValue)
-    slot.owner, slot.feature, slot.is_ref, slot.is_cont, slot.generic_type = owner, feature, is_ref, is_cont, None
-    hold(slot, value)
-    return slot
-
-
-def _put(element: EObject, feature: EStructuralFeature, value: Value) -> None:
-    """Store a value in an element without listeners, without a check and without updating the target of a reference."""
-    is_ref = feature.is_reference
-    element.__dict__[key_of(feature)] = _slot(element, feature, is_ref, is_ref and feature.containment, value)
-    set_features_of(element).add(feature)
-
-
-def _collect(element: EObject, feature: EStructuralFeature) -> ECollection[EObject]:
-    """Give an element an empty collection for a feature, marked as set."""
-    made: ECollection[EObject] = ECollection.create(element, feature)
-    element.__dict__[key_of(feature)] = made
-    set_features_of(element).add(feature)
-    return made
 
 
 class Slot:

@@ -22,8 +22,9 @@ from robosmi.model.construct import initialise
 from robosmi.model.datatypes import XML_TYPE_URI
 from robosmi.model.feature_values import FeatureCollection
 from robosmi.model.lean import computed
-from robosmi.model.pyecore_internals import first_listeners_of, promote, quick_constructor, set_first_listeners, set_key
+from robosmi.model.pyecore_internals import key_of, set_key
 from robosmi.model.python_names import MEMBER
+from robosmi.model.quick_ecore import add_literal, promote, quick_constructor
 from robosmi.model.strict import Element
 from robosmi.typed import attribute_of, dynamic_attribute
 
@@ -126,7 +127,7 @@ else:
                 if feature.derived_class is ecore.ECollection:
                     feature.derived_class = FeatureCollection
                 computed(feature)
-                if feature.name == key:
+                if key_of(feature) == key:
                     continue
                 other = dynamic_attribute(cls, feature.name, None)
                 hidden = other is not None and attribute_of(other, "name", str) != feature.name
@@ -234,18 +235,14 @@ def enumeration(
         names: name -> Python attribute, where the name is none.
     """
     result = ecore.EEnum(name)
-    listeners = first_listeners_of(result)
-    set_first_listeners(result, [])  # pyecore would set each literal over its own attributes
     by_text = {}
     for literal, value in literals.items():
-        made = ecore.EEnumLiteral(name=literal, value=value)
+        made = add_literal(result, literal, value)
         text = (texts or {}).get(literal, literal)
         if text != literal:
             made.literal = text
         by_text[text] = made
-        result.eLiterals.append(made)
         result.__dict__[(names or {}).get(literal, literal)] = made
-    set_first_listeners(result, listeners)
     result.from_string = lambda text: by_text.get(text) or result.getEEnumLiteral(name=text)
     return result
 

@@ -3,9 +3,9 @@
     python -m tests.model.pyecore_contract                  the facts, in the pyecore that is installed
     python -m tests.model.pyecore_contract 0.14.0 0.15.2    the same in other versions, each in an environment of its own
 
-Each fact is a function that raises when it does not hold; its docstring is the fact. Only pyecore, the one module
-`robosmi/model/pyecore_internals.py` and what that imports (types, and helpers over msgspec) are used, so that a version can be
-judged that the rest of RoboSMi does not run with.
+Each fact is a function that raises when it does not hold; its docstring is the fact. Only pyecore, the two modules
+`pyecore_internals` and `quick_ecore` of `robosmi/model`, and what they import (types, and helpers over msgspec) are used, so
+that a version can be judged that the rest of RoboSMi does not run with.
 Exit 1 when a fact does not hold.
 """
 
@@ -23,15 +23,27 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from pyecore.ecore import EAttribute, EClass, EInt, EObject, EPackage, EProxy, EReference, EString, MetaEClass
+from pyecore.ecore import (
+    EAttribute,
+    EClass,
+    EEnum,
+    EEnumLiteral,
+    EInt,
+    EObject,
+    EPackage,
+    EProxy,
+    EReference,
+    EString,
+    MetaEClass,
+)
 from pyecore.resources import ResourceSet
 from pyecore.valuecontainer import ECollection, EList, EOrderedSet, EValue
 
-INTERNALS = Path(__file__).resolve().parents[2] / "robosmi" / "model" / "pyecore_internals.py"
+MODULES = Path(__file__).resolve().parents[2] / "robosmi" / "model"
 
 
-def _load() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("pyecore_internals", INTERNALS)
+def _load(name: str) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(name, MODULES / f"{name}.py")
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
@@ -39,7 +51,8 @@ def _load() -> ModuleType:
     return module
 
 
-inside: Any = _load()
+inside: Any = _load("pyecore_internals")
+quick_ecore: Any = _load("quick_ecore")
 FACTS: list[Callable[[], None]] = []
 
 
@@ -277,7 +290,7 @@ def listeners_are_told() -> None:
     home = inside.ListenedTo([ears[0]])
     inside.first_listeners_of(home).append(ears[1])
     inside.set_own_resource(made, home)
-    inside.set_first_listeners(made, [ears[2]])
+    inside.first_listeners_of(made).append(ears[2])
     made.listeners.append(ears[3])
     made.label = "a"
     assert [len(ear.heard) for ear in ears] == [1, 1, 1, 1]
@@ -381,10 +394,11 @@ def features_may_be_made_by_copy() -> None:
         {"name": "r", "eType": node, "eOpposite": feature(node, "next")},
     ]
     for kind, arguments in [(EAttribute, one) for one in given] + [(EReference, one) for one in links]:
-        slow, quick = kind(**arguments), inside.quick_constructor(kind)(**dict(arguments))
-        other = inside.quick_constructor(kind)()
+        slow, quick = kind(**arguments), quick_ecore.quick_constructor(kind)(**dict(arguments))
+        other = quick_ecore.quick_constructor(kind)()
         assert other.name is None, "a copy changed another"
         for name in {*slow.__dict__} - inside.FIELDS - {"dyn_inst"}:
+            getattr(quick, name)  # makes a slot that holds the default
             ours, theirs = (x.__dict__[name] for x in (quick, slow))
             assert type(ours) is type(theirs), name
             assert (ours.owner is quick and ours._value == theirs._value) if isinstance(ours, EValue) else ours == theirs, name
@@ -435,7 +449,7 @@ def classes_may_be_promoted_silently() -> None:
         def of(name: str, bases: tuple[Any, ...], kind: Any = kind, root: Any = root, quiet: bool = quiet, **given: Any) -> Any:
             cls = kind(name, bases, {"__module__": __name__, **given})
             if quiet:
-                inside.promote(cls, root)
+                quick_ecore.promote(cls, root)
             elif root in bases:
                 cls.eClass.eSuperTypes.remove(EObject.eClass)
             return cls
@@ -448,6 +462,23 @@ def classes_may_be_promoted_silently() -> None:
         described = [cls.eClass for cls in (above, below, method)]
         made.append([_told(each) for one in described for each in (one, *one.eStructuralFeatures)])
         assert sys.modules[__name__].__dict__["eClassifiers"]["Below"] is below
+    assert made[0] == made[1]
+
+
+@fact
+def literals_may_be_added_silently() -> None:
+    """A literal that is put into an enumeration silently is described as if it had been appended, in every field."""
+    made = []
+    for quiet in (False, True):
+        state = EEnum("State")
+        for name, value in (("off", 0), ("on", 2)):
+            if quiet:
+                quick_ecore.add_literal(state, name, value)
+            else:
+                state.eLiterals.append(EEnumLiteral(name=name, value=value))
+                del state.__dict__[name]  # pyecore also makes each literal an attribute of its enumeration
+        assert state.getEEnumLiteral(value=2) is state.eLiterals[1]
+        made.append([_told(one) for one in (state, *state.eLiterals)])
     assert made[0] == made[1]
 
 
@@ -471,7 +502,7 @@ def judged_in(version: str) -> int:
         python = str(Path(folder) / "bin" / "python")
         wanted = [f"pyecore=={version}", *(each for each in requires("robosmi") or () if each.startswith("msgspec"))]
         subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *wanted], check=True)
-        found_by = {**os.environ, "PYTHONPATH": str(INTERNALS.parents[2])}
+        found_by = {**os.environ, "PYTHONPATH": str(MODULES.parents[1])}
         return subprocess.run([python, str(Path(__file__))], check=False, env=found_by).returncode
 
 
