@@ -110,6 +110,18 @@ def test_settings_are_kept_and_told() -> None:
     assert told[9:] == [0, 2, 77, 9, -9, 1024, 90]
 
 
+def test_turns_that_are_set_before_the_first_order_move_no_goal() -> None:
+    """A servo that was never told what to do has no target yet, so the library leaves the calculated angle where it is."""
+    told, _ = driven(
+        "servo360.h",
+        "servo360_connect(12, 14); servo360_setTurns(12, 2); pause(100); SAY(servo360_getAngleCalc(12)); "
+            "SAY(servo360_getTurns(12)); servo360_speed(12, 90); servo360_setTurns(12, 2); SAY(servo360_getAngleCalc(12));",
+        1000,
+    )  # fmt: skip
+    assert told[:2] == [0, 2]
+    assert told[2] == pytest.approx(720, abs=10)
+
+
 def test_drives_with_feedback_go_ticks_and_speeds() -> None:
     told, trace = driven(
         "abdrive360.h",

@@ -112,6 +112,7 @@ struct Servo360 : PinWatch {
   int8_t couple;
   int32_t couple_scale;
   int32_t drive, out;                               // 0.1 us beyond neutral
+  int8_t part;                                      // of a microsecond that earlier pulses were too short by, in 0.1 us
 
   int32_t inside(int32_t value) const { return value * turn360 / units; }
   int32_t outside(int32_t value) const { return value * units / turn360; }
@@ -274,7 +275,8 @@ inline void servo360_frame() {
     ServoSlot *slot = servo ? servo_slot(servo->pin, false) : 0;
     if (!slot) continue;
     servo->out = Servo360::limited(servo->out, 2400);
-    int16_t us = servo_us(servo->pin, 0, 1500) + (int16_t)servo->out / 10;
+    int16_t tenths = (int16_t)servo->out + servo->part, us = servo_us(servo->pin, 0, 1500) + tenths / 10;
+    servo->part = tenths % 10;
     if (!alive[place] || !servo->enabled) slot->rest();
     else if (slot->servo->attached()) slot->servo->writeMicroseconds(us);
     else slot->start(us);
@@ -306,11 +308,11 @@ inline int8_t servo360_place(int32_t pin) {
 //#   fidelity: the place of the servo, or -8 without a signal, -4 and -5 for a pin in use, -7 for a fifth servo
 //#   limit: the feedback pin needs a pin-change interrupt (all pins of an Uno)
 //#   limit: where the feedback is not wired, the angle is taken to be as calculated
-//#   stack: 83 61
+//#   stack: 94 72
 //#   interrupt: PCINT0_vect 21
 //#   interrupt: PCINT1_vect 38
 //#   interrupt: PCINT2_vect 38
-//#   interrupt: TIMER0_COMPA_vect 116 116
+//#   interrupt: TIMER0_COMPA_vect 105 105
 //#   interrupt: TIMER1_COMPA_vect 21
 //#   interrupt: TIMER1_COMPB_vect 21 21
 inline int32_t servo360_connect(int32_t pinControl, int32_t pinFeedback) {
@@ -339,17 +341,18 @@ inline int32_t servo360_connect(int32_t pinControl, int32_t pinFeedback) {
   servo->bend[0] = 200;
   servo->bend[1] = -200;
   servo->couple = -1;
+  if (signal.wired()) {  // the first angle is the zero; no frame sees the servo yet, so all cycles are counted here
+    watch_pin(*servo, pinFeedback, feedback360_edge);
+    uint32_t begun = millis();
+    while (servo->cycles < 3 && millis() - begun < 7);
+    servo->measure();
+  }
+  servo->turns = 0;
+  servo->offset = servo->theta;
+  servo->angle = servo->angle_before = servo->angle_calculated = 0;
   {
     Uninterrupted now;
     servos360[place] = servo;
-    if (signal.wired()) watch_pin(*servo, pinFeedback, feedback360_edge);
-  }
-  delay(25);  // the first angle is the zero
-  {
-    Uninterrupted now;
-    servo->turns = 0;
-    servo->offset = signal.wired() ? servo->theta : 0;
-    servo->angle = servo->angle_before = servo->angle_calculated = 0;
   }
   ServoSlot *slot = control.wired() ? servo_slot(pinControl, true) : 0;
   if (slot) {
@@ -886,7 +889,8 @@ inline int32_t servo360_setAngleCalc(int32_t pin, int32_t angle) {
 //#   kind: oneToOne
 //#   needs: S360_SPEED S360_POSITION S360_GOTO Uninterrupted Servo360 servo360_run
 //#   pin: pin digital out servo
-//#   fidelity: so many turns more, as there
+//#   fidelity: so many turns more, as there; before the first order no target moves with them, as there
+//#   limit: a servo that is set before its first order turns without correction, as there, and one that it is coupled to slows it down by up to 5 %
 //#   stack: 22 2
 //#   interrupt: TIMER0_COMPA_vect 114 114
 //#   interrupt: TIMER1_COMPA_vect 21
@@ -900,9 +904,10 @@ inline int32_t servo360_setTurns(int32_t pin, int32_t turns) {
   servo->turns += turns;
   servo->angle += more;
   servo->angle_before += more;
-  servo->goal += more;
-  if (servo->mode == S360_POSITION || servo->mode == S360_GOTO) servo->set_point += more;
-  if (servo->mode == S360_SPEED || servo->mode == S360_GOTO) servo->angle_calculated += more;
+  bool holds = servo->mode == S360_POSITION, turns_ = servo->mode == S360_SPEED, goes = servo->mode == S360_GOTO;
+  if (holds || turns_ || goes) servo->goal += more;
+  if (holds || goes) servo->set_point += more;
+  if (turns_ || goes) servo->angle_calculated += more;
   return place;
 }
 

@@ -332,9 +332,10 @@ int servo360_setTurns(int pin, int turns) {
   SERVO(pin);
   int steps = turns * S360_ENC_RES;
   servo->angle += steps, servo->angle_before += steps, servo->angle_fixed += steps, servo->turns += turns;
-  servo->target_angle += steps;
-  if (servo->mode != S360_POSITION) servo->calculated += steps;
-  if (servo->mode != S360_SPEED) servo->set_point += steps;
+  int moved = servo->mode == S360_POSITION || servo->mode == S360_SPEED || servo->mode == S360_GOTO;  /* not before the first order */
+  if (moved) servo->target_angle += steps;
+  if (moved && servo->mode != S360_POSITION) servo->calculated += steps;
+  if (moved && servo->mode != S360_SPEED) servo->set_point += steps;
   return place_of(servo);
 }
 
