@@ -1,4 +1,7 @@
-"""soundimpact.h, colormath.h, stacktest.h and exit. Semantics of the libraries' sources (Simple-Libraries 1cc167c10)."""
+"""soundimpact.h, colormath.h, stacktest.h, and exit and rand of stdlib.h.
+
+Semantics of the libraries' sources (Simple-Libraries 1cc167c10, propgcc b280e7a77).
+"""
 
 from __future__ import annotations
 
@@ -71,3 +74,21 @@ void loop() { Serial.print("again"); }
     assert trace.text == "a text that is still on its way when the program ends"
     assert trace.state == "running"
     assert [wave.hz for wave in trace.waves if wave.pin == "D9"][-1:] == [500.0] or len(trace.pulses("D9")) > 20
+
+
+RANDOM = ["stdlib.h/rand", "stdlib.h/srand"]
+
+
+@proves(*RANDOM)
+def random_numbers_are_those_of_the_library(uno: Uno) -> None:
+    program = """
+void setup() { Serial.begin(115200); for (int turn = 0; turn < 4; turn++) { Serial.print(c_rand()); Serial.print(' '); }
+  c_srand(4000000000UL); for (int turn = 0; turn < 3; turn++) { Serial.print(c_rand()); Serial.print(' '); } }
+void loop() {}
+"""
+    expected = []
+    for state, count in ((0, 4), (4_000_000_000, 3)):
+        for _ in range(count):
+            state = (state * 1_103_515_245 + 12_345) % 2**32
+            expected.append(state >> 16 & 0x7FFF)
+    assert [int(number) for number in uno.run(program, RANDOM, 30).text.split()] == expected

@@ -134,6 +134,22 @@ def test_memory_is_that_of_the_chip() -> None:
     assert run("#include <stdlib.h>\nint main() { int n; free(&n); }").status == "crashed"
 
 
+def test_random_numbers_are_those_of_the_library() -> None:  # lib/stdlib/rand.c
+    body = 'print("%d ", rand()); print("%d ", rand()); srand(4000000000u); print("%d %x", rand(), RAND_MAX);'
+    states = [(state * 1_103_515_245 + 12_345) % 2**32 for state in (12_345, 4_000_000_000)]
+    assert said(body) == ["0", *(str(state >> 16 & 0x7FFF) for state in states), "7fff"]
+
+
+def test_each_core_has_random_numbers_of_its_own() -> None:
+    text = (
+        "#include <simpletools.h>\nvolatile int theirs, seeded;\n"
+        "void other(void *p) { theirs = rand(); srand(0); seeded = rand(); while (1); }\n"
+        'int main() { int first = rand(); cog_run(other, 50); pause(10); print("%d %d %d", first, seeded, rand()); }'
+    )
+    second = (12_345 * 1_103_515_245 + 12_345) % 2**32 >> 16 & 0x7FFF
+    assert run(text, 100).trace.text == f"0 0 {second}"
+
+
 def test_the_number_of_an_error_is_printed() -> None:  # perror in lib/string/strerror.c, whose words are its own
     text = ended('#include <stdio.h>\n#include <errno.h>\nint main() { errno = 5; perror("say"); perror(0); }', 100).text
     assert text == "say: error 5\nerror 5\n"

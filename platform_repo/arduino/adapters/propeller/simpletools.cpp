@@ -1535,15 +1535,15 @@ static bool random_seeded = false;
 //#   kind: semantic
 //#   name: random_between
 //#   symmetric: limitLow limitHigh
-//#   needs: random_seeded propeller.h/CNT
+//#   needs: random_seeded propeller.h/CNT stdlib.h/rand stdlib.h/srand
 //#   fidelity: both limits inclusive, in either order; rand() behind it has 15 bits, as there
 //#   limit: the first call seeds from the time and an open analog input: other numbers than there
-//#   stack: 32 20
+//#   stack: 24 8
 inline int32_t random_between(int32_t limitLow, int32_t limitHigh) {
-  if (!random_seeded) srand((unsigned int)(analogRead(A0) * 257u + CNT));
+  if (!random_seeded) c_srand(analogRead(A0) * 257u + CNT);
   random_seeded = true;
   int32_t lower = limitLow < limitHigh ? limitLow : limitHigh, upper = limitLow < limitHigh ? limitHigh : limitLow;
-  return lower + rand() % (upper + 1 - lower);
+  return lower + c_rand() % (upper + 1 - lower);
 }
 
 // ---------------------------------------------------------------- terminal

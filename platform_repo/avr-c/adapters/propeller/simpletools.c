@@ -1329,15 +1329,15 @@ static bool random_seeded = false;
 //#   kind: semantic
 //#   name: random_between
 //#   symmetric: limitLow limitHigh
-//#   needs: random_seeded propeller.h/CNT
+//#   needs: random_seeded propeller.h/CNT stdlib.h/rand stdlib.h/srand
 //#   include: <stdlib.h>
 //#   fidelity: both limits inclusive, in either order; rand() behind it has 15 bits, as there
 //#   limit: the first call seeds from the time alone: other numbers than there
 static inline int32_t random_between(int32_t limitLow, int32_t limitHigh) {
-  if (!random_seeded) srand((unsigned int)CNT);
+  if (!random_seeded) c_srand(CNT);
   random_seeded = true;
   int32_t lower = limitLow < limitHigh ? limitLow : limitHigh, upper = limitLow < limitHigh ? limitHigh : limitLow;
-  return lower + rand() % (upper + 1 - lower);
+  return lower + c_rand() % (upper + 1 - lower);
 }
 
 // ---------------------------------------------------------------- terminal

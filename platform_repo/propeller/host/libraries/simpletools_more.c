@@ -174,7 +174,11 @@ void endianSwap(void *resultAddr, void *varAddr, int byteCount) {
   for (int i = 0; i < byteCount; i++) to[i] = from[byteCount - 1 - i];
 }
 
+/* Seeded from the pins and the counter, whose value at that moment no program knows: another one in each varied run. */
 int random(int limitLow, int limitHigh) {
+  static int seeded;
+  if (!seeded) srand(host_random() << 15 | host_random());
+  seeded = 1;
   int least = limitLow < limitHigh ? limitLow : limitHigh, most = limitLow < limitHigh ? limitHigh : limitLow;
   host_call();
   return least + rand() % (most + 1 - least);

@@ -69,10 +69,27 @@ char *strdup(const char *s) {
 
 /* ---- the rest */
 
-/* The sequence is the host's, whatever the seed: no program can rely on the library's. Varied runs have other sequences. */
-int rand(void) { return host_random(); }
+/* Random numbers, as in lib/stdlib/rand.c: each cog has its own state. That of main begins with 0, that of any other cog with what its
+ * stack holds, which is another value in each varied run. */
+static unsigned int rand_states[8];
+static unsigned char rand_ready[8] = {1};
 
-void srand(unsigned int seed) { (void)seed; }
+static unsigned int *rand_state(void) {
+  int cog = host_self();
+  if (!rand_ready[cog]) srand(host_random());
+  return &rand_states[cog];
+}
+
+int rand(void) {
+  unsigned int *state = rand_state();
+  *state = *state * 1103515245 + 12345;
+  return *state >> 16 & RAND_MAX;
+}
+
+void srand(unsigned int seed) {
+  rand_ready[host_self()] = 1;
+  rand_states[host_self()] = seed;
+}
 
 void exit(int status) {
   (void)status;
