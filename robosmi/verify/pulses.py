@@ -248,16 +248,18 @@ def _steady_until(periods: list[float], first: int) -> int:
 def _one_pitch_until(periods: list[float], first: int, last: int) -> int:
     """The index of the last pulse of a wave's first note, which ends where uniform periods change clearly to other ones."""
     for number in range(first + _AHEAD, last - _AHEAD):
-        if abs(periods[number + 1] - periods[number - 1]) <= _NOTE * periods[number - 1]:
+        if abs(periods[number + 1] - periods[number - 1]) <= _PITCH * periods[number - 1]:
             continue
         before, after = periods[number - _AHEAD : number], periods[number + 1 : number + 1 + _AHEAD]
-        if _is_even(before) and _is_even(after):
+        if _is_even(before) and _is_even(after) and abs(median(after) - median(before)) > _NOTE * median(before):
             return number
     return last
 
 
 def _is_even(periods: Sequence[float]) -> bool:
-    return max(periods) - min(periods) <= 2 * _PITCH * min(periods)
+    """Whether periods are the same, except for one edge that an interrupt delays: one period longer, the other one shorter."""
+    usual = sorted(periods)[1:-1]
+    return usual[-1] - usual[0] <= 2 * _PITCH * usual[0]
 
 
 def _near(period: float, usual: float) -> bool:

@@ -53,6 +53,15 @@ def test_a_tone_is_one_event_whoever_makes_it() -> None:
     assert said(by_hand) == said(by_timer) == [(0, "low"), (100, "1000 Hz"), (600, "low")]
 
 
+def test_tones_that_follow_each_other_are_two_though_an_interrupt_delays_an_edge() -> None:
+    first, second = square(100_000, 3000, 1500), square(600_300, 3500, 875)
+    first[2 * 1492] = (first[2 * 1492][0] + 6.0, 1)
+    second[2 * 4] = (second[2 * 4][0] + 6.0, 1)
+    assert [(round(ms), what.split(" Hz")[0]) for ms, what in said(trace([*first, *second]))] == [
+        (0, "low"), (100, "3000"), (600, "3500"), (850, "low"),
+    ]  # fmt: skip
+
+
 def test_bursts_of_a_carrier_with_short_pauses_are_one_activity() -> None:
     bursts = [edge for n in range(20) for edge in square(100_000 + n * 25_000, 38_000, 38)]
     assert [what for _, what in said(trace(bursts))] == ["low", "38000 Hz", "low"]
