@@ -1,8 +1,8 @@
 """Regular expressions of modules, kept as code from one run of the command to the next: compiling them takes a tenth of a run.
 
 Python makes a pattern in two steps: its library makes code of the text, in Python, and its engine an object of the code, in C.
-The first step takes thirty times as long. Its results are kept in the user's cache folder for the patterns that modules compile
-while they are imported; all others are compiled as ever. What is kept counts for one build of Python.
+The first step takes thirty times as long. Its results are kept in the user's cache folder for the patterns that are compiled
+while modules are imported; all others are compiled as ever. What is kept counts for one build of Python.
 
 Nothing of this is promised by Python. So a code is kept only if what the engine makes of it equals the pattern that Python has
 made, and where a name of Python's that is needed here is missing, patterns are compiled as without this.
@@ -10,7 +10,6 @@ made, and where a name of Python's that is needed here is missing, patterns are 
 
 from __future__ import annotations
 
-import os
 import re
 import sys
 from collections.abc import Callable
@@ -34,9 +33,8 @@ NAME = "patterns"
 """The file of the cache folder."""
 MOST = 5000
 """Patterns that are kept at most; all commands together have a fifth of that."""
-_OWN = os.path.dirname(re.__file__)
-OF_FUNCTIONS = 1
-"""Flag of the code of functions (CO_OPTIMIZED), which modules and the bodies of classes do not have."""
+_IMPORTER = "<frozen importlib._bootstrap>"
+"""File name of the code that imports modules."""
 
 
 def _code_of(text: Text, flags: int) -> Code:
@@ -57,11 +55,11 @@ def _pattern_of(text: Text, code: Code) -> Pattern:
     return made
 
 
-def _of_module(frame: FrameType | None) -> bool:
-    """Whether a pattern is compiled by the code of a module that is imported, and not by a function."""
-    while frame is not None and os.path.dirname(frame.f_code.co_filename) == _OWN:
+def _while_importing(frame: FrameType | None) -> bool:
+    """Whether a pattern is compiled while a module is imported, also by a function or an extension module, and not later."""
+    while frame is not None and frame.f_code.co_filename != _IMPORTER:
         frame = frame.f_back
-    return frame is not None and not frame.f_code.co_flags & OF_FUNCTIONS
+    return frame is not None
 
 
 def keep_patterns() -> None:
@@ -77,7 +75,7 @@ def keep_patterns() -> None:
         if (code := kept.get((text, flags))) is not None:
             return _pattern_of(text, code)
         found = compiled(text, flags)
-        if _of_module(sys._getframe(1)):
+        if _while_importing(sys._getframe(1)):
             fresh = _code_of(text, flags)
             if _pattern_of(text, fresh) == found:
                 kept.put((text, flags), fresh)

@@ -6,6 +6,8 @@ import re
 
 from robosmi.typed import kept
 
+_BEFORE_CAPITAL = re.compile(r"(?<!^)(?=[A-Z])")
+
 
 @kept
 def snake(name: str) -> str:
@@ -14,4 +16,4 @@ def snake(name: str) -> str:
     >>> snake("atLeastNMatch"), snake("ftuc")
     ('at_least_n_match', 'ftuc')
     """
-    return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower().rstrip("_")
+    return _BEFORE_CAPITAL.sub("_", name).lower().rstrip("_")

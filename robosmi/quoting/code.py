@@ -24,6 +24,10 @@ C_WORDS = frozenset({
 
 _WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*|[0-9][A-Za-z0-9_.]*|")
 _DEVICES = re.compile(r"(?i)(con|prn|aux|nul|com\d|lpt\d)(\.|$)")
+_SLASHES = re.compile(r"//+")
+_ENDS_HEADER = re.compile(r'[<>"#?*\\\x00-\x1f]+(?: \\[xu])?')
+_UNDERSCORES = re.compile(r"_{2,}")
+_NOT_OF_WORDS = re.compile(r"[^A-Za-z0-9_]")
 _LENGTH = 200
 """Limit on a file name in bytes; file systems allow 255, and endings are appended."""
 
@@ -88,7 +92,7 @@ def c_header(text: str) -> str:
     >>> c_header("Servo.h"), c_header('x.h>\\n#include "evil.h')
     ('Servo.h', 'x.h_ _include _evil.h')
     """
-    return re.sub(r"//+", "/", re.sub(r'[<>"#?*\\\x00-\x1f]+(?: \\[xu])?', "_", visible(one_line(text)))) if text else text
+    return _SLASHES.sub("/", _ENDS_HEADER.sub("_", visible(one_line(text)))) if text else text
 
 
 def c_word(text: str) -> str:
@@ -113,7 +117,7 @@ def identifier(text: str, *, begins: bool = False) -> str:
     >>> identifier("Red (633nm)-LED1"), identifier("9V"), identifier("int"), identifier("__AVR__")
     ('Red633nmLED1', '_9V', 'int_', 'AVR_')
     """
-    word = re.sub(r"_{2,}", "_", re.sub(r"[^A-Za-z0-9_]", "", text))
+    word = _UNDERSCORES.sub("_", _NOT_OF_WORDS.sub("", text))
     if word[:1] == "_" and word[1:2].isupper():
         word = word[1:]
     if word == "_":

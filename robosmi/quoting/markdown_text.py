@@ -17,6 +17,7 @@ _ACTIVE = re.compile(
     r"|(?P<bracket>\](?=[(\[:]))|(?P<run>\*+|~+|_+)|(?P<close>(?<=\s)\#(?=\#*\s*$))"
 )
 _PLAIN = re.compile(r"[A-Za-z0-9 ,;'()/+=-]*+")
+_BACKSLASH_AT_END = re.compile(r"\\(?=\||$)")
 """What acts nowhere within a line."""
 _BLOCK = re.compile(
     r"(?:\#{1,6}(?:\s|$)|>|[-+*](?:\s|$)|`{3}|~{3}|=+\s*$|-+\s*$|(?:[-*_]\s*){3,}$|\[[^\]]*\]|[|:]|-+\s*[|:])"
@@ -101,4 +102,4 @@ def markdown_code_cell(text: str) -> str:
     >>> markdown_code_cell("a|b")
     'a\\\\|b'
     """
-    return " ".join(re.sub(r"\\(?=\||$)", r"\\ ", markdown_code(text)).replace("|", "\\|").split()) or " "
+    return " ".join(_BACKSLASH_AT_END.sub(r"\\ ", markdown_code(text)).replace("|", "\\|").split()) or " "

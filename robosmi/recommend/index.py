@@ -43,6 +43,7 @@ INTERFACES = ("i2c", "spi", "onewire", "serial")
 
 RUNS = ("library_of", "named", "main", "copies", "used_by", "interfaces", *(f"length_{field}" for field in FIELDS))
 
+_PUNCTUATION = re.compile(r"[\W_]+")
 _REMEMBERED = 2048
 """Libraries that are read again only when there were as many others."""
 
@@ -104,7 +105,7 @@ def is_named_like(file: str, library: str) -> bool:
 
 
 def _plain(name: str) -> str:
-    return re.sub(r"[\W_]+", "", name).casefold()
+    return _PUNCTUATION.sub("", name).casefold()
 
 
 class LibraryIndex:

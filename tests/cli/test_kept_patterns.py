@@ -32,11 +32,14 @@ import re
 WORD = re.compile(r"(?P<first>[A-Z])(?P<rest>[a-z]+)", re.IGNORECASE)
 class Words:
     LETTER = re.compile(rb"\w")
+def made(letters):
+    return re.compile(f"[{letters}]+")
+MADE = made("a-f")
 def found():
     return re.compile("[0-9]").findall("one Two 3")
 """
 SAID = "[('o', 'ne'), ('T', 'wo')]|34|{'first': 1, 'rest': 2}|['3']|"
-FRESH, ONE_FRESH, AGAIN = "5", "3", "1"
+FRESH, ONE_FRESH, AGAIN = "7", "3", "1"
 """Numbers of patterns that are compiled: twice for each one of a module that is to be cached, once in the function."""
 
 TEXTS = [
@@ -51,7 +54,7 @@ TEXTS = [
 
 @pytest.fixture
 def home(tmp_path: Path) -> Path:
-    """A folder with a module that has three patterns, one of them in a function."""
+    """A folder with a module that has four patterns: one is made by a function at import, and one by a function later."""
     (tmp_path / "words.py").write_text(MODULE, encoding="utf-8")
     return tmp_path
 

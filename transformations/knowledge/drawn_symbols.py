@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from fnmatch import fnmatchcase
 from pathlib import Path
 
 from robosmi.transformations.knowledge.board_models import check_drawn, drawing_files, only_draws, table_of, text_of
 from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, normalised_label
+from robosmi.transformations.knowledge.wildcards import fits
 from robosmi.verify.tables import DataTable
 
 LEAST_PINS = 6
@@ -48,7 +48,7 @@ def drawn_symbol(
             table = table_of(path)
             check_drawn(table)
             for entry in table.tables("drawn_symbols", needed=False):
-                if not any(fnmatchcase(called, pattern.lower()) for pattern in entry.texts("called")):
+                if not any(fits(called, pattern.lower()) for pattern in entry.texts("called")):
                     continue
                 pins = labelled_pins(table, connectors)
                 if len(pins) >= least:

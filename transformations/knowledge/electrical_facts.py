@@ -6,9 +6,7 @@ drawing.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping, Sequence
-from fnmatch import fnmatchcase, translate
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -22,6 +20,7 @@ from robosmi.metamodels import hardware
 from robosmi.resources import folders
 from robosmi.transformations.knowledge.board_models import ABILITIES
 from robosmi.transformations.knowledge.part_names import Phrases, read_toml
+from robosmi.transformations.knowledge.wildcards import Wildcards, fits
 from robosmi.typed import distinct, kept, replaced
 
 FILE = "parts/electrical.toml"
@@ -93,22 +92,6 @@ class _Entry(NamedTuple):
     forbidden: Phrases
 
 
-class _Names(Struct, frozen=True):
-    """Names of connectors: those without wildcards, and a pattern of all others if there are any."""
-
-    plain: frozenset[str]
-    others: re.Pattern[str] | None
-
-    def __contains__(self, word: str) -> bool:
-        return word in self.plain or (self.others is not None and self.others.match(word) is not None)
-
-
-def _names(names: Sequence[str]) -> _Names:
-    plain = frozenset(name for name in names if _PLAIN.issuperset(name))
-    others = [translate(name) for name in names if name not in plain]  # to compile all names would take three times as long
-    return _Names(plain, re.compile("|".join(others)) if others else None)
-
-
 class ElectricalFacts:
     """The content of one file: its entries, and the meanings of connector names."""
 
@@ -117,7 +100,9 @@ class ElectricalFacts:
         devices = [as_table(device) for device in as_list(table.get("device", ()))]
         self._entries = [_entry(device, path) for device in devices]
         self._words = Phrases((word, number) for number, device in enumerate(devices) for word in _texts(device, "words"))
-        self.names = {key: _names([name.lower() for name in as_texts(n)]) for key, n in as_table(table.get("names", {})).items()}
+        self.names = {
+            key: Wildcards.of(name.lower() for name in as_texts(n)) for key, n in as_table(table.get("names", {})).items()
+        }
         self._known: dict[tuple[object, ...], DeviceFacts | None] = {}
         limits = [as_list(limit) for limit in as_list(as_table(table.get("board", {})).get("supply_ma", ()))]
         self.supply_ma = [(as_number(volts), int(as_number(most))) for volts, most in limits]
@@ -147,7 +132,7 @@ class ElectricalFacts:
         return self._allowed(sorted({number for number, _ in self._words.found(text)}), about)
 
     def _by_family(self, family: str, about: str) -> DeviceFacts | None:
-        numbers = [n for n, e in enumerate(self._entries) if any(_fits(family, pattern) for pattern in e.families)]
+        numbers = [n for n, e in enumerate(self._entries) if any(fits(family, pattern) for pattern in e.families)]
         return self._allowed(numbers, about)
 
     def _allowed(self, numbers: Iterable[int], about: str) -> DeviceFacts | None:
@@ -268,12 +253,6 @@ def _facts(device: Mapping[str, Json]) -> DeviceFacts:
     )
 
 
-def _fits(family: str, pattern: str) -> bool:
-    """Whether a family is one that a pattern of file names stands for; most patterns are plain names, and are not compiled."""
-    return family == pattern or (not _PLAIN.issuperset(pattern) and fnmatchcase(family, pattern))
-
-
-_PLAIN = frozenset("abcdefghijklmnopqrstuvwxyz0123456789 -_")
 """Characters that stand for themselves in patterns of file names."""
 
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from fnmatch import fnmatchcase
 from pathlib import Path
 
 from msgspec import Struct
@@ -18,6 +17,7 @@ from robosmi.data_text import Json, data_toml
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
+from robosmi.transformations.knowledge.wildcards import fits
 from robosmi.typed import kept, matches
 from robosmi.verify.tables import DataTable
 
@@ -27,6 +27,8 @@ _LONGEST = 4
 _LONGEST_PHRASE = 40
 _LONGEST_TEXT = 400  # letters: a title is short, whatever a damaged file says
 _OHMS = re.compile(r"\d+(?:[.,]\d+)?\s*(?:[kKM]\d*\s*(?:[oO]hms?|[\u03a9\u2126R])?|[oO]hms?|[\u03a9\u2126R]\d*)")
+_LETTERS = re.compile(r"[a-z]+")
+_BETWEEN_NAMES = re.compile(r"[/_ ]")
 _NUMBERED = re.compile(r"(?:pin|leg|connector|p\$|p|contact)?[ _-]?\d+", re.IGNORECASE)
 
 
@@ -153,11 +155,9 @@ def passive_named(text: str, known: PartNames) -> str:
     """The kind of a passive part identified only by a reference or a value (`R1`, `C_filter`, `220 ohm`), or an empty text."""
     if _OHMS.fullmatch(text.strip()):
         return "Resistor"
-    letters = re.match(r"[a-z]+", text.strip().lower())
+    letters = _LETTERS.match(text.strip().lower())
     word = letters[0] if letters is not None else ""
-    return (
-        next((means for means, called in known.symbols.items() if any(fnmatchcase(word, c) for c in called)), "") if word else ""
-    )
+    return next((means for means, called in known.symbols.items() if any(fits(word, c) for c in called)), "") if word else ""
 
 
 def name_direction(name: str, known: PartNames, chip: bool = False) -> str | None:
@@ -169,7 +169,7 @@ def name_direction(name: str, known: PartNames, chip: bool = False) -> str | Non
         chip: whether it is a connector of a driver or chip, whose inputs and outputs bear other names.
     """
     word = name.strip().lower()
-    if not known.names["bus"].isdisjoint(re.split(r"[/_ ]", word)):  # SDI/SDA, RX_5V
+    if not known.names["bus"].isdisjoint(_BETWEEN_NAMES.split(word)):  # SDI/SDA, RX_5V
         return "bus"
     for way in ("write", "read"):
         if word in known.names[way] or (chip and word in known.names[f"{way}_chip"]):

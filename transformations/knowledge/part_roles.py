@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from fnmatch import fnmatchcase
 from pathlib import Path
 
 from robosmi.transformations.knowledge.part import Part
 from robosmi.transformations.knowledge.part_names import PartNames, Phrases, names
 from robosmi.transformations.knowledge.role_rules import ByTool, RoleRule, RoleRules, curated_entries, role_rules
+from robosmi.transformations.knowledge.wildcards import fits
 from robosmi.typed import replaced
 
 _REMARK = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
@@ -136,7 +136,7 @@ def _strong_clues(part: Part, family: str, known: RoleRules) -> Iterator[tuple[i
     for number, words in _words_in(part.title, known.words):
         yield number, f"'{words}' in the title"
     for tool, pattern, number in known.families:
-        if _same_tool(tool, part.tool) and fnmatchcase(family, pattern):
+        if _same_tool(tool, part.tool) and fits(family, pattern):
             yield number, f"family '{family}'"
     for number, words in sorted(known.words.found(family)):
         yield number, f"'{words}' in the family"
@@ -184,5 +184,5 @@ def _id_clue(part_id: str, tool: str, rule: RoleRule) -> str:
 
 
 def _family_clue(family: str, tool: str, rule: RoleRule) -> str:
-    found = any(fnmatchcase(family, pattern) for pattern in _of_tool(rule.get("families", []), tool))
+    found = any(fits(family, pattern) for pattern in _of_tool(rule.get("families", []), tool))
     return f"family '{family}'" if found else ""

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from fnmatch import fnmatchcase
 from pathlib import Path
 
 from msgspec import Struct
@@ -19,6 +18,7 @@ from robosmi.transformations.knowledge.board_models import drawing_files, table_
 from robosmi.transformations.knowledge.part import Part
 from robosmi.transformations.knowledge.part_names import Phrases
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
+from robosmi.transformations.knowledge.wildcards import fits
 from robosmi.typed import kept
 from robosmi.verify.tables import DataTable
 
@@ -188,7 +188,7 @@ def _named(connector: hardware.Connector, part: Part, entry: _Entry) -> str | No
     if not name:
         return None
     same = next((pin for pin in part.connectors if pin.lower() == name), None)
-    return same or next((pin for pin, pattern in entry.pins if fnmatchcase(name, pattern)), None)
+    return same or next((pin for pin, pattern in entry.pins if fits(name, pattern)), None)
 
 
 def _powered(connector: hardware.Connector, part: Part) -> str | None:

@@ -151,6 +151,7 @@ def _pointer_sizes(words: Sequence[Token]) -> Iterator[Form]:
 
 _SIZES = re.compile(rb"\[([^\]]*)\]")
 _NAME = re.compile(r"[A-Za-z_]\w*")
+_POINTER_TO_ROWS = re.compile(rb"\(\*\w+\)\[([A-Za-z_]\w*)\]")
 
 
 def _rows_of_parameters(view: CodeView, data: bytes) -> Iterator[Form]:
@@ -166,7 +167,7 @@ def _rows_of_parameters(view: CodeView, data: bytes) -> Iterator[Form]:
             yield int(parameter.startOffset), message, "write the length as a constant, or take a plain pointer and calculate"
     for variable in view.of_kind(ccode.Variable):
         text = data[variable.startOffset : variable.endOffset].partition(b"=")[0].replace(b" ", b"")
-        rows_of = re.search(rb"\(\*\w+\)\[([A-Za-z_]\w*)\]", text)
+        rows_of = _POINTER_TO_ROWS.search(text)
         if rows_of is not None and variable.initialised and _is_local(view, rows_of[1].decode()):
             message = "the rows of an array are as long as a variable says, to which C++ converts no pointer"
             yield int(variable.startOffset), message, "write the length as a constant, or take a plain pointer and calculate"

@@ -130,7 +130,7 @@ def _repeated_in_lists(view: CodeView, data: bytes, repeated: Mapping[ccode.Vari
 def _open_array(variable: ccode.Variable) -> bool:
     """Whether a declaration leaves an array's size open (`int a[];`)."""
     use = variable.valueType
-    return use is not None and not use.pointerDepth and bool(re.match(r"\[\s*\]", (use.arrayDims or "").strip()))
+    return use is not None and not use.pointerDepth and bool(_OPEN.match((use.arrayDims or "").strip()))
 
 
 def _used_before(kept: ccode.Variable, declared: ccode.Variable) -> bool:
@@ -215,6 +215,7 @@ def linkage(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) 
 
 
 _FOR_CPLUSPLUS = re.compile(r"__cplusplus|defined\s*\(?\s*__cplusplus\s*\)?")
+_OPEN = re.compile(r"\[\s*\]")
 _LINKAGE = re.compile(rb'\s*(?:#?\s*extern\s*"C"\s*\{?|\})\s*')
 _COMMENTS = re.compile(rb"/\*.*?\*/|//[^\n]*", re.DOTALL)
 

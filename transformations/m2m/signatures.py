@@ -18,6 +18,7 @@ from robosmi.typed import matches
 _QUALIFIERS = re.compile(r"\b(const|volatile|register|restrict|extern|static|inline)\b")
 
 
+_CONST = re.compile(r"\bconst\b")
 _WORDS = re.compile(r"[A-Za-z_]\w*")
 
 
@@ -73,7 +74,7 @@ def widened(spelling: str, widths: Mapping[str, str]) -> str:
     mapped = widths.get(plain)
     if mapped is None:
         return spelling
-    return f"const {mapped}" if re.search(r"\bconst\b", spelling) else mapped
+    return f"const {mapped}" if _CONST.search(spelling) else mapped
 
 
 def for_target(signature: Signature, widths: Mapping[str, str], reserved: Collection[str] = ()) -> Signature:

@@ -18,6 +18,9 @@ _BEGINNING = (
     r"(?:if \([^;]*\.wired\(\)[^;]*\) return(?: (?P<given>-?\d+)| [^;]+)?;|return \w+(?:\(\w+\))?\.\w+\(\);|(?P<end>\}))"
 )
 """How a body begins that does nothing when its port has no pin: it returns early, or only reads that pin."""
+_CALLED = re.compile(r"\w+(?=\()")
+_DEFINED = re.compile(r"\((?P<parameters>[^{;]*)\)[^{;]*\{(?P<body>.*)", re.DOTALL)
+"""The rest of a function's definition behind its name."""
 _HANDED_ON = re.compile(r"\{\s*(?:return )?(?P<name>\w+)\([^;]*\);\s*\}")
 
 
@@ -75,7 +78,9 @@ def ignored_arguments(use: migration.AdapterUse, answers: Mapping[int, int]) -> 
 
 def _parameters(text: str, name: str) -> list[bool]:
     """For each parameter of an adapter, whether its body names it; empty if the text does not define the function."""
-    found = re.search(rf"\b{re.escape(name)}\((?P<parameters>[^{{;]*)\)[^{{;]*\{{(?P<body>.*)", text, re.DOTALL)
+    found = next(
+        filter(None, (_DEFINED.match(text, word.end()) for word in _CALLED.finditer(text) if word.group() == name)), None
+    )
     if found is None:
         return []
     body = set(matches(r"\w+", _UNUSED.sub("", found["body"])))

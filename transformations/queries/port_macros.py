@@ -20,6 +20,7 @@ from robosmi.transformations.queries.pin_uses import pin_number
 from robosmi.transformations.queries.tokens import names_in
 from robosmi.transformations.queries.value_flows import PinArgument
 
+_DIRECTIVE = re.compile(r"#\s*(define|if|elif)\b(.*)", re.DOTALL)
 _INTEGER = re.compile(r"(0[xX][0-9a-fA-F]+|0[bB][01]+|[0-9]+)[uUlL]*\Z")
 MOST_FOR_DOTS = 16
 """Number of arguments for a macro's `...` that are followed separately."""
@@ -46,7 +47,7 @@ def follow_macros(reader: FlowReader) -> None:
 
 def _directive(text: str, reader: FlowReader, bodies: dict[str, set[str]]) -> None:
     """Read other definitions of a macro, also in text that is not compiled, and keep the flows of macros that `#if` tests."""
-    match = re.match(r"#\s*(define|if|elif)\b(.*)", text, re.DOTALL)
+    match = _DIRECTIVE.match(text)
     if match is None:
         return
     if match[1] == "define":

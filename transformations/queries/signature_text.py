@@ -14,6 +14,7 @@ from robosmi.typed import matches
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _TAGGED = frozenset({"struct", "union", "enum", "const", "volatile"})
+_DIMENSION = re.compile(r"\[[^]]*\]")
 _HEAD = re.compile(r"^(?P<returns>.*?[\s*])(?P<name>[A-Za-z_]\w*)\((?P<rest>.*)\)$", re.DOTALL)
 
 
@@ -58,7 +59,7 @@ def type_names(spelling: str) -> list[str]:
     >>> type_names("void (*)(struct task *par, int)")
     ['void', 'struct', 'task', 'int']
     """
-    head, _, rest = re.sub(r"\[[^]]*\]", " ", spelling).partition("(")
+    head, _, rest = _DIMENSION.sub(" ", spelling).partition("(")
     words = matches(_WORD, head)
     for parameter in split(rest.rpartition("(")[2].rstrip(") ")):
         own = matches(_WORD, parameter)

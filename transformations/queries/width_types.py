@@ -14,6 +14,7 @@ from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, T
 
 _SIZES = frozenset(["short", "char", "long", "double", "float", "_Complex", "__int128"])
 _INTS = frozenset(["int", "unsigned", "signed", "__signed__"])
+_DEFINE = re.compile(r"(?:#|%:)[ \t]*define\b")
 _BETWEEN = QUALIFIERS | STORAGE_WORDS
 _NONE: Mapping[str, str] = {}
 Word = tuple[int, int, str]
@@ -49,7 +50,7 @@ def _plain(data: bytes) -> Iterator[Token]:
     """The tokens of a text, those in bodies of macro definitions included, other directives left out."""
     for kind, start, end, text in tokens(data):
         if kind == "directive":
-            found = re.match(r"(?:#|%:)[ \t]*define\b", text)
+            found = _DEFINE.match(text)
             body = start + found.end() if found else end
             for inner, first, behind, word in tokens(b" " + data[body:end]):
                 yield inner, first + body - 1, behind + body - 1, word

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from fnmatch import fnmatchcase
 from pathlib import Path
 
 from msgspec import Struct
@@ -23,6 +22,7 @@ from robosmi.transformations.knowledge.drawn_symbols import LEAST_PINS, drawn_sy
 from robosmi.transformations.knowledge.part import Part, PartConnector
 from robosmi.transformations.knowledge.part_names import connector_kind
 from robosmi.transformations.knowledge.part_roles import classify
+from robosmi.transformations.knowledge.wildcards import fits
 from robosmi.transformations.t2m.connectivity import Joined
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
 from robosmi.typed import distinct, replaced, sum_of
@@ -175,7 +175,7 @@ class _Making:
         return {}
 
     def _called(self, part: SchematicPart, patterns: Sequence[str]) -> bool:
-        return any(fnmatchcase(part.symbol.lower(), pattern) for pattern in patterns)
+        return any(fits(part.symbol.lower(), pattern) for pattern in patterns)
 
     def _board(self, part: SchematicPart) -> DrawnBoard | None:
         texts = (part.value, part.symbol)  # a library called `arduino` has other parts too

@@ -23,6 +23,7 @@ _UNKNOWN = [
 _IN_STD = re.compile(r"^no (?P<what>member|type|template) named '(?P<name>\w+)' in namespace 'std'")
 _NOT_RECORD = re.compile(r"^member reference (?:base )?type '(?:const |volatile )*(?P<name>\w+)[ *']")
 _NOT_SCALAR = re.compile(r"'(?P<name>\w+)' \(aka 'struct (?P=name)__'\)")
+_DEFINE = re.compile(r"#\s*define")
 _ASSIGNMENTS = frozenset(["=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>=", "++", "--"])
 
 
@@ -258,7 +259,7 @@ class _Uses:
         from robosmi.transformations.knowledge.lexer import tokens as tokenise
 
         for body in bodies:
-            if re.match(r"#\s*define", body):
+            if _DEFINE.match(body):
                 inner = tokenise(body[1:].encode("latin-1"))[1:]
                 plain += [("punct", ";"), *((k, t) for k, _, _, t in inner if k != "comment"), ("punct", ";")]
         self._texts = [text for _, text in plain] + ["", "", ""]

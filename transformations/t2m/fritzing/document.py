@@ -21,6 +21,8 @@ VIEWS = ("breadboardView", "schematicView", "pcbView")
 MAX_INSTANCES = 10_000
 """Parts and wires in one sketch; the largest public one has under 3,000."""
 
+_SLASH = re.compile(r"[\\/]")
+_WIRE_FLAGS = re.compile("[0-9]{1,9}")
 _OWN_ATTRIBUTES = frozenset({"moduleIdRef", "modelIndex", "path"})
 
 Edge = tuple[str, str, str]
@@ -130,7 +132,7 @@ def _instance(element: etree._Element, views: etree._Element) -> Instance:
         index=(element.get("modelIndex") or "").strip(),
         module_id=element.get("moduleIdRef", ""),
         title=title,
-        file_hint=re.split(r"[\\/]", element.get("path", ""))[-1],
+        file_hint=_SLASH.split(element.get("path", ""))[-1],
         line=line_of(element),
         properties=properties,
         local_names=local_names,
@@ -149,7 +151,7 @@ def _view(element: etree._Element) -> View:
                     view.edges.append((own, connect.get("modelIndex", "").strip(), connect.get("connectorId", "")))
         elif child.tag == "geometry":
             flags = child.get("wireFlags", "")
-            view.flags = int(flags) if re.fullmatch("[0-9]{1,9}", flags) else None
+            view.flags = int(flags) if _WIRE_FLAGS.fullmatch(flags) else None
         elif child.tag == "wireExtras":
             view.color = child.get("color", "")
     return view
