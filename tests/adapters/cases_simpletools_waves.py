@@ -114,6 +114,22 @@ void setup() { Serial.begin(115200);
     assert trace.text == "1" + "0" + "00"
 
 
+@proves(*s("pwm_start", "pwm_set"))
+def a_new_length_counts_from_the_next_cycle_on(uno: Uno) -> None:  # the cog looks for it once in a cycle
+    program = """
+void setup() { pwm_start(10000); pwm_set(4, 0, 10000); pwm_set(7, 1, 6000);
+  for (int turn = 0; turn < 10; turn++) { pause(7); pwm_set(4, 0, 10000); pwm_set(7, 1, turn & 1 ? 6000 : 2000); }
+} void loop() {}
+"""
+    trace = uno.run(program, s("pwm_start", "pwm_set", "pause"), 90)
+    assert [level for _, level in trace.levels("D4")][-2:] == [0, 1]
+    assert [level for _, level in trace.levels("D4")].count(1) == 1
+    lengths = [width for _, width in trace.pulses("D7")]
+    assert len(lengths) >= 6
+    assert {2000 if width < 4000 else 6000 for width in lengths} == {2000, 6000}
+    assert lengths == [pytest.approx(2000 if width < 4000 else 6000, abs=8) for width in lengths]
+
+
 @proves(*s("dac_ctr", "dac_ctr_res", "dac_ctr_stop"))
 def duty_stands_for_a_voltage(uno: Uno) -> None:
     program = """

@@ -906,12 +906,12 @@ inline void square_wave_stop() {
 
 //# helper pwm_channels
 //#   timer: Timer1
-//#   fidelity: the pulses of each channel; `end` is in counts of Timer1 from the begin of the cycle
-//#   ram: 22
+//#   fidelity: the pulses of each channel; `end` and that of the next cycle on are in counts of Timer1 from the begin of the cycle
+//#   ram: 26
 struct PwmChannel {
   uint8_t pin, mask;
   volatile uint8_t *out;
-  uint16_t end;
+  uint16_t end, next_end;
   uint32_t microseconds;
   bool high;
 };
@@ -948,6 +948,7 @@ inline void pwm_end_pulses() {
 //#   fidelity: half microseconds in cycles up to 32.7 ms, 4 us beyond
 ISR(TIMER1_COMPA_vect) {  // a cycle begins
   for (volatile PwmChannel &channel : pwm_channels) {
+    channel.end = channel.next_end;
     if (!channel.end) continue;
     *channel.out |= channel.mask;
     channel.high = true;
@@ -980,16 +981,16 @@ inline void pwm_set(int32_t pin, int32_t channel, int32_t tHigh) {
   uint32_t microseconds = tHigh < 0 ? 0 : tHigh;
   uint8_t old = SREG;
   cli();
-  bool moved = it.out && (it.out != io.out || it.mask != io.mask);
+  bool same = it.out == io.out && it.mask == io.mask, moved = it.out && !same;
   it.pin = io.pin;
   it.mask = io.mask;
   it.out = io.out;
   it.high = it.high && !moved;
   it.microseconds = io.wired() ? microseconds : 0;
-  it.end = io.wired() ? pwm_counts(microseconds) : 0;
+  it.next_end = io.wired() ? pwm_counts(microseconds) : 0;
   SREG = old;
   if (moved) before.drive(false);
-  if (pwm_cycle) io.drive(true);
+  if (pwm_cycle && !same) io.drive(true);  // which would cut a pulse
 }
 
 //# adapter pwm_start
@@ -1012,7 +1013,7 @@ inline int32_t pwm_start(uint32_t cycleMicroseconds) {
   pwm_cycle = cycle;
   for (volatile PwmChannel &channel : pwm_channels) {
     if (!channel.out) continue;
-    channel.end = pwm_counts(channel.microseconds);
+    channel.end = channel.next_end = pwm_counts(channel.microseconds);
     Io(channel.pin).drive(true);
   }
   TCCR1A = 0;

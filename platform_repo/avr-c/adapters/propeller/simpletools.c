@@ -688,12 +688,12 @@ static inline void square_wave_stop(void) {
 
 //# helper pwm_channels
 //#   timer: Timer1
-//#   fidelity: the pulses of each channel; `end` is in counts of Timer1 from the begin of the cycle
-//#   ram: 22
+//#   fidelity: the pulses of each channel; `end` and that of the next cycle on are in counts of Timer1 from the begin of the cycle
+//#   ram: 26
 typedef struct {
   uint8_t pin, mask;
   volatile uint8_t *out;
-  uint16_t end;
+  uint16_t end, next_end;
   uint32_t microseconds;
   bool high;
 } PwmChannel;
@@ -734,6 +734,7 @@ static inline void pwm_end_pulses(void) {
 ISR(TIMER1_COMPA_vect) {  // a cycle begins
   for (uint8_t at = 0; at < 2; at++) {
     volatile PwmChannel *channel = &pwm_channels[at];
+    channel->end = channel->next_end;
     if (!channel->end) continue;
     *channel->out |= channel->mask;
     channel->high = true;
@@ -763,16 +764,16 @@ static inline void pwm_set(int32_t pin, int32_t channel, int32_t tHigh) {
   uint32_t microseconds = tHigh < 0 ? 0 : tHigh;
   uint8_t old = SREG;
   cli();
-  bool moved = it->out && (it->out != out || it->mask != io.mask);
+  bool same = it->out == out && it->mask == io.mask, moved = it->out && !same;
   it->pin = io.number;
   it->mask = io.mask;
   it->out = out;
   it->high = it->high && !moved;
   it->microseconds = io.mask ? microseconds : 0;
-  it->end = io.mask ? pwm_counts(microseconds) : 0;
+  it->next_end = io.mask ? pwm_counts(microseconds) : 0;
   SREG = old;
   if (moved) io_drive(before, false);
-  if (pwm_cycle) io_drive(io, true);
+  if (pwm_cycle && !same) io_drive(io, true);  // which would cut a pulse
 }
 
 //# adapter pwm_start
@@ -792,7 +793,7 @@ static inline int32_t pwm_start(uint32_t cycleMicroseconds) {
   for (uint8_t at = 0; at < 2; at++) {
     volatile PwmChannel *channel = &pwm_channels[at];
     if (!channel->out) continue;
-    channel->end = pwm_counts(channel->microseconds);
+    channel->end = channel->next_end = pwm_counts(channel->microseconds);
     io_drive(io_at(channel->pin), true);
   }
   TCCR1A = 0;
