@@ -130,10 +130,11 @@ def activity(trace: PinTrace, pin: str, sight: Sight = SIGHTS[0], pulses: Sequen
             runs.append([pulse])
             unclear.append(near)
     drives_servo = any(_is_frames(run) for run in runs)
+    until_us = _until(trace, pin)
     found: list[ActivityEvent] = []
     for run, doubtful in paired(runs, unclear):
         if not (drives_servo and len(run) == 1 and _is_servo_pulse(run[0])):  # a single frame moves nothing
-            events = _run(run, _until(trace, pin), sight)
+            events = _run(run, until_us, sight)
             found += [replaced(event, unclear=True) for event in events] if doubtful else events
     return merged([IDLE, *found])
 

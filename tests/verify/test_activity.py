@@ -42,6 +42,25 @@ def test_a_pin_that_is_never_used_is_idle() -> None:
     assert activity(trace([(10.0, "z"), (20.0, "p"), (30.0, 0)]), "D1") == [IDLE]
 
 
+def test_a_trace_is_not_read_again_for_each_activity(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A display that is multiplexed for a minute has thousands of them: verify took minutes to read its trace."""
+    asked: list[str] = []
+    levels = PinTrace.levels
+
+    def counted(seen: PinTrace, pin: str) -> list[tuple[float, int | str]]:
+        asked.append(pin)
+        return levels(seen, pin)
+
+    monkeypatch.setattr(PinTrace, "levels", counted)
+
+    def times(blinks: int) -> int:
+        asked.clear()
+        activity(trace([(at + up, 1 - up // 1000) for at in range(0, 90_000 * blinks, 90_000) for up in (0, 1000)]), "D1")
+        return len(asked)
+
+    assert times(40) == times(4)
+
+
 def test_levels_are_levels_and_letting_go_is_low() -> None:
     seen = trace([(100_000, 1), (600_000, 0), (1_000_000, 1), (1_500_000, "z")])
     assert said(seen) == [(0, "low"), (100, "high"), (600, "low"), (1000, "high"), (1500, "low")]
