@@ -38,7 +38,6 @@ from robosmi.model.pyecore_internals import (
     SET_FEATURES,
     FeatureSet,
     empty_ordered_set,
-    has_slot,
     hold,
     inverse_references_of,
     key_of,
@@ -151,7 +150,7 @@ def computed(feature: EStructuralFeature) -> None:
 
     One of several values says so by its collection (`FeatureCollection`). A value that was given, or a default, is returned.
     """
-    if has_slot(feature, "derived") and feature.derived and feature.volatile and not feature.many:
+    if feature.derived and feature.volatile and not feature.many:
         feature.__class__ = _COMPUTED.get(feature.__class__, feature.__class__)
 
 

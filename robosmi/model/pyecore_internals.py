@@ -117,11 +117,6 @@ def is_element(value: Any) -> TypeGuard[Any]:
     return hasattr(value, SET_FEATURES)
 
 
-def has_slot(element: EObject, key: str) -> bool:
-    """Whether an element has a slot of that key; one that was never read or assigned holds the default."""
-    return key in element.__dict__
-
-
 def is_value(slot: Any) -> TypeGuard[EValue]:
     """Whether a slot holds one value, and no collection."""
     return hasattr(slot, "_value")

@@ -31,6 +31,7 @@ from robosmi.model.ecore import (
     EValue,
     Value,
 )
+from robosmi.model.lean import bare, quick
 from robosmi.model.pyecore_internals import (
     FIELDS,
     IS_STATIC,
@@ -44,6 +45,7 @@ from robosmi.model.pyecore_internals import (
     set_features_of,
     set_key,
     update_field,
+    value_in,
 )
 from robosmi.typed import attribute_of
 
@@ -56,11 +58,13 @@ class _Slot(NamedTuple):
     feature: EStructuralFeature
     is_ref: bool
     is_cont: bool
+    is_bare: bool
 
 
 def _slot_of(feature: EStructuralFeature) -> _Slot:
+    quick(feature)
     is_ref = feature.is_reference
-    return _Slot(feature, is_ref, is_ref and feature.containment)
+    return _Slot(feature, is_ref, is_ref and feature.containment, bare(feature))
 
 
 def _of_ecore(cls: type[EObject], name: str) -> _Slot:
@@ -85,12 +89,15 @@ def quick_constructor(cls: type[F]) -> Callable[..., F]:
 
     pyecore's constructors assign some twelve features one by one, with a notification each, though nobody can listen yet. Here
     the fields of an object that was made without arguments are copied, and what is given is put in, without a check and a
-    notification where it is of the plain kind that the feature wants. Slots of other features are left to be made when they are
-    first read: they hold the default.
+    notification where it is of the plain kind that the feature wants. Values of attributes are stored without holders, as those
+    of models are (`lean`); slots without a value are left to be made when they are first read.
     """
     plain = cls()
     slots = {name: _slot_of(slot.feature) for name, slot in plain.__dict__.items() if isinstance(slot, EValue)}
-    others = {name: value for name, value in plain.__dict__.items() if not isinstance(value, EValue) and not _is_own(name)}
+    others = {name: value for name, value in plain.__dict__.items() if name not in slots and not _is_own(name)}
+    others |= {
+        name: value for name, slot in slots.items() if (value := value_in(plain.__dict__[name])) is not None and slot.is_bare
+    }
     inside = set_features_of(plain)
     names = {"lower": "lowerBound", "upper": "upperBound"}
 
@@ -107,9 +114,13 @@ def quick_constructor(cls: type[F]) -> Callable[..., F]:
             arguments["default_value"] = kind.default_value
         for name, value in arguments.items():
             key = names.get(name, name)
-            if value.__class__ is _PLAIN.get(key) or (key == "eType" and isinstance(value, (EDataType, EClass))):
+            if value.__class__ is _PLAIN.get(key):
+                own[key] = value
+                update_field(made, key, value)
+            elif key == "eType" and isinstance(value, (EDataType, EClass)):
                 own[key] = _holder(made, slots[key], value)
-                _follow(made, key, value)
+                update_field(made, key, value)
+                inverse_references_of(value).add((made, _TYPE))
             else:
                 setattr(made, key, value)
         return made
@@ -123,13 +134,6 @@ _PLAIN: dict[str, type] = {
     "iD": bool, "containment": bool,
 }  # fmt: skip
 """Attributes of a feature that are put into a new one without a check, where the value is of exactly this class."""
-
-
-def _follow(feature: EStructuralFeature, key: str, value: Argument) -> None:
-    """Update what depends on an attribute of a feature: its field, and the back reference of its type."""
-    update_field(feature, key, value)
-    if isinstance(value, EClassifier):
-        inverse_references_of(value).add((feature, _TYPE))
 
 
 def _is_own(name: str) -> bool:
@@ -216,7 +220,7 @@ def _holder(owner: EObject, slot: _Slot, value: Argument) -> EValue:
     """A holder with a value, as its constructor makes it."""
     made = object.__new__(EValue)
     made.owner = owner
-    made.feature, made.is_ref, made.is_cont = slot
+    made.feature, made.is_ref, made.is_cont, _ = slot
     made.generic_type = None
     hold(made, value)
     return made
@@ -224,7 +228,7 @@ def _holder(owner: EObject, slot: _Slot, value: Argument) -> EValue:
 
 def _put(element: EObject, slot: _Slot, value: Value) -> None:
     """Store a value in an element without listeners, without a check and without updating the target of a reference."""
-    element.__dict__[key_of(slot.feature)] = _holder(element, slot, value)
+    element.__dict__[key_of(slot.feature)] = value if slot.is_bare else _holder(element, slot, value)
     set_features_of(element).add(slot.feature)
 
 

@@ -398,10 +398,13 @@ def features_may_be_made_by_copy() -> None:
         other = quick_ecore.quick_constructor(kind)()
         assert other.name is None, "a copy changed another"
         for name in {*slow.__dict__} - inside.FIELDS - {"dyn_inst"}:
-            getattr(quick, name)  # makes a slot that holds the default
+            value = getattr(quick, name)  # makes a slot that holds the default
             ours, theirs = (x.__dict__[name] for x in (quick, slow))
-            assert type(ours) is type(theirs), name
-            assert (ours.owner is quick and ours._value == theirs._value) if isinstance(ours, EValue) else ours == theirs, name
+            if isinstance(theirs, EValue):
+                assert value == theirs._value, name
+                assert ours == value if not isinstance(ours, EValue) else ours.owner is quick, name
+            else:
+                assert ours == theirs, name
         assert set(quick.__dict__) == set(slow.__dict__)
         assert set(inside.set_features_of(quick)) == set(inside.set_features_of(slow))
         assert inside.first_listeners_of(quick) == [quick]
@@ -428,6 +431,8 @@ def _told(element: Any) -> dict[str, Any]:
         if isinstance(held, ECollection):
             if len(held):
                 said[name] = (held.feature.name, held.is_ref, held.is_cont, [part.name for part in held])
+        elif isinstance(held, EValue) and not held.is_ref:
+            said[name] = held._value  # as without a holder
         elif isinstance(held, EValue):
             fields = {field: value for field, value in held.__dict__.items() if field not in ("owner", "feature", "_value")}
             said[name] = (held.owner is element, held.feature.name, fields, getattr(held._value, "name", held._value))
