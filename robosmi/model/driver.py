@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeAlias, TypeGuard
 
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model import structure
-from robosmi.model.ecore import DynamicEObject, EClass, EClassifier, EEnumLiteral, EObject, Scalar
+from robosmi.model.ecore import DynamicEObject, EClass, EClassifier, EEnum, EEnumLiteral, EObject, Scalar
 from robosmi.model.feature_errors import LABELS, not_named
 from robosmi.typed import class_name, dynamic_attribute
 
@@ -298,7 +298,7 @@ class TypeHandle:
 
     def __call__(self, /, *values: FeatureValue, **features: FeatureValue) -> DynamicNode:
         """A new element of this type in the model; see `Model.create`. Values need the names of their features."""
-        if values or hasattr(self.kind, "eLiterals"):
+        if values or isinstance(self.kind, EEnum):
             raise not_named(self.kind, values)
         return self.model.create(self.kind, **features)
 

@@ -11,13 +11,13 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Never, cast
 
 from robosmi.errors import ModelError
 from robosmi.model.driver import FeatureValue, Kind, ModelElement, Node
 from robosmi.model.ecore import DynamicEObject, EObject, EPackage, Scalar
 from robosmi.model.fragments import fragment_of, own_id, resolve
-from robosmi.model.making import as_data, unlink
+from robosmi.model.making import as_data, refuse_unnamed, unlink
 from robosmi.model.making import new as new
 from robosmi.model.metamodel import Metamodel, Packages, TypedModel
 from robosmi.model.pyecore_internals import own_resource_of, set_own_resource
@@ -270,14 +270,16 @@ class EmfModel(TypedModel):
         self._roots[id(root)] = cast(DynamicEObject, root)
         self._watch.changed = True
 
-    def create(self, kind: Kind, /, **features: FeatureValue) -> DynamicEObject:
+    def create(self, kind: Kind, /, *values: Never, **features: FeatureValue) -> DynamicEObject:
         """A new element, a root of this model until it is put somewhere (EOL `new T(name = "x")`).
 
         Raises:
             UnknownTypeError: there is no such type.
             ModelError: it is abstract, or has no such feature.
         """
-        made: DynamicEObject = new(self.type_named(kind) if isinstance(kind, str) else kind, **features)
+        wanted = self.type_named(kind) if isinstance(kind, str) else kind
+        refuse_unnamed(wanted, values)
+        made: DynamicEObject = new(wanted, **features)
         current = not self._watch.changed
         self.add(made)
         if current and not contents(made):  # the common case: extents grow by one at the end

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model import ecore
-from robosmi.model.driver import Kind, class_of
-from robosmi.model.ecore import DynamicEObject, EObject, EStructuralFeature
+from robosmi.model.driver import Kind, TypeHandle, class_of
+from robosmi.model.ecore import DynamicEObject, EEnum, EObject, EStructuralFeature
+from robosmi.model.feature_errors import not_named
 from robosmi.model.features import all_features
 from robosmi.model.pyecore_internals import (
     first_listeners_of,
@@ -51,6 +53,17 @@ def new(kind: Kind, /, **features: Any) -> Any:
         elif value is not None:
             setattr(made, name, value)
     return made
+
+
+def refuse_unnamed(kind: Kind, values: Sequence[object]) -> None:
+    """Refuse to make an element with values without the names of their features, or one of an enumeration.
+
+    Raises:
+        ModelError: there are such values (FeatureValueError), or the type is an enumeration.
+    """
+    wanted = kind.kind if isinstance(kind, TypeHandle) else kind
+    if (values or isinstance(wanted, EEnum)) and not isinstance(wanted, str):
+        raise not_named(wanted, values)
 
 
 def of_ecore(cls: type) -> Any:

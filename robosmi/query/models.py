@@ -10,14 +10,24 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import TypeVar, cast, overload
+from typing import Never, TypeVar, cast, overload
 
 from robosmi.errors import ModelError
-from robosmi.model.driver import DynamicNode, FeatureValue, Item, Kind, Model, Node, Type, TypeHandle, unknown_type
+from robosmi.model.driver import (
+    DynamicNode,
+    FeatureValue,
+    Item,
+    Kind,
+    Model,
+    Node,
+    Type,
+    TypeHandle,
+    unknown_type,
+)
 from robosmi.model.ecore import DynamicEObject, EClassifier, EEnum, EEnumLiteral, EObject, EPackage, Package
 from robosmi.model.emf import EmfModel
 from robosmi.model.fragments import fragment_of
-from robosmi.model.making import new, unlink
+from robosmi.model.making import new, refuse_unnamed, unlink
 from robosmi.model.metamodel import find_literal
 from robosmi.model.repository import Repository
 from robosmi.model.structure import root_of
@@ -133,9 +143,11 @@ class ModelView(Model):
         """Whether the element is in this model."""
         return self.model.owns(element)
 
-    def create(self, kind: Kind, /, **features: FeatureValue) -> DynamicNode:
+    def create(self, kind: Kind, /, *values: Never, **features: FeatureValue) -> DynamicNode:
         """A new element of this model (EOL `new T(name = "x")`, `T.createInstance()`); see `Model.create`."""
-        return self.model.create(self.type_named(kind) if isinstance(kind, str) else kind, **features)
+        wanted = self.type_named(kind) if isinstance(kind, str) else kind
+        refuse_unnamed(wanted, values)
+        return self.model.create(wanted, **features)
 
     def delete(self, element: Node) -> None:
         """Take an element with all it contains out of this model (EOL `delete`); see `Model.delete`."""
@@ -147,15 +159,16 @@ class ModelView(Model):
 
 
 @overload
-def create(kind: type[T], /, **features: FeatureValue) -> T: ...
+def create(kind: type[T], /, *values: Never, **features: FeatureValue) -> T: ...
 @overload
-def create(kind: str | EClassifier | TypeHandle, /, **features: FeatureValue) -> DynamicNode: ...
-def create(kind: Kind, /, **features: FeatureValue) -> T | DynamicNode:
+def create(kind: str | EClassifier | TypeHandle, /, *values: Never, **features: FeatureValue) -> DynamicNode: ...
+def create(kind: Kind, /, *values: Never, **features: FeatureValue) -> T | DynamicNode:
     """A new element of a class or EClass, in no model.
 
     Raises:
         ModelError: the class is abstract, or has no such feature.
     """
+    refuse_unnamed(kind, values)
     made: T | DynamicNode = new(kind, **features)
     return made
 

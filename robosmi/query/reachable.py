@@ -12,7 +12,7 @@ from datetime import date
 from decimal import Decimal
 from pathlib import Path
 from types import BuiltinMethodType, CodeType, FunctionType, MethodType
-from typing import Any, NoReturn
+from typing import Any, Never, NoReturn
 
 from robosmi.errors import UsageError
 from robosmi.model.driver import Model, ModelElement, TypeHandle
@@ -49,7 +49,7 @@ _GROWING = frozenset(
 class LookedAt(models.ModelView):
     """A model that a query of a stranger looks at: nothing creates, deletes or stores."""
 
-    def create(self, kind: Any, /, **features: Any) -> Any:
+    def create(self, kind: Any, /, *values: Never, **features: Any) -> Any:
         """Refuse to make an element."""
         self._looked("make an element")
 

@@ -14,13 +14,16 @@ from robosmi.metamodels import ccode
 from robosmi.model.emf import EmfModel
 from robosmi.model.feature_errors import FeatureValueError
 from robosmi.model.metamodel import Metamodel
-from robosmi.query import ModelView
+from robosmi.query import ModelView, create
 
 GRAPH = Metamodel.load(Path(__file__).parents[1] / "epsilon" / "cases" / "models" / "graph.ecore")
 
 
-def graph() -> ModelView:
+def graph() -> Any:
     return ModelView(EmfModel((), GRAPH, "G"))
+
+
+in_no_model: Any = create
 
 
 def made_in_pyecore() -> Any:
@@ -37,6 +40,10 @@ def made_in_pyecore() -> Any:
     ("make", "fix"),
     [
         (lambda: graph().Node("x"), "write Node(label='x'); its features: incoming, label, outgoing"),
+        (lambda: graph().create("Node", "x"), "write Node(label='x'); its features: incoming, label, outgoing"),
+        (lambda: graph().create(graph().Node, "x"), "write Node(label='x'); its features: incoming, label, outgoing"),
+        (lambda: graph().model.create("Node", "x"), "write Node(label='x'); its features: incoming, label, outgoing"),
+        (lambda: in_no_model(GRAPH.Node, "x"), "write Node(label='x'); its features: incoming, label, outgoing"),
         (lambda: GRAPH.Node("x"), "write Node(label='x'); its features: incoming, label, outgoing"),
         (lambda: ccode.ExpressionStatement("x"), "write ExpressionStatement(FEATURE='x'); its features: "),  # type: ignore[call-arg, arg-type]
         (lambda: ccode.Function("f", line=3), "write Function(name='f'); its features: "),  # type: ignore[call-arg, arg-type]
@@ -54,6 +61,8 @@ def test_a_value_without_the_name_of_its_feature_is_told_with_the_likely_one(mak
 def test_an_enumeration_is_told_to_make_no_elements(values: tuple[str, ...]) -> None:
     with pytest.raises(ModelError, match="Shape is an enumeration") as told:
         graph().Shape(*values)
+    with pytest.raises(ModelError, match="Shape is an enumeration"):
+        graph().create(graph().Shape, *values)
     assert told.value.fix == "use one of its literals: Shape.box, Shape.round, Shape.star"
 
 
