@@ -252,7 +252,11 @@ class Verdict(Struct):
 
     def _missed(self, whole: bool = False) -> list[str]:
         """What of the source was not reached, in words: nothing of it was compared."""
-        told = {"lines not reached": self.missed_lines, "branches not taken": self.untaken}
+        told = {
+            "lines not reached": self.missed_lines,
+            "branches not taken": self.untaken,
+            "branches taken only where the source differs from itself, and not compared": self.racy_branches,
+        }
         return [f"{what}: {places_told(places, whole)}" for what, places in told.items() if places and self.counted]
 
     def all_reasons(self) -> list[str]:

@@ -93,10 +93,12 @@ def test_places_of_the_source_that_no_scenario_reaches_are_named() -> None:
     found = Verdict(
         scenarios=[told("no-difference-found", "same")], counted=1, lines_pct=61.5, branches_pct=50.0,
         missed_lines=["a.c:3", "a.c:5-9", "b.c:2"], missed_branches=["a.c:5", "a.c:12", "a.c:12"], untaken=["a.c:12", "a.c:12"],
+        racy_branches=["a.c:20"],
     )  # fmt: skip
     for said in (found.sentence(), "\n".join(found.lines())):
         assert "lines not reached: a.c:3, 5-9; b.c:2" in said
         assert "branches not taken: a.c:12" in said
+        assert "and not compared: a.c:20" in said
     assert found.to_json()["source_coverage"]["missed_lines"] == ["a.c:3", "a.c:5-9", "b.c:2"]
     many = Verdict(scenarios=found.scenarios, counted=1, missed_lines=missed)
     assert "a.c:1, 4, 7, 10, 13, 16, 19, 22, 25, 28, 31, 34 and 2 more (verify -v shows all)" in "\n".join(many.lines())

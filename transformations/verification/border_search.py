@@ -10,8 +10,9 @@ import math
 from collections.abc import Callable, Sequence
 
 from robosmi.data_text import Json
+from robosmi.transformations.verification.band_search import try_bands
 from robosmi.transformations.verification.original_side import Place
-from robosmi.transformations.verification.scenario_goals import BESIDE, beside
+from robosmi.transformations.verification.scenario_goals import BESIDE
 from robosmi.transformations.verification.scenario_inputs import (
     FIRST_TEXT_MS,
     LONGEST_MS,
@@ -25,7 +26,7 @@ from robosmi.transformations.verification.scenario_inputs import (
     series_points,
 )
 from robosmi.transformations.verification.scenario_trials import Trials
-from robosmi.transformations.verification.simulated_kinds import device_facts
+from robosmi.transformations.verification.shown_numbers import both_sides, fineness, numbers_of, showable
 from robosmi.transformations.verification.turning_points import Fineness, Look, turning_points
 from robosmi.typed import distinct, replaced
 
@@ -174,6 +175,8 @@ def with_borders(trials: Trials, each: ScenarioInput) -> ScenarioInput:
         if number >= _SURE_BACKGROUNDS and trials.effort.has_spent(begun_s, _EFFORT_S):
             break
         values += [value for value in _borders(trials, each, background, known) if value not in values]
+    if known:
+        try_bands(trials, each, known, _seen_after_ms(trials, each))
     return replaced(each, values=tuple(values))
 
 
@@ -192,26 +195,20 @@ def _borders(trials: Trials, each: ScenarioInput, background: Signals, known: li
 
     Borders are added to `known`, those of all backgrounds.
     """
-    numbers = {float(v) for v in each.values if isinstance(v, (int, float)) and not isinstance(v, bool)}
-    facts = device_facts().get(each.device, {})
-    smallest = float(facts.get("finest", 1.0))
-    is_whole = "whole number" in facts.get("takes", {}).get(each.setting, ())
+    numbers = numbers_of(each)
 
     def look(value: float) -> Look | None:
-        shown = round(value) if is_whole else value
+        shown = showable(each, value)
         seen = _look(trials, each, shown, background)
         if seen is not None and value not in numbers and trials.takes_new_edge(seen):
             trials.try_signals({**background, **constant(each, shown)})
         return seen
 
     values: list[float] = []
-    fine = Fineness(smallest, smallest, 0.001)
+    fine = fineness(each)
     before = -math.inf
     for turn in turning_points(numbers, look, fine, _MOST_LOOKS, _MOST_LOOKS) if len(numbers) > 2 else ():
-        if is_whole:  # both boards read the same
-            sides: list[float] = [round(turn.low), round(turn.high)]
-        else:
-            sides = [round(value, 1) for value in beside(turn.high, facts, each.near)]
+        sides = both_sides(each, turn.low, turn.high)
         near = 2.5 * fine.width(turn.high)
         if turn.high - before < near or any(
             sides[0] <= border <= sides[1] and abs(border - turn.high) >= near for border in known
@@ -230,7 +227,11 @@ def _borders(trials: Trials, each: ScenarioInput, background: Signals, known: li
     return values
 
 
+def _seen_after_ms(trials: Trials, each: ScenarioInput) -> float:
+    """How long a program may take to see what an input shows, in milliseconds."""
+    return trials.probe_ms + (FIRST_TEXT_MS if each.happens else each.hold_ms if each.hold_ms > 1000 else 0)
+
+
 def _look(trials: Trials, each: ScenarioInput, value: Json, background: Signals) -> Look | None:
     """What a short run tells in which an input shows one value; None when the search is over."""
-    lasts = trials.probe_ms + (FIRST_TEXT_MS if each.happens else each.hold_ms if each.hold_ms > 1000 else 0)
-    return trials.look({**background, **constant(each, value)}, min(trials.horizon, lasts))
+    return trials.look({**background, **constant(each, value)}, min(trials.horizon, _seen_after_ms(trials, each)))

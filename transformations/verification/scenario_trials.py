@@ -19,7 +19,7 @@ from robosmi.transformations.verification.original_side import (
 )
 from robosmi.transformations.verification.played_devices import brief_pins, played
 from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.transformations.verification.scenario_goals import ENDS, GOALS, SERIES, behaviour, shown, values_told
+from robosmi.transformations.verification.scenario_goals import ENDS, GOALS, SERIES, behaviour, last_told, shown, values_told
 from robosmi.transformations.verification.scenario_inputs import Signals
 from robosmi.transformations.verification.search_effort import SearchEffort
 from robosmi.transformations.verification.turning_points import Look, look_of
@@ -150,11 +150,20 @@ class Trials:
 
     def look(self, signals: Signals, horizon_ms: float) -> Look | None:
         """What a short run tells of the way that the program goes; None when the search is over."""
+        run = self._looked_at(signals, horizon_ms)
+        return None if run is None else self._look_of(run)
+
+    def left_in(self, signals: Signals, horizon_ms: float) -> dict[str, str] | None:
+        """What each channel does at the end of a short run; None when the search is over."""
+        run = self._looked_at(signals, horizon_ms)
+        return None if run is None else last_told(run, self.ports)
+
+    def _looked_at(self, signals: Signals, horizon_ms: float) -> OriginalRun | None:
         if self.effort.is_over():
             return None
         run = run_source(self.program, self.ports, Scenario("look", horizon_ms, signals))
         self.effort.add(run)
-        return self._look_of(run)
+        return run
 
     def is_new(self, look: Look) -> bool:
         """Whether a run has gone where no scenario has gone yet."""

@@ -18,7 +18,7 @@ from tests.host_model.bench import built
 from tests.tools import require_tools
 
 BUTTONS = [BoundPort(f"P{n}", f"P{n}", f"D{n}", device="levels", pin="pin") for n in (3, 4, 5)]
-LAMPS = [BoundPort(f"P{n}", f"P{n}", f"D{n}") for n in (10, 11)]
+LAMPS = [BoundPort(f"P{n}", f"P{n}", f"D{n}") for n in (9, 10, 11)]
 BITS = [
     BoundPort(f"P{n}", f"P{n}", f"D{n}", device="shifted_bits", pin=pin, group="P7") for n, pin in ((7, "data_in"), (8, "clock"))
 ]
@@ -117,6 +117,32 @@ SHIFTED = """
     if (shift_in(7, 8, MSBPRE, 8) > 100) high(10); else low(10);
     pause(50);
   }"""
+HYSTERESIS = """
+  int stage = 0;
+  adc_init(21, 20, 19, 18);
+  while (1) {
+    int raw = adc_in(2);
+    if (stage == 0 && raw > 2000) stage = 1;
+    else if (stage == 1 && raw > 3000) stage = 2;
+    else if (stage == 2 && raw < 2600) stage = 1;
+    else if (stage == 1 && raw < 1200) stage = 0;
+    if (raw > 3600) high(9); else if (raw < 3300) low(9);
+    set_outputs(11, 10, stage);
+    set_directions(11, 10, 3);
+    pause(50);
+  }"""
+CAME_FROM = """
+  int near = 0;
+  adc_init(21, 20, 19, 18);
+  while (1) {
+    int raw = adc_in(2);
+    if (raw > 3000) near = 0;
+    else if (raw > 2000) low(10);
+    else if (raw > 1000) pulse_out(9, 1000);
+    else if (!near) { near = 1; toggle(11); }
+    else high(10);
+    pause(50);
+  }"""
 Case = tuple[Scenario, SourceRuns]
 BEFORE = """#include <simpletools.h>
 #include <adcDCpropab.h>
@@ -146,6 +172,8 @@ PROGRAMS = {
     "measured once": (ONCE, [*BUTTONS[:1], VOLTAGE], [("> 3000", "> 3100"), ("> 3000", "> 2900")]),
     "a code": (LOCK, BUTTONS[:2], [("state = 3; else if (l) state = 0", "state = 3; else if (l) state = 1")]),
     "whole numbers": (SHIFTED, BITS, [("> 100", "> 108"), ("> 100", "> 92")]),
+    "a hysteresis": (HYSTERESIS, [VOLTAGE], [("raw < 2600", "raw < 2500"), ("raw < 1200", "raw < 1300"), ("< 3300", "< 3200")]),
+    "a state for each way": (CAME_FROM, [VOLTAGE], [("low(10)", "near = 0")]),
     "numbers": (TYPED, [], [("x > 10000", "x > 10404"), ("v > 2.5", "v > 2.6"), ("v > 2.5", "v > 2.3")]),
 }
 
