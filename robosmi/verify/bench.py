@@ -37,7 +37,7 @@ class Bench(ABC):
         clock_hz: the clock of the microcontroller: actions happen at its cycles.
 
     Attributes:
-        driven: label -> how the program drives that pin now; not kept for brief pins by every engine.
+        driven: label -> how the program drives that pin now; kept by every engine only for pins that a device heeds.
         brief: the pins of which only the first change to each level is recorded.
         changes: how it drove the pins, by time.
         events: what devices noticed, by time.
@@ -167,15 +167,23 @@ class Bench(ABC):
             self._told.add((pin, level))
             self.changes.append(PinChange(self.now, pin, level))
             return
-        if len(self.changes) >= MOST_CHANGES:
-            raise VerificationError(f"the program changes its pins more than {MOST_CHANGES:,} times", fix="simulate less time")
         self.driven[pin] = level
         self.changes.append(PinChange(self.now, pin, level))
+        self.refuse_too_many()
         for device in self._at_pin.get(pin, ()):
             if not device.is_played:
                 device.pin_changed(pin, level)
         if pin in self._contacts:
             self._pass_on(pin)
+
+    def refuse_too_many(self) -> None:
+        """Refuse a program that changes its pins more often than can be kept.
+
+        Raises:
+            VerificationError: it does.
+        """
+        if len(self.changes) > MOST_CHANGES:
+            raise VerificationError(f"the program changes its pins more than {MOST_CHANGES:,} times", fix="simulate less time")
 
     def aimed(self, pin: str, aim: str) -> None:
         """Tell the devices at a pin how the program drives them from now on: one of `AIMS`."""

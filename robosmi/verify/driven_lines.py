@@ -20,7 +20,7 @@ from robosmi.verify.simulation import PinTrace
 DRIVEN_LOW, LET_GO = "driven low", "let go"
 _SHORTEST_US = 100.0
 """Shorter durations are ignored: the source's times are not known below this."""
-_AGREE = 3
+_AGREE = 3  # the middle one of them is their median
 """If a line is driven often, a new length counts once this many in a row have it, since interrupts stretch single ones."""
 _OFTEN_US = 200_000.0
 _LEAST_PAUSE_US, _PAUSES, _CLEAR = 500_000.0, 5, 1.5
@@ -73,18 +73,23 @@ def _lengths(
     lately: list[tuple[float, float]] = []
     at_first = len([begin for begin, _ in held if begin - held[0][0] < _OFTEN_US])
     pause_us = _long_pause(held)
+    known: float | None = None  # the last one that was found to be alike: most are the same
     for number, (begin, length) in enumerate(held):
-        lately = [*[each for each in lately if begin - each[0] < _OFTEN_US][1 - _AGREE :], (begin, length)]
+        del lately[: max(0, len(lately) + 1 - _AGREE)]
+        while lately and begin - lately[0][0] >= _OFTEN_US:
+            del lately[0]
+        lately.append((begin, length))
         often = len(lately) == _AGREE or (at_first >= _AGREE and begin - held[0][0] < _OFTEN_US)
         if not often or len(lately) >= _AGREE:
-            told = median(each[1] for each in lately)
-            if not found or not are_alike(float(found[-1].value[1]), told):
+            told = sorted([each[1] for each in lately])[1] if len(lately) == _AGREE else median(each[1] for each in lately)
+            if told != known and (not found or not are_alike(float(found[-1].value[1]), told)):
                 found.append(ActivityEvent(lately[0][0], kind, (level, told)))
+            known = told
         rests_us = (held[number + 1][0] if number + 1 < len(held) else until_us) - begin - length
         if found and rests_us > pause_us:
             near = rests_us < _CLEAR * pause_us
             found.append(ActivityEvent(begin + length, kind, (level, NO_MORE), barely=near))
-            lately = []
+            lately, known = [], None
     return found
 
 

@@ -14,40 +14,27 @@ import signal
 import struct
 import subprocess
 import threading
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from time import monotonic
 
 from msgspec import Struct
 
-from robosmi.errors import UsageError, VerificationError
-from robosmi.typed import sum_of
-from robosmi.verify.bench import AIMS, Bench, Level, device_class
+from robosmi.verify.bench import device_class
+from robosmi.verify.host_bench import END, LEVELS, NEVER, PIN, HostBench
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.processes import ending_with_us
 from robosmi.verify.processor_time import HANGS
-from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinTrace, Wave
+from robosmi.verify.simulation import DeviceUse, PinChange, PinTrace
 from robosmi.verify.temporary import temporary_folder
 
 STATES = {"running": "running", "finished": "done"}
 """Status of a run -> state of its trace; any other status is `crashed`."""
 
 _RECORD = struct.Struct("<QIIII")
-_COMMAND = struct.Struct("<iiq")
-_DECAY_FOR = struct.Struct("<dd")
 _SETTINGS = struct.Struct("<QQQQdddddddIIIIIIIII")
-_FLOAT = struct.Struct("<f")
-_WORD = struct.Struct("<I")
-_PIN, _WAVE, _CONSOLE, _SYNC, _BUS_START, _BUS_WRITE, _BUS_READ, _BUS_STOP, _END, _CALL, _AIM, _COMPARED = range(1, 13)
-_GO, _LEVEL, _VOLTAGE, _TYPED, _JOIN, _PART, _LEVEL_AHEAD, _DECAY = range(8)
-_LET_GO = 2
-_MOST_DECAYS = 1024
-"""So many the process can keep of all pins."""
-_NEVER = (1 << 62) - 1
 _MOST_RECORDS = 1_000_000
 """Limit on the records of a run: a trace of this many takes 150 MB and a few seconds."""
-_TOGETHER_US = 45_000.0
-"""Cores that print within this time print concurrently, since a line may be this much later in another run (see `comparison`)."""
 
 
 class Variation(Struct, frozen=True):
@@ -125,7 +112,7 @@ def run_original(
         UsageError: a device is not known, or is used wrongly.
         VerificationError: the program cannot be started.
     """
-    bench = _HostBench(program)
+    bench = HostBench(program)
     bench.connect([*devices, *_boards_own(program, devices)], brief)
     with temporary_folder("original") as place, ending_with_us(
         lambda: subprocess.Popen(
@@ -166,155 +153,10 @@ def _ended_by(code: int) -> str:
     return f"its process ended with {f'signal {-code}' if code < 0 else f'exit code {code}'} before its time"
 
 
-def _float(bits: int) -> float:
-    """The number whose bits came as a word."""
-    number: float = _FLOAT.unpack(_WORD.pack(bits))[0]
-    return number
-
-
-class _HostBench(Bench):
-    """The bench of a program that runs in a host model: its cycles are the ticks of the virtual time."""
-
-    def __init__(self, program: OriginalProgram) -> None:
-        model = program.model
-        super().__init__([*model.pins, *model.channels], model.clock_hz)
-        self.labels = model.pins
-        self.numbers = {label: number for names in (model.pins, model.channels) for number, label in enumerate(names)}
-        self.channels = frozenset(model.channels)
-        self.commands: list[bytes] = []
-        self.waves: list[Wave] = []
-        self.console: list[ConsoleByte] = []
-        self.calls: list[tuple[float, int, int, bool]] = []
-        self.mixed_text_us: list[float] = []
-        self.compared: dict[int, tuple[float, float]] = {}
-        self._speaker = 0
-        self.tick = 0
-        self.next_wake = _NEVER
-        self._addressed: dict[int, int] = {}  # bus -> address
-        self._with_charge: set[str] = set()
-        self._decays = 0
-
-    @property
-    def cycle(self) -> int:
-        return self.tick
-
-    @property
-    def watched(self) -> int:
-        """The pins at which a device is, as bits."""
-        return self.bits(self._at_pin)
-
-    def bits(self, pins: Collection[str]) -> int:
-        """Pins as bits."""
-        return sum_of(1 << number for number, label in enumerate(self.labels) if label in pins)
-
-    @property
-    def asking(self) -> tuple[int, int, int]:
-        """Bit masks of the pins whose devices must react at once when the pin is driven low, driven high, or released."""
-        found = [
-            sum_of(1 << number for number, label in enumerate(self.labels) if self._reacts(label, level)) for level in (0, 1, "z")
-        ]
-        return found[0], found[1], found[2]
-
-    def _reacts(self, pin: str, level: Level) -> bool:
-        return any(level in device.reacts_to and not device.is_played for device in self._at_pin.get(pin, ()))
-
-    def join(self, pin: str, other: str) -> None:
-        self._command(_JOIN, self.numbers[pin], self.numbers[other])
-
-    def part(self, pin: str, other: str) -> None:
-        self._command(_PART, self.numbers[pin], self.numbers[other])
-
-    def wake_at(self, cycle: int) -> None:
-        self.next_wake = cycle
-
-    def set_level(self, pin: str, level: int | None) -> None:
-        self._command(_LEVEL, self.numbers[pin], _LET_GO if level is None else level)
-
-    def set_level_at(self, at_us: float, pin: str, level: int | None, holds: Callable[[], bool] = lambda: True) -> None:
-        """Tell the process ahead, which saves one exchange of messages; it forgets it when the pin's level is set before."""
-        cycle = round(at_us * self.clock_hz / 1e6)
-        if cycle <= self.cycle:
-            self.set_level(pin, level)
-        else:
-            self._command(_LEVEL_AHEAD, self.numbers[pin] | (_LET_GO if level is None else level) << 5, cycle)
-
-    def keeps_charge(self, pin: str, decays: Sequence[tuple[float, float]]) -> bool:
-        if not decays or pin in self._with_charge or self._decays + len(decays) > _MOST_DECAYS:
-            return False
-        self._with_charge.add(pin)
-        self._decays += len(decays)
-        for from_us, lasts_us in decays:
-            self._command(_DECAY, self.numbers[pin], 0)
-            self.commands.append(_DECAY_FOR.pack(from_us, lasts_us))
-        return True
-
-    def set_voltage(self, pin: str, millivolts: float) -> None:
-        if pin not in self.channels:
-            raise UsageError(f"there is no converter at '{pin}'", fix=f"use one of: {', '.join(sorted(self.channels))}")
-        self._command(_VOLTAGE, self.numbers[pin], round(millivolts))
-
-    def send(self, data: bytes) -> None:
-        for byte in data:
-            self._command(_TYPED, byte, 0)
-
-    def _command(self, kind: int, which: int, value: int) -> None:
-        self.commands.append(_COMMAND.pack(kind, which, value))
-
-    def answer(self, value: int = 0) -> bytes:
-        """The command to the process: what the devices have done since it last asked, and when they act next."""
-        said = b"".join(self.commands) + _COMMAND.pack(_GO, value, self.next_wake)
-        self.commands.clear()
-        return said
-
-    def told(self, kind: int, a: int, b: int, c: int) -> int | None:
-        """Take a record; the value to answer with, None if it asks for no answer."""
-        if kind == _PIN:
-            pin, level = self.labels[a], "z" if b == _LET_GO else b
-            self.pin_changed(pin, level)
-            return 0 if self._reacts(pin, level) else None
-        if kind == _WAVE:
-            self.waves.append(Wave(self.now, self.labels[a], _float(b), _float(c)))
-            return None
-        if kind == _CONSOLE:
-            if self.console and self._speaker != b and self.now - self.console[-1].at_us < _TOGETHER_US:
-                self.mixed_text_us.append(self.now)
-            self._speaker = b
-            self.console.append(ConsoleByte(self.now, a))
-            return None
-        if kind == _COMPARED:
-            self.compared[a] = (_float(b), _float(c))
-            return None
-        if kind == _CALL:
-            if not self.calls or self.calls[-1][1:] != (a, b, bool(c)):
-                self.calls.append((self.now, a, b, bool(c)))
-            return None
-        if kind == _AIM:
-            self.aimed(self.labels[a], AIMS[b])
-            return None
-        if kind == _SYNC:
-            due = self.wake()
-            self.next_wake = _NEVER if due is None else due
-            return 0
-        if kind == _BUS_START:
-            self._addressed[a] = b >> 1
-            return int(self.bus_start(b >> 1, bool(b & 1)))
-        if kind == _BUS_WRITE:
-            return int(self.bus_write(self._addressed.get(a, -1), b))
-        if kind == _BUS_READ:
-            return self.bus_read(self._addressed.get(a, -1))
-        if kind == _BUS_STOP:
-            self.bus_stop(self._addressed.get(a, -1))
-            return 0
-        raise VerificationError(
-            "what the original program tells of its pins cannot be read: it writes to files that it has not opened",
-            fix="take out what writes by the number of a file, or by the system's own calls",
-        )
-
-
 class _Conversation:
     """Records come in, answers go out, until the end or the time limit."""
 
-    def __init__(self, bench: _HostBench, process: subprocess.Popen[bytes], until: float) -> None:
+    def __init__(self, bench: HostBench, process: subprocess.Popen[bytes], until: float) -> None:
         assert process.stdin is not None
         assert process.stdout is not None
         self.bench, self.process, self.until = bench, process, until
@@ -327,7 +169,7 @@ class _Conversation:
         model, bench = program.model, self.bench
         settings = _SETTINGS.pack(
             round(horizon_us * model.clock_hz / 1e6), 0, _MOST_RECORDS,
-            _NEVER if calls_from_us is None else max(0, round(calls_from_us * model.clock_hz / 1e6)),
+            NEVER if calls_from_us is None else max(0, round(calls_from_us * model.clock_hz / 1e6)),
             variation.block_factor, variation.call_factor, variation.noise, variation.late_us,
             variation.early_part, variation.line_part, variation.clock_us,
             model.block_ticks, model.call_ticks, bench.watched, *bench.asking, bench.bits(bench.brief),
@@ -337,20 +179,32 @@ class _Conversation:
 
     def result(self) -> tuple[str, str, bytes]:
         """Status, cause and counters."""
-        while True:
-            data = self._read(_RECORD.size)
-            if data is None:
-                return self._broken_off()
-            tick, kind, a, b, c = _RECORD.unpack(data)
-            self.bench.tick = tick
-            if kind == _END:
-                parts = [self._read(size) for size in (a, b, c)]
-                self.bench.ended()
-                status, cause, counts = (part or b"" for part in parts)
-                return status.decode(), cause.decode("utf-8", "replace"), counts
-            value = self.bench.told(kind, a, b, c)
-            if value is not None:
-                self._say(self.bench.answer(value))
+        bench = self.bench
+        unheeded, clock_hz, changed = bench.unheeded, bench.clock_hz, bench.changes.append
+        tick: int
+        kind: int
+        a: int
+        b: int
+        c: int
+        while records := self._records():
+            begun = self._at - len(records)
+            for number, (tick, kind, a, b, c) in enumerate(_RECORD.iter_unpack(records), 1):
+                if kind == PIN and a in unheeded:  # nearly all records are such
+                    changed(PinChange(tick * 1e6 / clock_hz, unheeded[a], LEVELS[b]))
+                    continue
+                bench.tick = tick
+                if kind == END:
+                    self._at = begun + number * _RECORD.size
+                    bench.refuse_too_many()
+                    parts = [self._read(size) for size in (a, b, c)]
+                    bench.ended()
+                    status, cause, counts = (part or b"" for part in parts)
+                    return status.decode(), cause.decode("utf-8", "replace"), counts
+                value = bench.told(kind, a, b, c)
+                if value is not None:
+                    self._say(bench.answer(value))
+            bench.refuse_too_many()
+        return self._broken_off()
 
     def _broken_off(self) -> tuple[str, str, bytes]:
         self.bench.ended()
@@ -364,6 +218,15 @@ class _Conversation:
                 data = data[os.write(self._to, data) :]
         except BrokenPipeError:
             pass  # it has ended: reading tells how
+
+    def _records(self) -> bytes:
+        """The records that are there, at least one; none if the process has ended."""
+        first = self._read(_RECORD.size)
+        if first is None:
+            return b""
+        begun = self._at - _RECORD.size
+        self._at += (len(self._data) - self._at) // _RECORD.size * _RECORD.size
+        return self._data[begun : self._at]
 
     def _read(self, size: int) -> bytes | None:
         """The given number of bytes; None if the process has ended."""

@@ -14,7 +14,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
-from functools import partial
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
@@ -113,7 +113,7 @@ class DeviceEvent(NamedTuple):
     value: Json
 
 
-class PinTrace(Struct, frozen=True):
+class PinTrace(Struct, frozen=True, dict=True):
     """The observations of one run.
 
     Attributes:
@@ -166,9 +166,17 @@ class PinTrace(Struct, frozen=True):
             device_events=tuple(each for each in self.device_events if each.at_us <= at_us),
         )
 
-    def levels(self, pin: str) -> list[tuple[float, int | str]]:
+    @cached_property
+    def _by_pin(self) -> Mapping[str, Sequence[tuple[float, int | str]]]:
+        """The changes of each pin, since all channels ask for them, several times each."""
+        found: dict[str, list[tuple[float, int | str]]] = {}
+        for at_us, pin, level in self.changes:
+            found.setdefault(pin, []).append((at_us, level))
+        return found
+
+    def levels(self, pin: str) -> Sequence[tuple[float, int | str]]:
         """The changes of one pin: time in microseconds and level."""
-        return [(change.at_us, change.level) for change in self.changes if change.pin == pin]
+        return self._by_pin.get(pin, [])
 
     def pulses(self, pin: str) -> list[tuple[float, float]]:
         """The high pulses of one pin: begin and width in microseconds. A pulse ends when the pin is no longer driven high."""

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import pytest
 
-from robosmi.verify import original_run
+from robosmi.verify.host_bench import HostBench
 from robosmi.verify.original_run import run_original
 from robosmi.verify.simulation import DeviceUse, PinTrace
 from tests.host_model.bench import built, ended, run, said
@@ -77,17 +77,17 @@ def test_the_host_model_plays_a_capacitor_as_the_device_does(monkeypatch: pytest
     )
     devices = [DeviceUse("capacitor", {"pin": "P7"}, {"points": points})]
     answers: list[bytes] = []
-    answer = original_run._HostBench.answer
+    answer = HostBench.answer
 
-    def counted(bench: original_run._HostBench, value: int = 0) -> bytes:
+    def counted(bench: HostBench, value: int = 0) -> bytes:
         answers.append(answer(bench, value))
         return answers[-1]
 
-    monkeypatch.setattr(original_run._HostBench, "answer", counted)
+    monkeypatch.setattr(HostBench, "answer", counted)
     with built(text) as program:
         played = run_original(program, 800_000, devices)
         assert len(answers) < 5
-        monkeypatch.delattr(original_run._HostBench, "keeps_charge")
+        monkeypatch.delattr(HostBench, "keeps_charge")
         asked = run_original(program, 800_000, devices)
     assert played.status == asked.status == "finished"
     assert played.trace == asked.trace

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import pytest
 from msgspec.structs import replace
@@ -47,7 +47,7 @@ def test_a_trace_is_not_read_again_for_each_activity(monkeypatch: pytest.MonkeyP
     asked: list[str] = []
     levels = PinTrace.levels
 
-    def counted(seen: PinTrace, pin: str) -> list[tuple[float, int | str]]:
+    def counted(seen: PinTrace, pin: str) -> Sequence[tuple[float, int | str]]:
         asked.append(pin)
         return levels(seen, pin)
 

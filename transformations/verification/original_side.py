@@ -41,6 +41,8 @@ STANDING = " standing"
 """Suffix of the channel with when none of the wheels is driven for which the program waits."""
 Place = tuple[str | int, ...]
 """(file, line) or (file, line, number of a branch) in the source, ("channel", name), or a goal of `scenario_goals`."""
+Seen = dict[str, list[list[ActivityEvent]]]
+"""Name of each channel -> for each of `SIGHTS` its events in one run."""
 SETTLED = ("running", "finished")
 """Statuses of runs that ended by themselves, or at the horizon."""
 LIMITS = ("time limit", "output limit")
@@ -110,7 +112,7 @@ class SourceRuns(Struct, frozen=True):
         ]
 
 
-def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) -> dict[str, list[list[ActivityEvent]]]:
+def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) -> Seen:
     """The events of each channel in a trace, for each of `SIGHTS`: the watched ports, what devices report, and the console.
 
     Args:
@@ -239,20 +241,29 @@ def run_source(
     return with_place(program, run_original(program, scenario.horizon_ms * 1000, devices, limit_s=limit_s, brief=brief))
 
 
-def places_reached(program: OriginalProgram, run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
-    """The lines and branches of the source that a run has reached, and the channels on which something has happened."""
+def places_reached(
+    program: OriginalProgram, run: OriginalRun, ports: Sequence[BoundPort], seen: Seen | None = None
+) -> frozenset[Place]:
+    """The lines and branches of the source that a run has reached, and the channels on which something has happened.
+
+    Args:
+        program: the original.
+        run: the run.
+        ports: the ports.
+        seen: the events of each channel in the run, if they are worked out already.
+    """
     if not run.counts:
         return frozenset()
     covered = coverage(program, [run.counts])
     reached: list[Place] = [place for place, count in (*covered.lines.items(), *covered.branches.items()) if count]
-    seen = channel_events(run.trace, ports, target=False)
+    seen = channel_events(run.trace, ports, target=False) if seen is None else seen
     reached += [("channel", name) for name, (events, *_) in seen.items() if any(event != IDLE for event in events)]
     return frozenset(reached)
 
 
 def run_varied(
     program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, nominal: OriginalRun, limit_s: float = 60.0,
-    until_racy: bool = False,
+    until_racy: bool = False, own: Seen | None = None,
 ) -> SourceRuns:  # fmt: skip
     """Add the varied runs of a scenario to its nominal run.
 
@@ -264,10 +275,11 @@ def run_varied(
         limit_s: seconds of processor time for all of them.
         until_racy: whether to stop as soon as a channel is racy; then there are too few runs to compare the other channels
             well.
+        own: the events of each channel in the nominal run, if they are worked out already.
     """
     devices = played(ports, scenario, target=False)
     until = used_s() + limit_s
-    seen = [channel_events(nominal.trace, ports, target=False)]
+    seen = [channel_events(nominal.trace, ports, target=False) if own is None else own]
     rests = {name: [each] for name, each in rests_seen(nominal.trace, ports, target=False).items()}
     loop = _loop(nominal.trace, ports)
     runs = SourceRuns(nominal, (), _by_channel(seen), nominal.status if nominal.status in LIMITS else "", loop, rests)
@@ -284,7 +296,7 @@ def run_varied(
         if until_racy and runs.racy_channels:
             return runs
 
-    def again(showing: Sequence[DeviceUse]) -> dict[str, list[list[ActivityEvent]]]:
+    def again(showing: Sequence[DeviceUse]) -> Seen:
         run = _run(program, ports, scenario, showing, until)
         return channel_events(run.trace, ports, target=False)
 
@@ -343,5 +355,5 @@ def _loop(trace: PinTrace, ports: Sequence[BoundPort]) -> ClosedLoop | None:
     return ClosedLoop(min(driven) / 1000, max(port.loop_ms for port in wheels)) if driven else None
 
 
-def _by_channel(seen: Sequence[Mapping[str, list[list[ActivityEvent]]]]) -> dict[str, list[list[list[ActivityEvent]]]]:
+def _by_channel(seen: Sequence[Seen]) -> dict[str, list[list[list[ActivityEvent]]]]:
     return {name: [list(runs) for runs in zip(*(each[name] for each in seen), strict=True)] for name in seen[0]}

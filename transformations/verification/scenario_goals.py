@@ -11,15 +11,13 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from itertools import pairwise
 from typing import Any
 
-from robosmi.transformations.verification.original_side import Place, channel_events
-from robosmi.transformations.verification.port_devices import BoundPort
+from robosmi.transformations.verification.original_side import Place, Seen
 from robosmi.typed import distinct, in_threes
 from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
-from robosmi.verify.original_run import OriginalRun
 
 THEN, BESIDE, ENDS, SERIES, NEGATIVE, LARGE = "then", "beside", "ends", "series", "negative", "large"
 VALUE = "value"
@@ -34,13 +32,16 @@ _MOST_ON_A_CHANNEL = 24
 """Most goals of a kind on one channel: a program that always prints something new would keep the search busy forever."""
 
 
-def behaviour(run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
+def behaviour(seen: Seen) -> frozenset[Place]:
     """Each two or three successive events of a channel, and each text in which a number is negative or beyond 16 bits.
 
     As ("then", channel, event, event, event), ("negative", channel, text) and ("large", channel, text).
+
+    Args:
+        seen: the events of each channel in a run.
     """
     found: set[Place] = set()
-    for name, (events, *_) in channel_events(run.trace, ports, target=False).items():
+    for name, (events, *_) in seen.items():
         told = [_short(event) for event in events]
         then: list[Place] = [
             (THEN, name, *each) for each in (*pairwise(told), *in_threes(told, told[1:], told[2:], strict=False))
@@ -55,37 +56,35 @@ def behaviour(run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
     return frozenset(found)
 
 
-def values_told(run: OriginalRun, ports: Sequence[BoundPort]) -> frozenset[Place]:
+def values_told(seen: Seen) -> frozenset[Place]:
     """The levels of each channel, and its texts in which all numbers other than 0 and 1 are alike.
 
     As ("value", channel, text). They show the result of a comparison that is no branch; other numbers are made alike because a
     measured one differs with each value of an input.
+
+    Args:
+        seen: the events of each channel in a run.
     """
     return frozenset(
         (VALUE, name, _NUMBER.sub(_yes_or_no, f"{event.kind} {event.value[0]}"))
-        for name, (events, *_) in channel_events(run.trace, ports, target=False).items()
+        for name, (events, *_) in seen.items()
         for event in events
         if event.kind in (LEVEL, HELD, LINE, READING)
     )
 
 
-def last_told(run: OriginalRun, ports: Sequence[BoundPort]) -> dict[str, str]:
+def last_told(seen: Seen) -> dict[str, str]:
     """What each channel does at the end, with measured numbers made alike: the state that an input has left the program in."""
-    return {
-        name: _short(events[-1]) if events else ""
-        for name, (events, *_) in channel_events(run.trace, ports, target=False).items()
-    }
+    return {name: _short(events[-1]) if events else "" for name, (events, *_) in seen.items()}
 
 
 def _yes_or_no(number: re.Match[str]) -> str:
     return number[0] if number[0] in ("0", "1") else "2"
 
 
-def shown(run: OriginalRun, ports: Sequence[BoundPort]) -> dict[str, list[str]]:
+def shown(seen: Seen) -> dict[str, list[str]]:
     """What a program does on each channel, without times: this shows whether it reacts to an input."""
-    return {
-        name: [str(event) for event in events] for name, (events, *_) in channel_events(run.trace, ports, target=False).items()
-    }
+    return {name: [str(event) for event in events] for name, (events, *_) in seen.items()}
 
 
 def _signed_zero(number: re.Match[str]) -> str:

@@ -10,6 +10,7 @@ from msgspec import Struct
 from robosmi.doing import doing
 from robosmi.transformations.verification.original_side import (
     Place,
+    Seen,
     SourceRuns,
     channel_events,
     compared,
@@ -100,19 +101,20 @@ class Trials:
         scenario = Scenario(f"generated {found.tried}", horizon or self.horizon, signals, "generated")
         run = run_source(self.program, self.ports, scenario)
         self.effort.add(run)
+        seen = channel_events(run.trace, self.ports, target=False)
         if found.tried == 1:
-            self.at_rest = shown(run, self.ports)
-        if any(place[0] in (ENDS, SERIES) for place in also) and shown(run, self.ports) == self.at_rest:
+            self.at_rest = shown(seen)
+        if any(place[0] in (ENDS, SERIES) for place in also) and shown(seen) == self.at_rest:
             also = frozenset()  # the program does not react to it
-        self.ways |= self._look_of(run).told
-        places = places_reached(self.program, run, self.ports) | behaviour(run, self.ports) | also
+        self.ways |= self._look_of(run, seen).told
+        places = places_reached(self.program, run, self.ports, seen) | behaviour(seen) | also
         self.fruitless += 1
         if found.scenarios and places <= self.seen:
             return places
         first = not found.scenarios and not found.racy  # kept even if it reaches nothing: the verdict says why
         if not first and places <= self.seen | self.only_racy and not self._worth_another(places):
             return places
-        runs = run_varied(self.program, self.ports, scenario, run, until_racy=True)
+        runs = run_varied(self.program, self.ports, scenario, run, until_racy=True, own=seen)
         self.effort.add(run, len(runs.varied))
         if runs.given_up and not first:
             return places
@@ -151,12 +153,12 @@ class Trials:
     def look(self, signals: Signals, horizon_ms: float) -> Look | None:
         """What a short run tells of the way that the program goes; None when the search is over."""
         run = self._looked_at(signals, horizon_ms)
-        return None if run is None else self._look_of(run)
+        return None if run is None else self._look_of(run, channel_events(run.trace, self.ports, target=False))
 
     def left_in(self, signals: Signals, horizon_ms: float) -> dict[str, str] | None:
         """What each channel does at the end of a short run; None when the search is over."""
         run = self._looked_at(signals, horizon_ms)
-        return None if run is None else last_told(run, self.ports)
+        return None if run is None else last_told(channel_events(run.trace, self.ports, target=False))
 
     def _looked_at(self, signals: Signals, horizon_ms: float) -> OriginalRun | None:
         if self.effort.is_over():
@@ -173,6 +175,6 @@ class Trials:
         """Whether a run has taken an edge of the flow that no scenario has taken yet."""
         return any(len(place) == 1 for place in look.told - self.ways)
 
-    def _look_of(self, run: OriginalRun) -> Look:
+    def _look_of(self, run: OriginalRun, seen: Seen) -> Look:
         edges = reached(self.program, run.counts) if run.counts else frozenset()
-        return look_of(values_told(run, self.ports), edges, run.compared)
+        return look_of(values_told(seen), edges, run.compared)

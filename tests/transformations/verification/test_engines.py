@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
+from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 from threading import Timer
@@ -56,7 +57,7 @@ def test_inputs_pull_ups_and_voltages_are_read(job_of: Run, engine: str) -> None
     assert seen(trace.levels("D11")) == [(45, 1), (65, 0)]
 
 
-def seen(levels: list[tuple[float, int | str]]) -> list[tuple[int, int | str]]:
+def seen(levels: Sequence[tuple[float, int | str]]) -> list[tuple[int, int | str]]:
     """The changes after 35 ms, in whole milliseconds."""
     return [(round(at_us / 1000), level) for at_us, level in levels if at_us > 35_000]
 

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import pytest
 
+from robosmi.transformations.verification.original_side import channel_events
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.transformations.verification.scenario_goals import NEGATIVE, behaviour, beside
 from robosmi.transformations.verification.scenario_inputs import (
@@ -21,7 +22,6 @@ from robosmi.transformations.verification.scenario_inputs import (
 from robosmi.transformations.verification.scenario_search import _horizon
 from robosmi.transformations.verification.search_effort import SearchEffort
 from robosmi.transformations.verification.simulated_kinds import device_facts
-from robosmi.verify.original_run import OriginalRun
 from robosmi.verify.simulation import ConsoleByte, PinTrace
 from tests.host_model.bench import built
 
@@ -111,8 +111,8 @@ def test_a_capacitor_shows_what_does_not_fit_into_16_bits() -> None:
 def test_a_text_with_a_number_below_zero_is_a_goal_of_its_own() -> None:
     def goals(text: str) -> set[object]:
         letters = tuple(ConsoleByte(1000.0 * at, ord(letter)) for at, letter in enumerate(text))
-        run = OriginalRun(PinTrace("e", "running", 1e6, (), (), letters, ()), "running", "", b"")
-        return {place[2] for place in behaviour(run, []) if place[0] == NEGATIVE}
+        trace = PinTrace("e", "running", 1e6, (), (), letters, ())
+        return {place[2] for place in behaviour(channel_events(trace, [], target=False)) if place[0] == NEGATIVE}
 
     assert goals("T 21\nT 4\n") == set()
     assert goals("T 21\nT -4\nT -5.5\n") == {"T -0"}
