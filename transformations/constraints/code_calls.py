@@ -1,4 +1,4 @@
-"""Constraints on calls: all arguments are passed, and a function that never returns is not followed by code."""
+"""Constraints on calls: all arguments are passed, also to main, and a function that never returns is not followed by code."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind
 from robosmi.transformations.constraints.code_move import moved, place, the_move, together
+from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.own_headers import unit_of
 from robosmi.transformations.queries.unreached import Unreached
 from robosmi.transformations.queries.unsaid_parameters import unsaid_pointers
@@ -43,6 +44,16 @@ def _short_calls_of_pointers(unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Cal
             lacking = [function for function in kept.functions if len(function.parameters) > len(call.arguments)]
             if unit_of(call) is unit and lacking:
                 yield call, str(lacking[0].name)
+
+
+@units.constraint(id="RS344", severity=Severity.warning, location=place, advice="give it the value that the program needs")
+def GetsNoArguments(unit: ccode.SourceUnit) -> bool | Fail:
+    """The main function uses no parameters: nothing on the target passes it arguments."""
+    main = main_of(unit)
+    used = [parameter for parameter in main.parameters if parameter.references] if main is not None else []
+    names = " and ".join(f"'{parameter.name}'" for parameter in used)
+    are = "are" if len(used) > 1 else "is"
+    return not used or together(f"{names} of main {are} 0 on the target, where nothing starts a program with arguments", used)
 
 
 @units.constraint(id="RS343", severity=Severity.info, location=place, advice="take it out, or let what stands before it end")

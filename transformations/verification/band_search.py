@@ -18,6 +18,8 @@ from robosmi.transformations.verification.turning_points import Look, Turn, turn
 from robosmi.typed import paired
 
 _MOST_BANDS = 5
+_TURNS = 5
+"""So often an input goes from its first band to its last one: a program may count lines that it crosses."""
 _LOOKS = 12
 _MOST_BORDERS = 2
 _SLOWER = (1, 2)
@@ -48,10 +50,11 @@ def try_bands(trials: Trials, each: ScenarioInput, borders: Sequence[float], ste
             near, far = (low, high) if before < turn[1] else (high, low)
             goal: Place = (BESIDE, each.name, each.setting, round(turn[1]), round(before))
             _try_steps(trials, each, (before, near, far, near, before), step_ms, goal)
+    middles = [(low + high) / 2 for low, high in bands]
     if len(bands) > 2:
-        middles = [(low + high) / 2 for low, high in bands[:_MOST_BANDS]]
-        walk = [middles[number] for number in _all_ways(len(middles))]
+        walk = [middles[number] for number in _all_ways(len(middles[:_MOST_BANDS]))]
         _try_steps(trials, each, walk, step_ms, (BESIDE, each.name, each.setting, "bands"))
+    _try_steps(trials, each, (middles[0], middles[-1]) * _TURNS, step_ms)
 
 
 def _keeps_state(trials: Trials, each: ScenarioInput, before: float, border: float, step_ms: float) -> bool:
@@ -75,13 +78,13 @@ def _bands(least: float, greatest: float, borders: Sequence[tuple[float, float]]
     return [(low, high) for low, high in paired(lows, highs) if low < high]
 
 
-def _try_steps(trials: Trials, each: ScenarioInput, values: Sequence[float], step_ms: float, goal: Place) -> None:
+def _try_steps(trials: Trials, each: ScenarioInput, values: Sequence[float], step_ms: float, *goals: Place) -> None:
     """Try values one after the other, each for longer if the source differs from itself."""
     for slower in _SLOWER:
         racy, step = trials.found.racy, slower * step_ms
         shown = values[: int(LONGEST_MS / step)]
         ends = 1000 * math.ceil(len(shown) * step / 1000)
-        trials.try_signals(_in_steps(each, shown, step), frozenset([goal]), ends)
+        trials.try_signals(_in_steps(each, shown, step), frozenset(goals), ends)
         if trials.found.racy == racy:
             break
 

@@ -143,6 +143,15 @@ CAME_FROM = """
     else high(10);
     pause(50);
   }"""
+COUNTED = """
+  int lines = 0, on = 0;
+  adc_init(21, 20, 19, 18);
+  while (1) {
+    int dark = adc_in(2) > 2500;
+    if (dark && !on) { lines++; if (lines == 3) high(10); }
+    on = dark;
+    pause(50);
+  }"""
 Case = tuple[Scenario, SourceRuns]
 BEFORE = """#include <simpletools.h>
 #include <adcDCpropab.h>
@@ -174,6 +183,7 @@ PROGRAMS = {
     "whole numbers": (SHIFTED, BITS, [("> 100", "> 108"), ("> 100", "> 92")]),
     "a hysteresis": (HYSTERESIS, [VOLTAGE], [("raw < 2600", "raw < 2500"), ("raw < 1200", "raw < 1300"), ("< 3300", "< 3200")]),
     "a state for each way": (CAME_FROM, [VOLTAGE], [("low(10)", "near = 0")]),
+    "lines are counted": (COUNTED, [VOLTAGE], [("lines == 3", "lines == 4"), ("lines == 3", "lines == 2")]),
     "numbers": (TYPED, [], [("x > 10000", "x > 10404"), ("v > 2.5", "v > 2.6"), ("v > 2.5", "v > 2.3")]),
 }
 
