@@ -31,6 +31,7 @@ from robosmi.model.xml_comments import comments_lost, told
 from robosmi.query import ModelView
 from robosmi.query.erl import failed, owner_of, place_of, technology
 from robosmi.transform import ETL, Flock
+from robosmi.transform.flock_rules import left_out_fix, left_out_text
 from robosmi.typed import attribute_of, replaced
 from robosmi.validate import EVL
 from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
@@ -198,6 +199,9 @@ def transform(step: Step, doing: Doing) -> tuple[StepResult, Model]:
     call(step, module, models)
     module.run()
     result = StepResult(step, "done", findings=[Finding("RS530", Severity.warning, text) for text in module.warnings])
+    if isinstance(module, Flock) and module.left_out:
+        found = Finding("RS530", Severity.warning, left_out_text(module.left_out), fix=left_out_fix(module.left_out))
+        result.findings.append(found)
     result.written = [relative(path, doing.folder) for path in step.stored()]
     if not doing.dry_run:
         for path in step.stored():

@@ -6,10 +6,9 @@ since either metamodel may lack them, or as types of the models. `conservative_c
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Iterable, MutableSet
 from typing import TYPE_CHECKING, TypeVar, cast, overload
-
-from msgspec import Struct
 
 from robosmi.errors import RobosmiError, RuleError, UsageError, did_you_mean
 from robosmi.model.driver import TypeHandle, class_of
@@ -26,6 +25,7 @@ from robosmi.query.values import collection_kind
 from robosmi.query.verdicts import guarded
 from robosmi.transform.assignment import assign
 from robosmi.transform.conservative_copy import ConservativeCopy, restore_order
+from robosmi.transform.flock_rules import Mapping, MigrateRule
 from robosmi.typed import paired
 
 if TYPE_CHECKING:
@@ -38,46 +38,6 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 _MOST_NAMES = 40
-
-
-class Mapping(Struct, eq=False):
-    """A retyping or deletion, of a type or of a package.
-
-    Attributes:
-        what: as a message names it, "retype Book to Novel".
-        original: the type, or the package.
-        package: whether it is a package.
-        evolved: the new type or package, None for a deletion.
-        when: for which elements, or None for all.
-        strict: whether subtypes are left alone.
-        cascade: whether what deleted elements contain is deleted too.
-    """
-
-    what: str
-    original: str
-    package: bool = False
-    evolved: str | None = None
-    when: AnyFunction | None = None
-    strict: bool = False
-    cascade: bool = False
-
-
-class MigrateRule(Struct, eq=False):
-    """A rule for the elements of a type.
-
-    Attributes:
-        original: the type.
-        ignoring: features that are not copied.
-        when: for which elements, or None for all.
-        strict: whether subtypes are left alone.
-        body: what to do with (original, migrated), or None for nothing.
-    """
-
-    original: str
-    ignoring: tuple[str, ...] = ()
-    when: AnyFunction | None = None
-    strict: bool = False
-    body: AnyFunction | None = None
 
 
 class Flock(Settings):
@@ -95,6 +55,8 @@ class Flock(Settings):
         pre: blocks that run first; `@f.pre` adds one.
         post: blocks that run last.
         warnings: what the last run found odd, in the engine's words.
+        left_out: type -> how many of its elements the last run left out because the new metamodel has no such type, or an
+            abstract one, though no retyping, deletion or rule is about them. The engine does not tell.
 
     Raises:
         UsageError: one of the models is none of EMF.
@@ -110,6 +72,7 @@ class Flock(Settings):
         self.pre = RuleBlocks()
         self.post = RuleBlocks()
         self.warnings: list[str] = []
+        self.left_out: Counter[str] = Counter()
         self._mappings: list[Mapping] = []
         self._rules: list[MigrateRule] = []
         self._equivalents: dict[int, tuple[EObject, EObject | None]] = {}
@@ -219,7 +182,7 @@ class Flock(Settings):
             RuleError: a guard or rule raises, a rule names what the original metamodel lacks (unless `lenient`), or a type to
                 retype to does not exist or is abstract.
         """
-        self.warnings, self._equivalents = [], {}
+        self.warnings, self.left_out, self._equivalents = [], Counter(), {}
         with run_over([self.original, self.migrated]):
             self.pre.run("pre")
             self._check()
@@ -228,9 +191,9 @@ class Flock(Settings):
         return self.migrated
 
     def _migrate(self) -> None:
-        elements = list(self.original.all_contents())
+        elements, unmapped = list(self.original.all_contents()), set[int]()
         for original in elements:
-            self._equivalents[id(original)] = (original, self._target(original))
+            self._equivalents[id(original)] = (original, self._target(original, unmapped))
         copy = self._copy
         rules = []
         for original in elements:
@@ -238,6 +201,8 @@ class Flock(Settings):
             if (migrated := self._equivalents[id(original)][1]) is not None:
                 set_xmi_id(migrated, xmi_id_of(original))
                 copy.copy(original, migrated, [name for rule in fitting for name in rule.ignoring])
+            elif not fitting and id(original) in unmapped:
+                self.left_out["::".join(_path(original.eClass))] += 1
         if self.keep_order:
             for old, new in list(self._equivalents.values()):
                 if new is not None:
@@ -313,8 +278,8 @@ class Flock(Settings):
         kind = self.migrated.find_type(name)
         return kind is not None and not kind.abstract and not kind.interface
 
-    def _target(self, original: EObject) -> EObject | None:
-        """The new element for an original one, or None."""
+    def _target(self, original: EObject, unmapped: MutableSet[int]) -> EObject | None:
+        """The new element for an original one; if there is none and no mapping is about it, its `id` is added to `unmapped`."""
         mapping = next((m for m in self._mappings if self._fits(m, original)), None)
         if mapping is None:
             name = "::".join(_path(original.eClass))
@@ -322,7 +287,11 @@ class Flock(Settings):
             return None
         else:
             name = f"{mapping.evolved}::{original.eClass.name}" if mapping.package else mapping.evolved
-        return self.migrated.create(name) if self._instantiable(name) else None
+        if self._instantiable(name):
+            return self.migrated.create(name)
+        if mapping is None:
+            unmapped.add(id(original))
+        return None
 
     def _fits(self, mapping: Mapping, original: EObject) -> bool:
         element: EObject | None = original

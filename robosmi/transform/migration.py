@@ -18,6 +18,7 @@ from robosmi.model.features import eclass_of
 from robosmi.model.metamodel import Metamodel
 from robosmi.model.metamodels import Metamodels, built_in
 from robosmi.transform.flock import Flock
+from robosmi.transform.flock_rules import left_out_fix, left_out_text
 from robosmi.typed import dynamic_attribute
 
 
@@ -75,7 +76,8 @@ class ModelMigration(Struct, dict=True):
             roots: file -> root of a model in the older version.
 
         Raises:
-            RuleError: a rule raises, or there are not as many roots as before.
+            RuleError: a rule raises, elements would be lost about which no rule says anything, or there are not as many roots as
+                before.
         """
         given = {
             root.eClass.ePackage.nsURI: root.eClass.ePackage for root in roots.values()
@@ -93,4 +95,7 @@ class ModelMigration(Struct, dict=True):
                 f"migrating {first!r} of {first.eClass.ePackage.nsURI} leaves {len(left)} roots instead of {wanted}",
                 fix="retype the classes that were renamed: retype(old, new)",
             )
+        if f.left_out:
+            source = next(iter(roots.values())).eClass.ePackage.nsURI
+            raise RuleError(f"migrating a model of {source}: {left_out_text(f.left_out)}", fix=left_out_fix(f.left_out))
         return made

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from robosmi.chain import read_chain
+from robosmi.diagnostics import Severity
 from robosmi.errors import RobosmiError, RuleError
 from robosmi.model import Session, open_model, versions
 from robosmi.model.driver import Model
@@ -78,6 +79,7 @@ def test_migrations_follow_each_other(monkeypatch: pytest.MonkeyPatch) -> None:
     [
         (lambda f: f.retype("Door", "Gate"), "the new metamodel has no type 'Gate' that can have elements"),
         (lambda f: f.migrate("Door")(lambda o, m: setattr(m, "label", o.title)), "the rule 'migrate Door' fails"),
+        (lambda f: None, "no such type that can have elements: 2 of doors::Door"),
     ],
 )
 def test_a_step_to_a_middle_version_that_names_none_is_told_how(
@@ -93,6 +95,40 @@ def test_a_step_to_a_middle_version_that_names_none_is_told_how(
     assert f"the step of '{OLD}' leads to http://robosmi.org/test/doors/3" in fix
     assert f"if it leads to '{OLD[:-1]}2', write ModelMigration(OLD, rules, Metamodel.load(FILE)) with its file" in fix
     assert len(fix) < 1200
+
+
+@pytest.mark.parametrize(
+    ("rules", "left_out"),
+    [
+        (lambda f: None, {"doors::Door": 2}),
+        (lambda f: f.retype("Door", "Gate", when=lambda o: o.title == "front"), {"doors::Door": 1}),
+        (lambda f: f.delete("Door", when=lambda o: o.title == "front"), {"doors::Door": 1}),
+        (lambda f: f.delete("Door"), {}),
+        (lambda f: f.retype("Door", "Gate"), {}),
+        (lambda f: f.migrate("Door"), {}),
+    ],
+)
+def test_elements_that_a_step_would_lose_without_a_word_are_told(rules: Callable[[Flock], Any], left_out: dict[str, int]) -> None:
+    f = Flock(EmfModel.load(MODEL, HERE / "doors1.ecore"), EmfModel((), METAMODEL))
+    rules(f)
+    f.run()
+    assert f.left_out == left_out
+    step = ModelMigration(HERE / "doors1.ecore", rules, Metamodel.load(METAMODEL))
+    (root,) = EmfModel.load(MODEL, HERE / "doors1.ecore").roots
+    if not left_out:
+        assert len(step({MODEL: root})) == 1
+        return
+    with pytest.raises(RuleError, match=rf"{OLD}: elements are left out .*: {left_out['doors::Door']} of doors::Door") as told:
+        step({MODEL: root})
+    assert told.value.fix == 'write what becomes of them: retype("doors::Door", NEW), delete("doors::Door") or a rule'
+
+
+def test_a_chain_warns_of_elements_that_its_migration_leaves_out(tmp_path: Path) -> None:
+    folder = Path(shutil.copytree(HERE, tmp_path / "older"))
+    (step,) = (each for each in read_chain(folder / "migration.toml").run().steps if each.findings)
+    (found,) = step.findings
+    assert (found.rule, found.severity) == ("RS530", Severity.warning)
+    assert found.message.endswith("no such type that can have elements: 2 of doors::Door")
 
 
 def test_a_rule_for_elements_that_become_nothing_is_told_so() -> None:
