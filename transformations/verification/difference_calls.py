@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from pathlib import Path
 
 from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, DRIVEN, PULSED, SourceRuns
 from robosmi.transformations.verification.played_devices import played
@@ -67,10 +68,11 @@ def last_call_for(channel: str, calls: Sequence[LibraryCall], ports: Sequence[Bo
         at_us: the instant, in microseconds.
     """
     name = channel.removesuffix(DRIVEN).removesuffix(PULSED)
-    functions = next(
-        (port.functions for port in ports if port.title and (name == port.title or name.startswith(f"{port.title} "))), ()
-    )
+    port = next((port for port in ports if port.title and (name == port.title or name.startswith(f"{port.title} "))), None)
+    functions = port.functions if port is not None else ()
     makes = [call for call in calls if (call.prints if channel == CONSOLE_CHANNEL else call.function in functions)]
+    if port is not None:  # the same function may be called for other ports, too
+        makes = [call for call in makes if (Path(call.file).name, call.line) in port.called_at] or makes
     before = [call for call in makes if call.at_us <= at_us + _MARGIN_US / 2]
     return before[-1] if before else makes[0] if makes else None
 

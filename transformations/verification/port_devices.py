@@ -23,6 +23,7 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.queries.compared_numbers import compared_numbers
 from robosmi.transformations.queries.component_kinds import kinds_of
+from robosmi.transformations.queries.own_headers import unit_of
 from robosmi.transformations.queries.pin_uses import PinUse, pin_uses
 from robosmi.transformations.queries.plan_adapters import OwnFunctionPins, rest_levels
 from robosmi.transformations.queries.port_flows import port_flows
@@ -57,6 +58,7 @@ class BoundPort(Struct, frozen=True):
         component: title of the component there, or empty.
         identity: of the component in the drawing, or empty.
         functions: the platform's functions that use it.
+        called_at: file name and line of each of their calls that uses it, as far as they are known.
         device: kind of the device that is simulated there; empty if none is and what the program itself does is compared.
         line: whether it is a line of a bus or of a serial connection, which is neither simulated nor compared.
         pin: the device's name of the port; several names, separated by spaces, if it is several of its pins.
@@ -93,6 +95,7 @@ class BoundPort(Struct, frozen=True):
     shown: bool = False
     averaged: bool = False
     pulsed: bool = False
+    called_at: frozenset[tuple[str, int]] = frozenset()
     kinds: frozenset[str] = frozenset()
     split: tuple[str, ...] = ()
     given_up: bool = False
@@ -139,9 +142,11 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
     own = OwnFunctionPins(plan)
     seen = views(plan.program, ApiIndex.of(plan.source).adapted(own))
     uses: dict[int, dict[str, set[str]]] = {}
+    places: dict[int, set[tuple[str, int]]] = {}
     for use in _uses(plan, seen, folder):
         if use.pin is not None:
             uses.setdefault(use.pin, {}).setdefault(use.function, set()).add(use.direction)
+            places.setdefault(use.pin, set()).add((Path(str(unit_of(use.call).path)).name, use.line))
     table = _table(str(plan.source.name))
     averaged = set(table.texts("averaged", ()))
     pulses, beside = (set(table.texts(name, ())) for name in ("pulses", "pulses_beside"))
@@ -170,6 +175,7 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
             pulsed=not pulses.isdisjoint(used) and used.keys() <= pulses | beside,
             kinds=frozenset(kinds_of(connection)) if connection is not None else frozenset(),
             split=_split(plan, binding), given_up=not binding.open, near=near,
+            called_at=frozenset(places.get(number, ())) if used else frozenset(),
         )  # fmt: skip
         first = found.setdefault(source, port)
         if first is not port and first.target and port.target and first.target != port.target:

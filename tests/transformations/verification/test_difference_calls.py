@@ -14,9 +14,11 @@ CALLS = [
     LibraryCall(950_000.0, "print", "a.c", 6, prints=True),
     LibraryCall(1_500_000.0, "high", "a.c", 8),
     LibraryCall(1_600_000.0, "drive_speed", "a.c", 9),
+    LibraryCall(1_700_000.0, "high", "src/a.c", 10),
 ]
 PORTS = [
-    BoundPort("P9", "P9", "D7", functions=("high", "low")),
+    BoundPort("P9", "P9", "D7", functions=("high", "low"), called_at=frozenset({("a.c", 5), ("a.c", 8)})),
+    BoundPort("P8", "P8", "D8", functions=("high", "low"), called_at=frozenset({("a.c", 10), ("a.c", 12)})),
     BoundPort("P4", "P4", "D4", functions=("freqout",)),
     BoundPort("abdrive.left_servo", "P12", "D5", functions=("drive_speed",)),
 ]
@@ -27,6 +29,7 @@ PORTS = [
     [
         ("P9", 1_000_000.0, 5),
         ("P9", 2_000_000.0, 8),
+        ("P8", 2_000_000.0, 10),
         ("P9", 500.0, 5),  # it comes too early: the call that would make it is later
         ("P9, as it is driven", 1_000_000.0, 5),
         ("console", 1_000_000.0, 6),
