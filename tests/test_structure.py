@@ -40,6 +40,7 @@ FOUNDATION = (
     "project",
     "inputs",
     "file_locks",
+    "ending_signals",
     "data_text",
     "typed",
     "trust",

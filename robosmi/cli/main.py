@@ -22,6 +22,7 @@ from robosmi.cli.examples import EXAMPLES
 from robosmi.cli.failures import as_error
 from robosmi.cli.progress import progress
 from robosmi.diagnostics import Finding, Severity
+from robosmi.ending_signals import ending_signals
 from robosmi.errors import (
     CompileError,
     MissingToolError,
@@ -182,9 +183,8 @@ def _end_in_order() -> None:
         _received.append(number)
         raise KeyboardInterrupt
 
-    for name in ("SIGTERM", "SIGHUP", "SIGQUIT"):
-        number = attribute_of(signal, name, signal.Signals)  # Windows has neither of the last two
-        if number is not None and signal.getsignal(number) is signal.SIG_DFL:  # nohup has it ignored
+    for number in ending_signals():
+        if signal.getsignal(number) is signal.SIG_DFL:  # nohup has SIGHUP ignored, and Python handles SIGINT itself
             signal.signal(number, asked)
 
 

@@ -16,6 +16,7 @@ from pathlib import Path
 
 from robosmi.data_text import as_table, as_text, as_texts, json_of
 from robosmi.diagnostics import Location
+from robosmi.ending_signals import ending_signals
 from robosmi.errors import SourceError, StoppedError
 from robosmi.inputs import RECORD
 from robosmi.model.elsewhere import drop, take_places
@@ -82,7 +83,7 @@ def uninterrupted() -> Iterator[None]:
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM, signal.SIGHUP})
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, ending_signals())
     try:
         yield
     finally:

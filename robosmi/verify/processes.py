@@ -19,13 +19,11 @@ from time import sleep
 from types import FrameType
 from typing import AnyStr, TypeAlias, TypeVar
 
-from robosmi.typed import attribute_of
+from robosmi.ending_signals import ending_signals
 
 _Job = TypeVar("_Job")
 _Result = TypeVar("_Result")
 
-_ENDING = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT")
-"""The signals that ask a process to end; Windows lacks some."""
 _AGAIN_S = 0.05
 """How long to wait for threads before the processes that they have started meanwhile are killed, too."""
 _Process: TypeAlias = "subprocess.Popen[str] | subprocess.Popen[bytes]"
@@ -82,8 +80,7 @@ def _interruptions_delayed() -> Iterator[None]:
     if threading.current_thread() is not threading.main_thread():  # interruptions are raised in the main thread only
         yield
         return
-    numbers = {number for name in _ENDING if (number := attribute_of(signal, name, signal.Signals)) is not None}
-    handlers = {number: handler for number in numbers if callable(handler := signal.getsignal(number))}
+    handlers = {number: handler for number in ending_signals() if callable(handler := signal.getsignal(number))}
     received: list[int] = []
 
     def note(number: int, _: FrameType | None) -> None:

@@ -14,6 +14,7 @@ from types import ModuleType
 import pytest
 
 from robosmi.__main__ import start
+from robosmi.ending_signals import ending_signals
 from robosmi.model import commit as commit_module
 from robosmi.model.commit import commit
 from robosmi.model.open_folder import OpenFolder
@@ -79,18 +80,19 @@ def _interrupted(*_: object) -> None:
     raise KeyboardInterrupt
 
 
+@pytest.mark.parametrize("number", ending_signals(), ids=lambda number: number.name)
 def test_what_has_its_journal_is_finished_before_an_interruption_counts(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
+    number: signal.Signals, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
 ) -> None:
     commit(tmp_path / "out", {"a": b"old", "b": b"old"})
 
     def interrupted(held: OpenFolder) -> None:
-        signal.raise_signal(signal.SIGINT)  # in this thread: a process may have others
+        signal.raise_signal(number)  # in this thread: a process may have others
         finish(held)
 
     monkeypatch.setattr(commit_module, "finish", interrupted)
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # which a process in the background ignores
-    request.addfinalizer(lambda: signal.signal(signal.SIGINT, before))
+    before = signal.signal(number, signal.default_int_handler)  # a process in the background ignores some
+    request.addfinalizer(lambda: signal.signal(number, before))
     with pytest.raises(KeyboardInterrupt):
         commit(tmp_path / "out", {"a": b"new", "b": b"new"})
     assert {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()} == {"a": b"new", "b": b"new"}
