@@ -229,7 +229,7 @@ def _decide_hint(plan: migration.MigrationPlan, work: Work) -> str:
 def _write_hint(plan: migration.MigrationPlan, work: Work) -> str:
     """A hint on where to write bodies; empty if there are none."""
     bodies = any(task.rule == "RS501" or (task.rule == "RS502" and "in adapters.h" in task.fix) for task in work.write)
-    beside = any("in adapters.h" not in task.fix for task in work.write if task.rule == "RS501")
+    beside = any("in adapters.h" not in task.fix for task in work.write if task.rule in ("RS501", "RS502"))
     own = f" (in the {called(plan)} for what it declares itself)" * beside
     unknown = any(isinstance(e, migration.AdapterUse) and e.function is None for task in work.write for e in task.elements)
     given = " Where a file defines a function that was not given, give it to migrate, too." * unknown

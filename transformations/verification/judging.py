@@ -39,6 +39,7 @@ _UNSETTLED = {
     "time limit": "it takes more time of this machine than it may: simulate less time",
     "output limit": "it changes its pins or prints more often than can be recorded: simulate less time",
 }
+_ADVICE = {"unmodelled": "; look at it on the bench, or give the host model that function"}
 SAME_MS = 45.0
 """Events no further apart than this (in milliseconds) plus the error of the resonators count as simultaneous."""
 
@@ -215,7 +216,7 @@ def _doubt(scenario: Scenario, runs: SourceRuns, racy: Sequence[ChannelCompariso
     """Why a scenario without a difference decides nothing; empty if it does decide."""
     nominal = runs.nominal
     if nominal.status not in SETTLED:
-        cause = f": {nominal.cause}" if nominal.cause else ""
+        cause = (f": {nominal.cause}" if nominal.cause else "") + _ADVICE.get(nominal.status, "")
         reason = f"the original did not run to its end ({_UNSETTLED.get(nominal.status, nominal.status)}{cause})"
         if crashed_ms is not None:
             ended_ms = nominal.trace.simulated_us / 1000
@@ -228,7 +229,8 @@ def _doubt(scenario: Scenario, runs: SourceRuns, racy: Sequence[ChannelCompariso
         )
     if racy:
         where = "; ".join(f"{c.channel}: {c.itself}" if c.itself is not None else c.channel for c in racy)
-        return f"in '{scenario.name}' the source differs from itself ({where})"
+        advice = "look on the bench at what hangs on chance or exact times"
+        return f"in '{scenario.name}' the source differs from itself ({where}); {advice}"
     return ""
 
 

@@ -2,12 +2,12 @@
 // Counter, clock, pins and locks of the Propeller. Read from propgcc b280e7a77, lib/include/propeller1.h, propeller.h and cog.h.
 // The counter is a virtual one of 80 MHz: micros() * 80 is continuous modulo 2^32, so that differences and targets mean what they meant.
 // Bits of INA, OUTA and DIRA are ports of the source, and each is looked up.
-//# task cognew it starts machine code of the Propeller, which no other microcontroller runs: write what that code does in C, and start it with cogstart
-//# task coginit it starts machine code of the Propeller, which no other microcontroller runs: write what that code does in C, and start it with cogstart
-//# task load_cog_driver it starts machine code of the Propeller, which no other microcontroller runs: write what that code does in C, and start it with cogstart
+//# task cognew it starts machine code of the Propeller, which no other microcontroller runs: write in C what that code does, and call it from loop, in steps that do not wait
+//# task coginit it starts machine code of the Propeller, which no other microcontroller runs: write in C what that code does, and call it from loop, in steps that do not wait
+//# task load_cog_driver it starts machine code of the Propeller, which no other microcontroller runs: write in C what that code does, and call it from loop, in steps that do not wait
 //# task use_cog_driver it names machine code of the Propeller, which no other microcontroller runs: write what that code does in C
 //# task get_cog_driver it names machine code of the Propeller, which no other microcontroller runs: write what that code does in C
-//# task __builtin_propeller_coginit it starts machine code of the Propeller, which no other microcontroller runs: write what that code does in C, and start it with cogstart
+//# task __builtin_propeller_coginit it starts machine code of the Propeller, which no other microcontroller runs: write in C what that code does, and call it from loop, in steps that do not wait
 //# task clkset a mode with bit 7 (0x80) restarts the chip there: where that is meant, let the watchdog do it (`wdt_enable(WDTO_15MS)` of avr/wdt.h, then an endless loop); any other mode sets a clock that this board does not change, and CLKFREQ stays that of the virtual counter, so that times stay right: take such a call out
 //# task __builtin_propeller_clkset a mode with bit 7 (0x80) restarts the chip there: where that is meant, let the watchdog do it (`wdt_enable(WDTO_15MS)` of avr/wdt.h, then an endless loop); any other mode sets a clock that this board does not change, and CLKFREQ stays that of the virtual counter, so that times stay right: take such a call out
 //# task waitvid the video generator of the Propeller is hardware that this board has not: show what it shows on another display
