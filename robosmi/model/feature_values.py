@@ -107,9 +107,9 @@ class FeatureCollection(_Collection):
         """An empty collection for a feature of an element.
 
         Raises:
-            NotComputedError: the feature is derived, and no code computes it.
+            NotComputedError: the feature is derived and volatile, and no code computes it.
         """
-        if feature.derived:
+        if feature.derived and feature.volatile:
             raise not_computed(owner, str(feature.name))
         return kind_of(feature)(owner, feature)
 

@@ -10,7 +10,17 @@ from typing import Any
 
 from robosmi.model import ecore
 from robosmi.model.datatypes import is_data_type, real
-from robosmi.model.ecore import EClass, EClassifier, EGenericType, EObject, EPackage, EReference, EStructuralFeature, Package
+from robosmi.model.ecore import (
+    EClass,
+    EClassifier,
+    ECollection,
+    EGenericType,
+    EObject,
+    EPackage,
+    EReference,
+    EStructuralFeature,
+    Package,
+)
 from robosmi.model.ordering import post_order
 from robosmi.model.pyecore_internals import declared_type_of, set_features_of
 from robosmi.typed import distinct, dynamic_attribute
@@ -38,6 +48,14 @@ def all_features(eclass: EClass) -> list[EStructuralFeature]:
     for one in post_order([eclass], supertypes):
         found.update(dict.fromkeys(one.eStructuralFeatures))
     return list(found)
+
+
+def is_computed(feature: EStructuralFeature) -> bool:
+    """Whether code computes a feature's values: it is derived and volatile. One that is derived only is stored, as EMF does.
+
+    Collections that Ecore itself derives, such as `EClass.eAttributes`, are not volatile in pyecore, which computes them.
+    """
+    return bool(feature.derived and (feature.volatile or (feature.many and feature.derived_class is ECollection)))
 
 
 def declared_type(feature: EStructuralFeature) -> Any:

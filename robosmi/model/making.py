@@ -10,7 +10,7 @@ from robosmi.model import ecore
 from robosmi.model.driver import Kind, TypeHandle, class_of
 from robosmi.model.ecore import DynamicEObject, EEnum, EObject, EStructuralFeature
 from robosmi.model.feature_errors import not_named
-from robosmi.model.features import all_features
+from robosmi.model.features import all_features, is_computed
 from robosmi.model.pyecore_internals import (
     first_listeners_of,
     inverse_references_of,
@@ -93,7 +93,7 @@ def unlink(element: Any) -> list[DynamicEObject]:
         for owner, feature in list(inverse_references_of(one)):
             _forget(owner, feature, one)
         for feature in all_features(one.eClass):
-            slot = one.__dict__.get(key_of(feature)) if feature.is_reference and not feature.derived else None
+            slot = one.__dict__.get(key_of(feature)) if feature.is_reference and not is_computed(feature) else None
             if slot is not None and feature.many:
                 read(slot).clear()
             elif slot is not None and read(slot) is not None:

@@ -12,7 +12,7 @@ from typing import Any
 
 from robosmi.errors import ModelError
 from robosmi.model.ecore import DynamicEObject, EClass, EObject
-from robosmi.model.features import all_features
+from robosmi.model.features import all_features, is_computed
 from robosmi.model.pyecore_internals import container_of, key_of, own_resource_of, read
 from robosmi.typed import dynamic_attribute
 
@@ -46,7 +46,7 @@ def contents(element: EObject) -> list[DynamicEObject]:
 def _containments(element: EObject) -> list[tuple[str, bool]]:
     """The containment features of an element's class: name, and whether it holds many."""
     cls: Any = element.__class__
-    features = [f for f in all_features(element.eClass) if f.is_reference and f.containment and not f.derived]
+    features = [f for f in all_features(element.eClass) if f.is_reference and f.containment and not is_computed(f)]
     names = [(key_of(f), f.many) for f in features]
     if cls.__module__ != "pyecore.ecore":  # Ecore's own classes are everybody's
         cls._robosmi_containments = names

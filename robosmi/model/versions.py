@@ -142,12 +142,12 @@ def _namespace(root: EObject) -> str:
 
 def _reference_into(root: EObject, replaced: list[EObject]) -> EObject | None:
     """An element of a model that refers to one of those that were replaced, or None."""
-    from robosmi.model.features import all_features
+    from robosmi.model.features import all_features, is_computed
     from robosmi.model.structure import root_of, walk
 
     for element in walk(root):
         for feature in all_features(element.eClass):
-            if feature.is_reference and not feature.containment and not feature.derived:
+            if feature.is_reference and not feature.containment and not is_computed(feature):
                 targets = [x for x in feature_values(element, feature.name) if isinstance(x, EObject)]
                 if any(root_of(target) is one for target in targets for one in replaced):
                     return element

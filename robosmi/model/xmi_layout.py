@@ -129,7 +129,7 @@ class Layout:
 
 def _column(eclass: EClass, feature: EStructuralFeature) -> Column | None:
     kind = features.declared_type(feature)
-    if feature.derived and (feature.many or not is_stored(feature)):
+    if (feature.many and features.is_computed(feature)) or (feature.derived and not is_stored(feature)):
         return None
     if not feature.is_attribute:
         back = features.opposite(feature)

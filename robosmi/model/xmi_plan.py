@@ -104,7 +104,7 @@ class ClassPlan:
         else:
             entry = self._reference(feature, kind)
         self.entries[name] = entry
-        if entry.kind in (VALUE, VALUES, REFERENCE, CHILD, CHILDREN) and not (feature.derived or feature.transient):
+        if entry.kind in (VALUE, VALUES, REFERENCE, CHILD, CHILDREN) and not (features.is_computed(feature) or feature.transient):
             upper = feature.upperBound
             lower = 0 if entry.kind == VALUE and datatypes.default(feature, kind) is not None else feature.lowerBound
             if lower > 0 or upper > 1:
@@ -114,7 +114,7 @@ class ClassPlan:
         if kind.name == datatypes.FEATURE_MAP:
             self.refused = f"{self.name} has the feature map '{feature.name}', which is not supported"
             return FeatureEntry(REFUSED, feature, self.refused)
-        if not is_stored(feature) or (feature.derived and feature.many):
+        if not is_stored(feature) or (feature.many and features.is_computed(feature)):
             return FeatureEntry(REFUSED, feature, f"{self.name}.{feature.name} is computed, not stored")
         lean.repair_default(feature, kind)
         entry = FeatureEntry(VALUES if feature.many else VALUE, feature)
@@ -124,7 +124,7 @@ class ClassPlan:
         return entry
 
     def _reference(self, feature: EStructuralFeature, kind: EClass) -> FeatureEntry:
-        if feature.derived and (feature.many or not is_stored(feature)):
+        if (feature.many and features.is_computed(feature)) or (feature.derived and not is_stored(feature)):
             return FeatureEntry(REFUSED, feature, f"{self.name}.{feature.name} is computed, not stored")
         if self.fixed:
             lean.quick(feature)

@@ -14,7 +14,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from robosmi.model.by_name import feature_values
-from robosmi.model.features import all_features, opposite
+from robosmi.model.features import all_features, is_computed, opposite
 from robosmi.model.structure import root_of
 from robosmi.query.collections import Bag, OrderedSet, Q, Set, collection
 from robosmi.query.extents import all_contents, contents
@@ -319,7 +319,7 @@ def e_cross_references(element: Any) -> Q[Any]:
     """What the element refers to without containing it, features in Ecore's order."""
     found: list[Any] = []
     for feature in all_features(element.eClass):
-        if feature.is_reference and not (feature.containment or feature.derived or _is_container(feature)):
+        if feature.is_reference and not (feature.containment or is_computed(feature) or _is_container(feature)):
             found += feature_values(element, feature.name)
     return Q(found)
 

@@ -80,3 +80,23 @@ def test_elements_are_shown_stored_and_read_without_them(tmp_path: Path) -> None
     shutil.copy(ECORE, tmp_path)
     model.save(tmp_path / "box.xmi")
     assert EmfModel.load(tmp_path / "box.xmi", ECORE).roots[0].width == 2.0
+
+
+def test_features_that_are_derived_and_not_volatile_are_stored_as_emf_stores_them(tmp_path: Path) -> None:
+    """What EMF's dynamic elements do: `derived` counts for copies only, `transient` for files only."""
+    ecore = Path(shutil.copy(ECORE.with_name("shelf.ecore"), tmp_path))
+    model = ModelView(EmfModel((), ecore, "S"))
+    low, high = model.Shelf(name="low"), model.Shelf(name="high")
+    top = model.Shelf(name="top", boards=[low, high], tags=["a", "b"])
+    low.beside, low.above, low.lost = [high], high, [high]
+    assert [len(each) for each in (top.boards, top.tags, low.beside, low.lost, top.beside)] == [2, 2, 1, 1, 0]
+    assert [one.eGet("name") for one in model.model.all_contents()] == ["top", "low", "high"]
+    assert list(e_cross_references(low)) == [high, high, high]
+    model.save(tmp_path / "shelf.xmi")
+    again = ModelView(EmfModel.load(tmp_path / "shelf.xmi", ecore)).Shelf.all
+    assert [(one.name, list(one.tags), [each.name for each in one.beside], len(one.lost)) for one in again] == [
+        ("top", ["a", "b"], [], 0), ("low", [], ["high"], 0), ("high", [], [], 0),
+    ]  # fmt: skip
+    assert again[1].above is again[2]
+    model.delete(high)
+    assert (len(low.beside), low.above, len(top.boards)) == (0, None, 1)
