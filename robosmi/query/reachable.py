@@ -121,6 +121,12 @@ class Caller:
         Raises:
             UsageError: it may not be called, or not with these arguments.
         """
+        if isinstance(function, collections.Q):
+            raise UsageError(
+                "a collection cannot be called: the name before the bracket is no operation of collections, so it stands for the "
+                "values of a property",
+                fix="write an operation of EOL by its name in Python, as not_empty() for notEmpty()",
+            )
         if not self._may_call(function):
             raise UsageError(f"an expression may not call {_said(function)}", fix="use the functions of robosmi.query")
         name = str(self._named.get(id(function)) or attribute_of(function, "__name__", str) or "")

@@ -174,6 +174,7 @@ def test_no_name_gives_a_module_a_model_or_what_changes_one() -> None:
         ("Boook.all", r"the name 'Boook' is unknown \(did you mean 'Book'\?\)"),
         ("Book.all.nmae", "did you mean 'name'"),
         ("Book.all.slect(lambda b: b)", "slect"),
+        ("Book.all.select(lambda b: False).notEmpty()", "a collection cannot be called"),
         ("Book.al", "did you mean 'all'"),
         ("Genre.poetry", "there is no type 'Genre#poetry'"),
         ("1 / 0", "ZeroDivisionError"),
