@@ -47,6 +47,8 @@ def try_bands(trials: Trials, each: ScenarioInput, borders: Sequence[float], ste
         turns += [(border, border) for border in sorted(borders) if _keeps_state(trials, each, before, border, step_ms)]
         for turn in turns:
             low, high = both_sides(each, *turn)
+            if not low < high or before in (low, high):
+                continue  # at an end of what the input shows
             near, far = (low, high) if before < turn[1] else (high, low)
             goal: Place = (BESIDE, each.name, each.setting, round(turn[1]), round(before))
             _try_steps(trials, each, (before, near, far, near, before), step_ms, goal)
