@@ -22,7 +22,6 @@ _TURNS = 5
 """So often an input goes from its first band to its last one: a program may count lines that it crosses."""
 _LOOKS = 12
 _MOST_BORDERS = 2
-_SLOWER = (1, 2)
 
 
 def try_bands(trials: Trials, each: ScenarioInput, borders: Sequence[float], step_ms: float) -> None:
@@ -82,13 +81,13 @@ def _bands(least: float, greatest: float, borders: Sequence[tuple[float, float]]
 
 def _try_steps(trials: Trials, each: ScenarioInput, values: Sequence[float], step_ms: float, *goals: Place) -> None:
     """Try values one after the other, each for longer if the source differs from itself."""
-    for slower in _SLOWER:
-        racy, step = trials.found.racy, slower * step_ms
-        shown = values[: int(LONGEST_MS / step)]
-        ends = 1000 * math.ceil(len(shown) * step / 1000)
-        trials.try_signals(_in_steps(each, shown, step), frozenset(goals), ends)
-        if trials.found.racy == racy:
-            break
+
+    def attempts() -> Iterator[tuple[Signals, float]]:
+        for step in (step_ms, 2 * step_ms):
+            shown = values[: int(LONGEST_MS / step)]
+            yield _in_steps(each, shown, step), 1000 * math.ceil(len(shown) * step / 1000)
+
+    trials.try_until_steady(attempts(), frozenset(goals))
 
 
 def _in_steps(each: ScenarioInput, values: Sequence[float], step_ms: float) -> Signals:

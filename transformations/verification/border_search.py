@@ -7,7 +7,7 @@ hundreds take a second (`turning_points`); only what is found there becomes a sc
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from robosmi.data_text import Json
 from robosmi.transformations.verification.band_search import try_bands
@@ -109,12 +109,14 @@ def _written(number: float) -> str:
 
 def try_in_series(trials: Trials, each: ScenarioInput, goal: Place, slower: Sequence[int]) -> None:
     """Try an input's series, with values held longer and longer by the factors `slower` as long as the scenario is racy."""
-    for times in slower:
-        points, racy = series_points(each, times), trials.found.racy
-        ends_ms = min(LONGEST_MS, 1000 * math.ceil(points[-1][0] / 1000 + 1)) if points else 0.0
-        trials.try_signals({each.name: {each.setting: points}}, frozenset([goal]), max(trials.horizon, ends_ms))
-        if trials.found.racy == racy:
-            break
+
+    def attempts() -> Iterator[tuple[Signals, float]]:
+        for times in slower:
+            points = series_points(each, times)
+            ends_ms = min(LONGEST_MS, 1000 * math.ceil(points[-1][0] / 1000 + 1)) if points else 0.0
+            yield {each.name: {each.setting: points}}, max(trials.horizon, ends_ms)
+
+    trials.try_until_steady(attempts(), frozenset([goal]))
 
 
 # ---- durations

@@ -8,7 +8,7 @@ the other way for the first time, or one whose two sides have come nearer to one
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from robosmi.data_text import Json
 from robosmi.transformations.verification.scenario_inputs import (
@@ -90,12 +90,15 @@ def try_sequences(trials: Trials, inputs: Sequence[ScenarioInput], chance: rando
             break
         while in_sequence(sequence)[1] < _WALK_MS:
             sequence = [*sequence, chance.choice(events)]
-        for slower in (1, 2):
-            racy = trials.found.racy
-            signals, end_ms = in_sequence(sequence[: len(sequence) // slower], slower)
-            trials.try_signals(signals, horizon=min(end_ms + _AFTER_MS, LONGEST_MS), at_any_phase=True)
-            if trials.found.racy == racy or trials.effort.has_spent(begun_s, _EFFORT_S):
-                break
+        trials.try_until_steady(_attempts(trials, sequence, begun_s), at_any_phase=True)
+
+
+def _attempts(trials: Trials, events: Sequence[Event], begun_s: float) -> Iterator[tuple[Signals, float]]:
+    """Events in sequence, and half of them twice as slowly if there is effort left."""
+    for slower in (1, 2):
+        if slower == 1 or not trials.effort.has_spent(begun_s, _EFFORT_S):
+            signals, end_ms = in_sequence(events[: len(events) // slower], slower)
+            yield signals, min(end_ms + _AFTER_MS, LONGEST_MS)
 
 
 def in_sequence(events: Sequence[Event], slower: int = 1) -> tuple[Signals, float]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from msgspec import Struct
 
@@ -131,6 +131,16 @@ class Trials:
         found.scenarios.append((scenario, runs))
         self.reached_by.append(places)
         return places
+
+    def try_until_steady(
+        self, attempts: Iterable[tuple[Signals, float]], also: frozenset[Place] = frozenset(), at_any_phase: bool = False
+    ) -> None:
+        """Try signals with their horizons, each slower than the one before, up to the first that is not racy."""
+        for signals, horizon in attempts:
+            racy = self.found.racy
+            self.try_signals(signals, also, horizon, at_any_phase)
+            if self.found.racy == racy:
+                return
 
     def _hangs_on_phase(self, scenario: Scenario, runs: SourceRuns) -> bool:
         """Whether the source would be called different from itself if all inputs changed a little earlier or later."""
