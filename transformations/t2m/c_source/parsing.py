@@ -1,14 +1,12 @@
 """Parsing one text with libclang: arguments, virtual headers, the prelude loop, diagnostics, and the file's top level.
 
-The result holds raw cursors as a tree of `Node`s with plain offsets (`tree`). Mostly one parse, with declarations for the names
-that nothing declares as far as the tokens tell (`foresight`, `prelude`); else up to three: the second with declarations for
-undeclared names, the third for names that only then came to light. Where the text is damaged, some
+The result holds raw cursors as a tree of `Node`s with plain offsets (`tree`). There are up to three parses: the second with
+declarations for undeclared names (`prelude`), the third for names that only then came to light. Where the text is damaged, some
 more of a copy that is mended step by step (`mending`); the complaints stay, offsets are those of the file.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from msgspec import Struct
@@ -17,7 +15,6 @@ from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import clang, tree
 from robosmi.transformations.t2m.c_source.bounds import cuts
 from robosmi.transformations.t2m.c_source.call import Call
-from robosmi.transformations.t2m.c_source.foresight import foresee
 from robosmi.transformations.t2m.c_source.mending import (
     MAX_ROUNDS,
     NESTED,
@@ -96,15 +93,14 @@ def parse(
     source: ReadSource, api: ApiIndex, include_dirs: Sequence[str], defines: Sequence[str], before: Sequence[str] = ()
 ) -> Parsed | None:
     """Parse a text, again with declarations of what it does not declare; None if libclang gave up."""
-    return _parse(source, api, defines, Call(source, api, include_dirs, defines, before))
+    return _parse(source, api, Call(source, api, include_dirs, defines, before))
 
 
-def _parse(source: ReadSource, api: ApiIndex, defines: Sequence[str], call: Call) -> Parsed | None:
+def _parse(source: ReadSource, api: ApiIndex, call: Call) -> Parsed | None:
     first: list[Diagnostic] = []
     taken_out = [*cuts(source.path, source.parsed, source.tokens), *call.own_includes()]
     attempt = _Attempt(source, taken_out)
     prelude = _prelude(source, api)
-    foreseen = call.names is not None and not taken_out and _foresee(prelude, source, call.names, defines)
     number = 0
     while True:
         number += 1
@@ -116,13 +112,7 @@ def _parse(source: ReadSource, api: ApiIndex, defines: Sequence[str], call: Call
         diagnostics = _diagnostics(unit, reader)
         if (doubt := _doubt(diagnostics)) and call.leave(outdated=any(d.offset < 0 and d.severity >= clang.FATAL for d in doubt)):
             clang.library().disposeTranslationUnit(unit)
-            return _parse(source, api, defines, call)
-        if foreseen:
-            foreseen = False
-            if not _as_foreseen(diagnostics, prelude):
-                number, prelude = 0, _prelude(source, api)
-                clang.library().disposeTranslationUnit(unit)
-                continue
+            return _parse(source, api, call)
         if number == 1:
             first = list(diagnostics)
         else:  # a type that only comes to light when the text is mended is as unknown
@@ -172,33 +162,6 @@ def _prelude(source: ReadSource, api: ApiIndex) -> Prelude:
     if b"va_arg" in source.parsed:  # it takes a type, so it cannot be guessed as a function
         prelude.always.append("#include <stdarg.h>")
     return prelude
-
-
-def _foresee(prelude: Prelude, source: ReadSource, names: frozenset[str], defines: Sequence[str]) -> bool:
-    """Add to a prelude the names that the text surely uses without a declaration; False if there are none."""
-    if prelude.cxx:
-        return False
-    settings = prelude.platform.settings["parser"]
-    given = {re.split(r"\W", define, maxsplit=1)[0] for define in (*settings.get("defines", []), *defines)}
-    given |= {*settings.get("builtins", {}), *settings.get("attribute_macros", [])}
-    found = foresee(source.tokens, lambda name: name in names or name in given)
-    if found is None or not found.undeclared:
-        return False
-    prelude.foresee(found.undeclared, source.tokens, found.functions)
-    return True
-
-
-def _as_foreseen(diagnostics: list[Diagnostic], prelude: Prelude) -> bool:
-    """Whether the predicted declarations left no error: they are all that the text needs, and contradict nothing in it."""
-    for diagnostic in diagnostics:
-        message = diagnostic.message
-        if message.startswith("conflicting types for"):
-            name = message.split("'")[1]
-            if prelude.declares(name) or name in prelude.functions or name in prelude.standard:
-                return False
-        elif not message.endswith("file not found"):
-            return False
-    return True
 
 
 class _Attempt:

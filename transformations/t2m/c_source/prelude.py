@@ -111,20 +111,6 @@ class Prelude:
             self._add_functions(uses, own)
         return new
 
-    def foresee(self, names: Iterable[str], tokens: list[Token], functions: Iterable[str]) -> None:
-        """Declare names before the first parse.
-
-        Args:
-            names: names that nothing declares, in text order.
-            tokens: tokens of the text.
-            functions: functions that the text declares at file scope.
-        """
-        uses, own = _Uses(tokens), dict.fromkeys(functions, "function")
-        for name in names:
-            self._declare(name, False, uses, own)
-        self.members |= {m: form for m, form in uses.members.items() if m not in self.macros}
-        self._add_functions(uses, own)
-
     def _behind(self, name: str) -> set[str]:
         """The types declared as int so far that an error about a record may mean: the named one, else any of the platform."""
         if name in self.types:
