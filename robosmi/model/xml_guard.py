@@ -1,4 +1,4 @@
-"""Protects lxml from XML files that expand entities without limit, and supports documents that are nested too deeply for it.
+"""Protects lxml from XML files that expand entities without limit.
 
 Entities can expand to any size, even inside attributes, where lxml expands them regardless of its options; so the beginning of
 a file is examined first. Nothing here interprets elements.
@@ -6,12 +6,15 @@ a file is examined first. Nothing here interprets elements.
 
 from __future__ import annotations
 
-from contextlib import suppress
+import re
 from typing import Any
 from xml.parsers import expat
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
+
+_TOO_DEEP = re.compile(r"Excessive depth in document: (\d+)")
+"""libxml2's message about a file that is nested deeper than it reads."""
 
 
 class _Found(Exception):
@@ -58,10 +61,10 @@ def read_tree(data: bytes, place: str, deep: bool) -> Any:
     Args:
         data: the file.
         place: its path, for the message.
-        deep: whether it is known to declare no entity and may be of any size and depth.
+        deep: whether it is known to declare no entity, so that it may be of any size, and 2,048 levels deep instead of 256.
 
     Raises:
-        SourceError: it is not well-formed.
+        SourceError: it is not well-formed, or nested too deeply.
     """
     from lxml import etree
 
@@ -69,63 +72,11 @@ def read_tree(data: bytes, place: str, deep: bool) -> Any:
     try:
         return etree.fromstring(data, parser)
     except etree.XMLSyntaxError as error:
-        if deep and "xcessive depth" in (error.msg or ""):
-            with suppress(expat.ExpatError):
-                return _deep_tree(data)
         where = Location(place, error.lineno or None)
+        if match := _TOO_DEEP.search(error.msg or ""):
+            raise SourceError(
+                f"elements are nested more than {match[1]} levels deep",
+                location=where,
+                fix="nest the elements of the file less deeply",
+            ) from error  # fmt: skip
         raise SourceError(f"not well-formed XML: {error.msg}", location=where, fix="repair the file") from error
-
-
-def _deep_tree(data: bytes) -> Any:
-    """The root of lxml's tree for a document that is nested deeper than lxml's own parser goes (2,048 levels).
-
-    Args:
-        data: a file without entities, in an encoding that expat knows.
-
-    Raises:
-        ExpatError: it is not well-formed.
-    """
-    from lxml import etree
-
-    parser = expat.ParserCreate(namespace_separator=" ")
-    parser.buffer_text = True
-    declared: dict[Any, str] = {}
-    open_nodes: list[Any] = []
-    roots: list[Any] = []
-
-    def name(text: str) -> str:
-        uri, _, local = text.rpartition(" ")
-        return f"{{{uri}}}{local}" if uri else local
-
-    def start(tag: str, attributes: dict[str, str]) -> None:
-        nsmap: Any = dict(declared)
-        declared.clear()
-        named = {name(key): value for key, value in attributes.items()}
-        node: Any
-        if open_nodes:
-            node = etree.SubElement(open_nodes[-1], name(tag), named, nsmap)
-        else:
-            node = etree.Element(name(tag), named, nsmap)
-            roots.append(node)
-        node.sourceline = parser.CurrentLineNumber
-        open_nodes.append(node)
-
-    def characters(text: str) -> None:
-        above = open_nodes[-1]
-        if len(above):
-            above[-1].tail = (above[-1].tail or "") + text
-        else:
-            above.text = (above.text or "") + text
-
-    def other(node: Any) -> None:
-        if open_nodes:
-            open_nodes[-1].append(node)
-
-    parser.StartElementHandler = start
-    parser.EndElementHandler = lambda tag: open_nodes.pop()
-    parser.CharacterDataHandler = characters
-    parser.CommentHandler = lambda text: other(etree.Comment(text))
-    parser.ProcessingInstructionHandler = lambda target, text: other(etree.ProcessingInstruction(target, text))
-    parser.StartNamespaceDeclHandler = lambda prefix, uri: declared.update({prefix: uri})
-    parser.Parse(data, True)
-    return roots[0]

@@ -176,8 +176,8 @@ def test_a_doctype_that_declares_nothing_is_kept(tmp_path: Path) -> None:
     assert (tmp_path / "x.xml").read_text() == text
 
 
-def test_depth_is_no_limit(tmp_path: Path) -> None:
-    depth = 20_000
+def test_files_of_2048_levels_are_read(tmp_path: Path) -> None:
+    depth = 2_048
     model = XmlModel.parse(b"<a>" * depth + b"x" + b"</a>" * depth)
     deepest = model.t_a.all[-1]
     assert len(model.t_a.all) == depth
@@ -188,6 +188,16 @@ def test_depth_is_no_limit(tmp_path: Path) -> None:
     assert len(XmlModel.load(tmp_path / "deep.xml").t_a.all) == depth
     model.delete(model.t_a.all[1])
     assert len(model.t_a.all) == 1
+
+
+@pytest.mark.parametrize(("head", "most"), [("", 2_048), ('<?xml version="1.0" encoding="UTF-32"?>', 256)])
+def test_files_of_more_levels_are_refused_with_the_line(head: str, most: int, tmp_path: Path) -> None:
+    file = tmp_path / "deep.xml"
+    file.write_bytes((head + "<a>\n" * 20_000 + "</a>" * 20_000).encode("utf-32" if head else "utf-8"))
+    with pytest.raises(SourceError, match=f"elements are nested more than {most} levels deep") as refused:
+        XmlModel.load(file)
+    assert str(refused.value.location) == f"{file}:{most + 1}"
+    assert refused.value.fix == "nest the elements of the file less deeply"
 
 
 def test_two_documents_never_mix() -> None:
