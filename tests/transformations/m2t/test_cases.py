@@ -3,7 +3,7 @@
 case.toml: `about` (what the case shows); optional `files` (the units given, else all .c files of `input/`), `hardware` (an
 example whose drawing is taken), `[bind]` and `[libraries]` (as the flags), `compiles` (why the sketch cannot compile: the
 source's own fault), `adapters` (as the flag; placeholders for what a case expects of the program's text, since bodies are data
-that have tests of their own). Every case also has to compile with the bodies that there are.
+that have tests of their own), `shows_adapters` (true: the case is about `adapters.h`, which is expected, too). Every case also has to compile with the bodies that there are.
 `expected/verdicts.txt` has one line for each element that was judged (line, element, action, rule; for main also why), and
 one for each place with a finding or task that is more than information.
 
@@ -35,6 +35,7 @@ from tests.transformations.m2t.truth import overlaps, verdict_faults
 FOLDER = Path(__file__).parent / "cases"
 CASES = sorted(path.name for path in FOLDER.iterdir() if (path / "case.toml").is_file())
 ACCEPT = "ROBOSMI_ACCEPT"
+ADAPTERS = "adapters.h"
 SKETCH = (".ino", ".cpp", ".h")
 
 
@@ -82,6 +83,8 @@ def verdicts(made: Generated) -> str:
 @pytest.mark.parametrize("name", CASES)
 def test_the_sketch_is_the_expected_one(name: str, tmp_path: Path, examples: Path) -> None:
     made = sketch_files(migrated(name, tmp_path, examples))
+    if not options(name).get("shows_adapters"):
+        assert made.pop(ADAPTERS).startswith("// Adapters for ")
     expected = FOLDER / name / "expected"
     if os.environ.get(ACCEPT):
         shutil.rmtree(expected, ignore_errors=True)
