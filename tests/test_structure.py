@@ -70,9 +70,8 @@ CONTENT_ABOVE: dict[str, tuple[str, ...]] = {
     "constraints": ("queries", "knowledge"),
     "m2m": ("queries", "knowledge"),
     "m2t": ("queries", "knowledge"),  # knowledge for type checkers only, see below
-    "migrations": ("m2m", "queries", "knowledge"),
     "verification": ("queries", "knowledge"),
-    "chains": ("verification", "migrations", "m2t", "m2m", "constraints", "t2m", "queries", "knowledge"),
+    "chains": ("verification", "m2t", "m2m", "constraints", "t2m", "queries", "knowledge"),
 }
 """Room of the content -> the rooms of the content that it may import (and itself)."""
 

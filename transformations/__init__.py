@@ -48,8 +48,6 @@ _CONTENT = {
     ("chain", "verify"): "chains.verify:verify",
     ("chain", "wiring"): "chains.wiring:wiring",
     ("chain", "with_verdict"): "chains.verify:with_verdict",
-    ("model migration", "http://robosmi.org/migration/1"): "migrations.models_of_0_1:models",
-    ("model migration", "http://robosmi.org/platform/1"): "migrations.models_of_0_1:models",
     ("query", "boards_to_compile_for"): "knowledge.compile_boards:boards_to_compile_for",
     ("query", "default_library_platform"): "knowledge.library_ranking:default_library_platform",
     ("query", "stack_bound"): "verification.machine_stack:stack_bound",

@@ -26,13 +26,14 @@ XMI_NAMESPACES = re.compile(r"http://(www\.omg\.org/XMI|(schema|www)\.omg\.org/s
 
 
 class Unreadable(Exception):
-    """The file cannot be read as a model at all."""
+    """The file cannot be read as a model at all; `namespace` is that of its root if no metamodel has it."""
 
-    def __init__(self, text: str, line: int, fix: str = NO_MODEL) -> None:
+    def __init__(self, text: str, line: int, fix: str = NO_MODEL, namespace: str = "") -> None:
         super().__init__(text)
         self.text = text
         self.line = line
         self.fix = fix
+        self.namespace = namespace
 
 
 class UnknownEncoding(Unreadable):

@@ -301,6 +301,7 @@ class _Parser(Builder):
                 f"the root element '{name}' of the namespace '{uri}' belongs to no metamodel known here",
                 self.expat.CurrentLineNumber,
                 "",
+                uri,
             )
         plan = self.plans.of(eclass)
         if not self.usable(plan):

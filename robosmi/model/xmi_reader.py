@@ -188,12 +188,21 @@ class _Reader:
             return self.ecore(path, referrer or Location(place))
         except Unreadable as error:
             self._refused.add(path)
-            ways = "--metamodel X.ecore in a command, Metamodel.load('X.ecore') in Python"
-            known = f"give its metamodel ({ways}); known namespaces: {', '.join(self.metamodels.uris())}"
-            self.give_up(Location(place, error.line), error.text, error.fix or known)
+            text, fix = (error.text, error.fix) if error.fix else self._unknown(error)
+            self.give_up(Location(place, error.line), text, fix)
             return None
         self.documents[path] = document
         return document
+
+    def _unknown(self, error: Unreadable) -> tuple[str, str]:
+        """What is wrong with a file whose root has an unknown namespace, and what to do about it."""
+        uri = error.namespace
+        if uri.startswith(OWN_NAMESPACES) and uri not in (current := built_in().uris()):
+            family = uri.rpartition("/")[0]
+            for known in (each for each in current if each.rpartition("/")[0] == family):
+                return f"the model is of '{uri}', and this version of RoboSMi reads '{known}'", "migrate the program again"
+        ways = "--metamodel X.ecore in a command, Metamodel.load('X.ecore') in Python"
+        return error.text, f"give its metamodel ({ways}); known namespaces: {', '.join(self.metamodels.uris())}"
 
     def package(self, uri: Any) -> Any:
         """The package of a namespace, or None; the built-in metamodels are known beside those that were given."""

@@ -136,12 +136,6 @@ def _branch_out(element: ccode.Located, choice: str, text: SourceText) -> list[R
 _TAGGED = frozenset({"struct", "union", "enum"})
 
 
-def undefine(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    """Insert an `#undef` of the target's macro before the program's own definition; used by plans of version 0.1.0."""
-    start = text.line_start(element.startOffset)
-    return [(start, start, f"#undef {choice}\n")]
-
-
 def _convert(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
     return [(element.startOffset, element.startOffset, f"({choice})")]
 

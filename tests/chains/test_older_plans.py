@@ -15,13 +15,15 @@ import robosmi
 from robosmi.errors import RuleError, SourceError
 from robosmi.metamodels import migration
 from robosmi.model import load_model, versions
+from robosmi.model.files import digest
 from robosmi.plugins import Registry, registry
 from robosmi.transform import Flock
 from robosmi.transform.migration import ModelMigration
 from robosmi.transformations.chains.models import load_models
 from robosmi.transformations.queries.text_changes import all_changes
+from tests.running import run, tree
 
-ROOT = Path(__file__).parents[3]
+ROOT = Path(__file__).parents[2]
 OLD, NEW = "http://robosmi.org/migration/0", "http://robosmi.org/migration/2"
 
 
@@ -122,8 +124,37 @@ def test_a_sketch_is_generated_from_an_older_plan(old_plan: Path, sketch: Path, 
 
 
 def test_an_older_plan_without_a_step_is_refused(old_plan: Path) -> None:
-    with pytest.raises(SourceError, match="belongs to no metamodel known here"):
-        load_model(old_plan)
+    for read in (load_model, load_models):
+        with pytest.raises(SourceError, match=f"the model is of '{OLD}', and this version of RoboSMi reads '{NEW}'") as refused:
+            read(old_plan)
+        assert refused.value.fix == "migrate the program again"
+        assert str(refused.value.location) == f"{old_plan}:2"
+
+
+@pytest.mark.parametrize("words", [["check"], ["generate"], ["query"]], ids=" ".join)
+def test_commands_refuse_an_older_plan(words: list[str], old_plan: Path, tmp_path: Path) -> None:
+    before = tree(tmp_path)
+    options = {"query": ["1"], "generate": ["-o", tmp_path / "sketch"]}.get(words[0], [])
+    outcome = run(words[0], old_plan, *options, "--json")
+    assert outcome.code != 0
+    [finding] = outcome.document["findings"]
+    assert finding["fix"] == "migrate the program again"
+    assert (finding["location"]["path"], finding["location"]["line"]) == (str(old_plan), 2)
+    assert tree(tmp_path) == before
+
+
+def test_a_program_can_be_migrated_over_an_older_plan(tmp_path: Path) -> None:
+    program = ROOT / "docs" / "examples" / "line_follower" / "line_follower.c"
+    assert run("migrate", program, "-o", tmp_path / "out").code == 0
+    plan, record = tmp_path / "out" / "models" / "plan.xmi", tmp_path / "out" / ".robosmi.json"
+    current = plan.read_bytes()
+    plan.write_bytes(current.replace(NEW.encode(), OLD.encode()))
+    record.write_text(record.read_text().replace(digest(current), digest(plan.read_bytes())))
+    outcome = run("migrate", program, "-o", tmp_path / "out", "--json")
+    assert outcome.code == 0
+    [warning] = [finding for finding in outcome.document["findings"] if finding["rule"] == "RS414"]
+    assert OLD in warning["message"]
+    assert plan.read_bytes() == current
 
 
 def test_a_step_that_forgets_a_renamed_root_is_refused(old_plan: Path, registered: ModelMigration) -> None:

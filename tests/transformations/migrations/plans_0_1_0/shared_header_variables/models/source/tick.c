@@ -1,4 +1,0 @@
-#include "simpletools.h"
-#include "state.h"
-
-void tick(void) { pause(counter + limit); }

@@ -1,6 +1,0 @@
-#ifndef STATE_H
-#define STATE_H
-__attribute__((weak)) int counter;
-static const int limit = 5;
-void tick(void);
-#endif
