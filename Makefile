@@ -6,7 +6,6 @@
 # make evaluate  the figures of the library ranking on the labelled queries, where these are beside the checkout
 # make faults    faults and harmless rewritings in the migrated case studies, and what `verify` notices of them, by hand (not in CI)
 # make adapters  each adapter compiled alone for every microcontroller, each one broken on purpose, and whole programs of each family, by hand (not in CI)
-# make adapter-data  the built data of adapter files, after one was changed
 # make rules  the tables of docs/reference/rules.md, from the rules' data
 # make pyecore  what is leant on in pyecore without a promise, and whether it holds in other versions, by hand (not in CI)
 # make corpus  the programs and drawings of other people that the ground-truth tests read, fetched from their repositories
@@ -20,7 +19,7 @@ export ROBOSMI_HOME := $(CURDIR)/out/data
 unexport ROBOSMI_HISTORY
 # Where .ci/npm-packages puts the simulator avr8js.
 export ROBOSMI_NPM := $(CURDIR)/.npm
-.PHONY: demo test lint bench evaluate fuzz faults adapters adapter-data pyecore corpus wheel readme rules metamodels system-packages npm-packages clean
+.PHONY: demo test lint bench evaluate fuzz faults adapters pyecore corpus wheel readme rules metamodels system-packages npm-packages clean
 
 $(VENV)/.ready: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -88,9 +87,6 @@ adapters: $(VENV)/.ready system-packages
 faults: $(VENV)/.ready system-packages npm-packages
 	$(BIN)/python -m tests.faults
 	$(BIN)/python -m tests.faults --rewritings
-
-adapter-data: $(VENV)/.ready
-	$(BIN)/python -m robosmi.transformations.knowledge.adapter_data platform_repo/*/adapters/*
 
 corpus: $(VENV)/.ready
 	$(BIN)/python -m tests.corpus.fetch out

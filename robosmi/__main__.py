@@ -33,12 +33,6 @@ def start() -> int:
     """Run the command of this process; an interruption at any time ends it with a short message and exit code 130."""
     _collect_less()  # before modules are imported
     try:
-        from robosmi.cli.kept_modules import keep_modules
-
-        keep_modules()  # before most modules are imported
-        from robosmi.cli.kept_patterns import keep_patterns
-
-        keep_patterns()  # before modules with patterns are imported
         from robosmi.cli.main import main
 
         code = main()

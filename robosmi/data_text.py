@@ -7,15 +7,14 @@ thousands of digits. The caller interprets the values and adds the file's name t
 from __future__ import annotations
 
 import json
-import marshal
 import re
 import sys
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from typing import TypeAlias
 
-from robosmi.user_cache import KeptResults
+from robosmi.user_cache import CachedResults
 
 Json: TypeAlias = "bool | int | float | str | Sequence[Json] | Mapping[str, Json] | None"
 """A value that JSON can represent; tuples are written as lists."""
@@ -76,17 +75,14 @@ def data_toml(text: str) -> dict[str, Json]:
     Raises:
         ValueError: as for `toml_of`.
     """
-    if (stored := _TABLES.get(text)) is not None:
-        value: dict[str, Json] = marshal.loads(stored)
-        return value
+    if (cached := _TABLES.get(text)) is not None:
+        return cached
     value = toml_of(text)
-    with suppress(ValueError):  # a date cannot be kept
-        _TABLES.put(text, marshal.dumps(value))
+    _TABLES.put(text, value)
     return value
 
 
-_TABLES: KeptResults[str, bytes] = KeptResults("tables", "1", 500)
-"""Text -> its value as bytes; each caller gets a copy of its own."""
+_TABLES: CachedResults[dict[str, Json]] = CachedResults("tables.json", "1", dict, 500)
 
 
 def _parts(text: str) -> int:

@@ -1,26 +1,29 @@
-"""Files that a run keeps for later runs in the user's cache folder: results that can be recomputed, only more slowly.
+"""Files in the user's cache folder: results that can be computed again, only more slowly.
 
 A file that another user could have written, or that cannot be read, is ignored; if the folder cannot be written, nothing is
-kept. Files are written atomically, so concurrent runs see complete ones. The caller makes a file's name or content depend on
+cached. Files are written atomically, so concurrent runs see complete ones. The caller makes a file's name or content depend on
 everything that the result depends on.
 """
 
 from __future__ import annotations
 
 import atexit
-import marshal
+import hashlib
 import os
 import stat
 import sys
+import tempfile
 import zlib
-from collections.abc import Callable
+from collections.abc import Iterable
 from contextlib import suppress
-from typing import BinaryIO, Generic, TypeVar
+from typing import Generic, TypeVar
 
+import msgspec
+
+import robosmi
 from robosmi.user_folders import cache_dir
 
-K = TypeVar("K")
-V = TypeVar("V")
+T = TypeVar("T")
 
 if sys.platform == "win32":
     _FLAGS = os.O_RDONLY | os.O_BINARY
@@ -28,42 +31,25 @@ else:
     _FLAGS = os.O_RDONLY | os.O_NOFOLLOW | os.O_CLOEXEC
 
 
-def open_kept(name: str) -> BinaryIO | None:
-    """The opened file that was kept under a name, or None.
+def read_cached(name: str) -> bytes | None:
+    """The content of a cached file; None if there is none.
 
     Args:
         name: path below the cache folder.
     """
-    with suppress(OSError):
-        file = os.fdopen(os.open(cache_dir() / name, _FLAGS), "rb")
+    with suppress(OSError), os.fdopen(os.open(cache_dir() / name, _FLAGS), "rb") as file:
         if _is_ours(os.fstat(file.fileno())):
-            return file
-        file.close()
+            return file.read()
     return None
 
 
-def read_kept(name: str) -> bytes | None:
-    """What was kept under a name, or None.
+def write_cached(name: str, data: bytes) -> None:
+    """Write or replace a cached file.
 
     Args:
         name: path below the cache folder.
+        data: its content.
     """
-    if (file := open_kept(name)) is None:
-        return None
-    with suppress(OSError), file:
-        return file.read()
-    return None
-
-
-def keep(name: str, data: bytes) -> None:
-    """Keep bytes under a name, in place of what was kept there.
-
-    Args:
-        name: path below the cache folder.
-        data: what the file will hold.
-    """
-    import tempfile  # slow to load, and wanted only when something is new
-
     place = cache_dir() / name
     with suppress(OSError):
         place.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
@@ -76,53 +62,81 @@ def keep(name: str, data: bytes) -> None:
             os.unlink(temporary)
 
 
-class KeptResults(Generic[K, V]):
-    """Results of a pure function, kept in one file from one run to the next.
+def code_version(folder: str, modules: Iterable[str]) -> str:
+    """A text that changes whenever one of some modules does.
 
-    Keys and results are plain Python values (those that `marshal` accepts). The file is valid for one build of Python and has a
-    checksum; a damaged one is ignored. New results are written when the process ends, merged with those that other processes
-    have written meanwhile.
+    Args:
+        folder: where they are.
+        modules: their names.
+    """
+    stamps = [robosmi.__version__]
+    for name in modules:
+        with suppress(OSError):  # a module in a zip archive
+            found = os.stat(os.path.join(folder, f"{name}.py"))
+            stamps.append(f"{name} {found.st_mtime_ns} {found.st_size}")
+    return hashlib.sha256("\n".join(stamps).encode()).hexdigest()[:16]
+
+
+class CachedResults(Generic[T]):
+    """Results of a pure function of a text, cached in one JSON file.
+
+    The file begins with the version and a checksum; a file of another version and a damaged one are ignored. New results are
+    written when the process ends, merged with those that other processes have written meanwhile.
 
     Args:
         name: the file's path below the cache folder.
-        form: changes whenever the function gives other results for the same arguments.
-        most: limit on the results in the file; beyond it the file is started anew.
+        version: changes whenever the function gives other results for the same text.
+        kind: type of the results, as `msgspec` decodes it.
+        most: maximum number of results in the file; beyond it the file is started anew.
     """
 
-    def __init__(self, name: str, form: str, most: int) -> None:
-        self._name = f"{name}-{sys.implementation.cache_tag}"
-        self._head = f"{form} {sys.version}".replace("\n", " ").encode() + b"\n"
+    def __init__(self, name: str, version: str, kind: type[T], most: int) -> None:
+        self._name = name
+        self._head = f"{version}\n".encode()
+        self._decoder = msgspec.json.Decoder(kind)
         self._most = most
-        self._known: dict[K, V] | None = None
-        self._new: dict[K, V] = {}
+        self._known: dict[str, msgspec.Raw] | None = None
+        self._new: dict[str, msgspec.Raw] = {}
 
-    def get(self, key: K) -> V | None:
-        """What was kept for a key, or None."""
+    def get(self, text: str) -> T | None:
+        """The result for a text, a new copy each time; None if it is not cached."""
         if self._known is None:
             self._known = self._read()
-        return self._known[key] if key in self._known else self._new.get(key)
+        key = _digest(text)
+        found = self._new.get(key) or self._known.get(key)
+        with suppress(msgspec.MsgspecError):  # cached by a program whose type has other fields
+            return self._decoder.decode(found) if found is not None else None
+        return None
 
-    def put(self, key: K, result: V) -> None:
-        """Keep a result from the end of this process on."""
-        if not self._new:
-            atexit.register(self._write)
-        self._new[key] = result
+    def put(self, text: str, result: T) -> None:
+        """Cache the result for a text, unless JSON cannot represent it exactly (dates, infinity)."""
+        written = msgspec.Raw(msgspec.json.encode(result))
+        with suppress(msgspec.MsgspecError):
+            if self._decoder.decode(written) == result:
+                if not self._new:
+                    atexit.register(self._write)
+                self._new[_digest(text)] = written
 
-    def _read(self) -> dict[K, V]:
-        data = read_kept(self._name) or b""
+    def _read(self) -> dict[str, msgspec.Raw]:
+        data = read_cached(self._name) or b""
         body = data[len(self._head) + 4 :]
-        if not body or data[: -len(body)] != self._head + _sum(body):
+        if not body or data[: -len(body)] != self._head + _checksum(body):
             return {}
-        loads: Callable[[bytes], dict[K, V]] = marshal.loads
-        return loads(body)
+        with suppress(msgspec.MsgspecError):
+            return msgspec.json.decode(body, type=dict[str, msgspec.Raw])
+        return {}
 
     def _write(self) -> None:
         whole = {**self._read(), **self._new}
-        data = marshal.dumps(whole if len(whole) <= self._most else self._new)
-        keep(self._name, self._head + _sum(data) + data)
+        body = msgspec.json.encode(whole if len(whole) <= self._most else self._new)
+        write_cached(self._name, self._head + _checksum(body) + body)
 
 
-def _sum(data: bytes) -> bytes:
+def _digest(text: str) -> str:
+    return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
+
+
+def _checksum(data: bytes) -> bytes:
     return zlib.crc32(data).to_bytes(4, "big")
 
 

@@ -7,6 +7,7 @@ import json
 import os
 import subprocess
 import sys
+from hashlib import sha256
 from pathlib import Path
 
 import pytest
@@ -66,6 +67,28 @@ def test_a_command_loads_nothing_heavy_that_it_does_not_use(words: list[str], tm
     assert told["code"] == 0
     assert LONG_TO_LOAD & set(told["modules"]) == set()
     assert told["threshold"][0] > 10_000
+
+
+def test_a_migration_gives_the_same_with_and_without_a_cache(tmp_path: Path) -> None:
+    """Nothing is written into the installation, so that it may be read-only."""
+    (tmp_path / "file").touch()
+    found = []
+    before = files_of(ROOT / "platform_repo")
+    for number, cache in enumerate([tmp_path / "file", tmp_path / "cache", tmp_path / "cache"]):
+        output = tmp_path / str(number) / "out"
+        words = [sys.executable, "-m", "robosmi", "migrate", str(EXAMPLE / "line_follower.c"), "-o", str(output)]
+        environment = {**os.environ, "ROBOSMI_HOME": str(tmp_path / f"home{number}"), "XDG_CACHE_HOME": str(cache)}
+        subprocess.run(words, cwd=ROOT, env=environment, check=True, capture_output=True)
+        found.append(files_of(output))
+    assert found[0] == found[1] == found[2]
+    assert files_of(ROOT / "platform_repo") == before
+    assert {file.name for file in (tmp_path / "cache" / "robosmi").iterdir()} == {"adapters.json", "tables.json", "templates"}
+
+
+def files_of(folder: Path) -> dict[str, str]:
+    """The digest of each file in a folder, by its path there."""
+    paths = (path for path in folder.rglob("*") if path.is_file() and path.suffix != ".pyc")
+    return {path.relative_to(folder).as_posix(): sha256(path.read_bytes()).hexdigest() for path in paths}
 
 
 def test_a_caller_keeps_its_own_garbage_collection(capsys: pytest.CaptureFixture[str]) -> None:

@@ -30,6 +30,7 @@ from robosmi.transformations.knowledge.adapter_index import ENDING_OF, AdapterIn
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2t.task_list import RELATIONS
+from robosmi.transformations.queries.adapter_needs import AdapterPieces
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE
 from robosmi.transformations.queries.written_bodies import Body, bodies
 from robosmi.typed import distinct, matches
@@ -116,7 +117,7 @@ def show_adapter(name: str, target: str | None = None, source: str | None = None
         raise UsageError(
             f"no adapter is called '{name}'{did_you_mean(function, sorted(known))}", fix="see: robosmi adapters list"
         )
-    return AdaptersTold([_row(index, piece) | _whole(piece) for piece in pieces])
+    return AdaptersTold([_row(index, piece) | _whole(index, piece) for piece in pieces])
 
 
 def _of(target: str | None, source: str | None) -> tuple[AdapterIndex, ApiIndex]:
@@ -156,9 +157,11 @@ _FOREIGN = "keep it in the program, or write adapters/NAME.cpp by hand for the h
 _PORT = "//# port: CONSTANT = LIBRARY.NAME NUMBER digital out"
 
 
-def _whole(piece: AdapterPiece) -> dict[str, Json]:
+def _whole(index: AdapterIndex, piece: AdapterPiece) -> dict[str, Json]:
+    known = AdapterPieces(index)
+    needs = ["/".join(known.key(name, piece.header) or [name]) for name in piece.needs]
     return {
-        "signatures": list(piece.signatures), "fidelity": piece.fidelity, "needs": list(piece.needs), "mcus": list(piece.mcus),
+        "signatures": list(piece.signatures), "fidelity": piece.fidelity, "needs": needs, "mcus": list(piece.mcus),
         "path": piece.location.path, "line": piece.location.line, "text": piece.text,
     }  # fmt: skip
 

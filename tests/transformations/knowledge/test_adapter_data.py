@@ -1,19 +1,22 @@
-"""Built data of adapter files, and where adapters are looked for."""
+"""Adapter files as they are loaded and cached, and where they are searched."""
 
 from __future__ import annotations
 
+import atexit
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from msgspec.structs import replace
 
 from robosmi import resources
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.knowledge.adapter_data import adapter_paths, build, load, main
-from robosmi.transformations.knowledge.adapter_files import read_adapter_file
+from robosmi.transformations.knowledge import adapter_data
+from robosmi.transformations.knowledge.adapter_data import adapter_paths, load
+from robosmi.transformations.knowledge.adapter_files import AdapterFile, adapter_file
 from robosmi.transformations.knowledge.adapter_index import AdapterIndex, adapter_index
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from robosmi.user_cache import CachedResults
 
 FOLDERS = sorted(path for path in resources.built_in("platform_repo").glob("*/adapters/*") if path.is_dir())
 LOW = """//# header tools.h
@@ -26,42 +29,94 @@ void low(int pin) {{ {} }}
 LATCH = "//# header latch.h\n//# helper latch\n//#   table: port_pins 4\nint latch = port_pins[0];\n"
 
 
-@pytest.mark.parametrize("folder", FOLDERS, ids=lambda f: f"{f.parents[1].name}-{f.name}")
-def test_the_data_is_built_from_the_files_as_they_are(folder: Path) -> None:
-    stale = [path.name for path, text in build(folder).items() if not path.is_file() or path.read_text("utf-8") != text]
-    assert stale == [], "run `make adapter-data`"
-    assert {p.with_suffix("") for p in folder.rglob("*.json")} == {p.with_suffix("") for p in adapter_paths(folder)}
+@pytest.fixture(autouse=True)
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The user's cache folder; it does not exist yet."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    return tmp_path / "robosmi"
+
+
+@pytest.fixture
+def new_run(monkeypatch: pytest.MonkeyPatch) -> Callable[[], list[Path]]:
+    """A function that ends a run and begins another: it writes the cache and returns the list of files that are parsed next."""
+
+    def start() -> list[Path]:
+        adapter_data._PARSED._write()
+        parsed: list[Path] = []
+
+        def counted(path: Path, text: str) -> AdapterFile:
+            parsed.append(path)
+            return adapter_file(path, text)
+
+        fresh = CachedResults("adapters.json", "test", AdapterFile, 400)
+        monkeypatch.setattr(adapter_data, "_PARSED", fresh)
+        monkeypatch.setattr(adapter_data, "adapter_file", counted)
+        return parsed
+
+    monkeypatch.setattr(atexit, "register", lambda write: None)
+    monkeypatch.setattr(adapter_data, "_PARSED", CachedResults("adapters.json", "test", AdapterFile, 400))
+    return start
 
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda f: f"{f.parents[1].name}-{f.name}")
-def test_data_say_what_the_files_say(folder: Path) -> None:
-    """All but the names in `needs`, which are complete in data."""
-    for path in adapter_paths(folder):
-        for stored, parsed in zip(load(path).pieces, read_adapter_file(path), strict=True):
-            assert [name.rpartition("/")[2] for name in stored.needs] == [name.rpartition("/")[2] for name in parsed.needs]
-            assert all("/" in name for name in stored.needs)
-            assert replace(stored, needs=[]) == replace(parsed, needs=[])
+def test_cached_files_equal_parsed_ones(folder: Path, new_run: Callable[[], list[Path]]) -> None:
+    paths = adapter_paths(folder)
+    new_run()
+    first = [load(path) for path in paths]
+    parsed = new_run()
+    again = [load(path) for path in paths]
+    assert parsed == []
+    assert repr(again) == repr(first) == repr([adapter_file(path, path.read_text("utf-8")) for path in paths])
+
+
+def test_an_edited_file_is_parsed_again(tmp_path: Path, new_run: Callable[[], list[Path]]) -> None:
+    folder = written(tmp_path / "a")
+    new_run()
+    load(folder / "tools.cpp")
+    (folder / "tools.cpp").write_text(LOW.format("high();"))
+    parsed = new_run()
+    assert load(folder / "tools.cpp").pieces[0].text == "void low(int pin) { high(); }"
+    assert parsed == [folder / "tools.cpp"]
+
+
+def test_a_copy_of_a_file_has_its_own_locations(tmp_path: Path, new_run: Callable[[], list[Path]]) -> None:
+    first, second = written(tmp_path / "a"), written(tmp_path / "b")
+    for folder in (first, second):
+        assert load(folder / "tools.cpp").pieces[0].location == Location(str(folder / "tools.cpp"), 2)
+
+
+def test_a_damaged_cache_is_ignored(tmp_path: Path, cache: Path, new_run: Callable[[], list[Path]]) -> None:
+    folder = written(tmp_path / "a")
+    new_run()
+    found = load(folder / "tools.cpp")
+    new_run()
+    file = cache / "adapters.json"
+    file.write_bytes(file.read_bytes().replace(b"low();", b"bad();"))
+    parsed = new_run()
+    assert load(folder / "tools.cpp") == found
+    assert parsed == [folder / "tools.cpp"]
+
+
+def test_a_wrong_file_is_an_error_each_time(tmp_path: Path, new_run: Callable[[], list[Path]]) -> None:
+    path = written(tmp_path / "a") / "tools.cpp"
+    path.write_text(LOW.format("low(;"))
+    for _ in range(2):
+        new_run()
+        with pytest.raises(PlatformDataError, match="closed"):
+            load(path)
 
 
 def written(folder: Path, text: str = "low();") -> Path:
-    """A folder with two adapter files and their data."""
+    """A folder with two adapter files."""
     folder.mkdir()
     (folder / "tools.cpp").write_text(LOW.format(text))
     (folder / "latch.cpp").write_text(LATCH)
-    for path, data in build(folder).items():
-        path.write_text(data)
     return folder
 
 
-def test_a_file_that_was_edited_is_read_itself(tmp_path: Path) -> None:
+def test_needs_are_found_in_other_files(tmp_path: Path) -> None:
     folder = written(tmp_path / "a")
-    assert load(folder / "tools.cpp").pieces[0].needs == ["latch.h/latch"]
-    (folder / "tools.cpp").write_text(LOW.format("high();"))
-    (piece,) = load(folder / "tools.cpp").pieces
-    assert (piece.text, piece.needs) == ("void low(int pin) { high(); }", ["latch"])
-    (folder / "latch.json").write_text("{")
-    assert load(folder / "latch.cpp").pieces[0].tables[0].size == 4
-    (needed,) = [AdapterPieces(AdapterIndex([folder])).needed([("tools.h", "low")], "atmega328p").pieces]
+    needed = AdapterPieces(AdapterIndex([folder])).needed([("tools.h", "low")], "atmega328p").pieces
     assert [p.name for p in needed] == ["latch", "low"]
 
 
@@ -96,30 +151,3 @@ def test_folders_of_a_project_go_before_the_built_in_ones(tmp_path: Path) -> Non
     own.mkdir(parents=True)
     assert adapter_index("arduino", "propeller", tmp_path).folders == [own, FOLDERS[0]]
     assert adapter_index("arduino", "unheard-of", tmp_path).folders == []
-
-
-def test_data_are_built_for_folders_and_for_single_files(tmp_path: Path) -> None:
-    folder = written(tmp_path / "a")
-    (folder / "sys").mkdir()
-    (folder / "sys" / "more.cpp").write_text(LOW.format("low();").replace("tools.h", "sys/more.h"))
-    there = build(folder)
-    for data in there:
-        data.unlink(missing_ok=True)
-    assert main([str(folder / "tools.cpp"), str(folder / "sys" / "more.cpp")]) == 0
-    assert {path: path.read_text() for path in folder.rglob("*.json")} == {
-        path: text for path, text in there.items() if path.name != "latch.json"
-    }
-    assert main([str(folder)]) == 0
-    assert {path: path.read_text() for path in folder.rglob("*.json")} == there
-
-
-def test_what_is_no_adapter_file_and_no_folder_of_them_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    folder, empty = written(tmp_path / "a"), tmp_path / "empty"
-    empty.mkdir()
-    (folder / "tools.cpp").write_text(LOW.format("high();"))
-    before = (folder / "tools.json").read_text()
-    for wrong in (folder / "tools.json", folder / "tool.cpp", tmp_path / "nothing", empty):
-        assert main([str(folder), str(wrong)]) == 1
-        said = capsys.readouterr().err
-        assert said.startswith(f"{wrong}: this is no adapter file and no folder that has one\n  do: ")
-    assert (folder / "tools.json").read_text() == before

@@ -28,7 +28,6 @@ from robosmi.transformations.t2m.c_source.precompiled import beginning, forget
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import ReadSource
 from robosmi.typed import kept, matches
-from robosmi.user_cache import KeptResults
 
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _WITHOUT_OWN_MACROS = "-undef"
@@ -158,23 +157,12 @@ class Call:
 
 @kept
 def own_macros(given: tuple[str, ...]) -> frozenset[str]:
-    """The names of libclang's predefined macros under these arguments; empty if it gave up.
-
-    Parsing an empty file takes as long as parsing a small program, so they are kept from one run to the next.
-    """
+    """The names of libclang's predefined macros under these arguments; empty if it gave up."""
     library = clang.library()
     without = [argument for argument in given if not argument.startswith("-D")]
-    key = (library.version, *without)
-    if (names := _MACROS.get(key)) is not None:
-        return frozenset(names)
     unit = clang.parse(_NOTHING, without, clang.unsaved({_NOTHING: b""}))
     if unit is None:
         return frozenset()
     found = clang.macro_names(unit)
     library.disposeTranslationUnit(unit)
-    _MACROS.put(key, tuple(sorted(found)))
     return frozenset(found)
-
-
-_MACROS: KeptResults[tuple[str, ...], tuple[str, ...]] = KeptResults("parser-macros", "1", 50)
-"""The version of libclang and its arguments -> the names of the predefined macros."""
