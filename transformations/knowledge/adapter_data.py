@@ -30,7 +30,6 @@ from robosmi.transformations.knowledge.adapter_files import (
     adapter_file,
 )
 from robosmi.transformations.knowledge.adapter_ranges import ArgumentRange
-from robosmi.typed import distinct, dynamic_attribute
 
 ENDINGS = (".cpp", ".c")
 """Endings of adapter files, in C++ and in C."""
@@ -106,8 +105,8 @@ def to_data(file: AdapterFile, raw: bytes, headers: Mapping[str, Sequence[str]])
 def _piece(piece: AdapterPiece, headers: Mapping[str, Sequence[str]]) -> dict[str, Json]:
     row: dict[str, Json] = {"kind": piece.kind, "name": piece.name, "line": piece.location.line}
     for key in _OPTIONAL:
-        value = dynamic_attribute(piece, key)
-        if value == dynamic_attribute(_PLAIN, key):
+        value = getattr(piece, key)
+        if value == getattr(_PLAIN, key):
             continue
         if key in _PARTS:
             value = [[*part] if isinstance(part, tuple) else [*astuple(part)] for part in value]
@@ -135,7 +134,7 @@ def build(folder: Path) -> dict[Path, str]:
     files = {path: adapter_file(path, raw[path].decode("utf-8")) for path in paths}
     headers: dict[str, list[str]] = {}
     for file in files.values():
-        for name in distinct(piece.name for piece in file.pieces):
+        for name in dict.fromkeys(piece.name for piece in file.pieces):
             headers.setdefault(name, []).append(file.header)
     return {path.with_suffix(".json"): to_data(file, raw[path], headers) for path, file in files.items()}
 

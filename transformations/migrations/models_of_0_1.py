@@ -8,6 +8,7 @@ contained in its platform and knew its name there. A target was not in the model
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +26,6 @@ from robosmi.transformations.queries.binding_edits import referred
 from robosmi.transformations.queries.main_locals import MovedDeclaration
 from robosmi.transformations.queries.signature_text import parameter_name, parameter_type, taken_apart
 from robosmi.transformations.queries.source_text import SourceText
-from robosmi.typed import kept, paired
 
 AND, NEXT, REASONS = "+", ";", "; "
 """Between the rules of a disposition that had several, what they put in, and why."""
@@ -41,7 +41,7 @@ def rules(f: Flock) -> None:
     """Add the rules; sources are read from beside the first model."""
     folder = f.original.path.parent if f.original.path is not None else Path()
 
-    @kept
+    @cache
     def texts(program: ccode.Program) -> list[SourceText]:
         return [SourceText(unit, _stored(folder / unit.path), ()) for unit in program.units]
 
@@ -60,8 +60,8 @@ def rules(f: Flock) -> None:
         program = o.eContainer().program
         if program is not None:
             words = o.choice.split(NEXT) if len(several) > 1 else [o.choice]
-            pairs = paired(several, words, strict=False)
-            why = dict(paired(several, m.reasons, strict=False))
+            pairs = zip(several, words, strict=False)
+            why = dict(zip(several, m.reasons, strict=False))
             change_texts(m, [(rule, word, why.get(rule, o.reason)) for rule, word in pairs], texts(program), _RULES)
             if isinstance(m.element, ccode.Variable) and m.rules[0] in (HOIST, SPLIT):
                 _hoist(m.element, m, texts(program))
