@@ -52,9 +52,7 @@ def __getattr__(name: str) -> Any:
     if name in _PLACES:
         from importlib import import_module
 
-        from robosmi.typed import dynamic_attribute  # loads msgspec
-
-        return dynamic_attribute(import_module(_PLACES[name]), name)
+        return getattr(import_module(_PLACES[name]), name)
     raise AttributeError(f"module 'robosmi' has no attribute '{name}'")
 
 

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import signal
 
-from robosmi.typed import attribute_of
-
 _NAMES = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT")
 
 
 def ending_signals() -> list[signal.Signals]:
     """Those that this system has, Ctrl-C first; Windows lacks some."""
-    return [number for name in _NAMES if (number := attribute_of(signal, name, signal.Signals)) is not None]
+    return [signal.Signals[name] for name in _NAMES if name in signal.Signals.__members__]

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from functools import cache
 from types import FrameType
 
 from robosmi.diagnostics import Location
-from robosmi.typed import kept
 
 END = "let it come to an end for every element, for example by passing over those that it has seen"
 """The advice for a function with endless recursion."""
@@ -48,7 +48,7 @@ def _is_foreign(frame: FrameType) -> bool:
     return module.partition(".")[0] != "robosmi" and not file.startswith(("<", *_installed()))
 
 
-@kept
+@cache
 def _installed() -> tuple[str, ...]:
     import sysconfig  # wanted only after a mistake
 

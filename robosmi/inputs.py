@@ -18,8 +18,6 @@ from typing import BinaryIO
 
 from msgspec import Struct
 
-from robosmi.typed import attribute_of
-
 _MB = 1024 * 1024
 
 
@@ -27,7 +25,7 @@ def flags(*names: str) -> int:
     """The combined flags of `os.open` with these names, without those that the system lacks."""
     number: int = 0
     for name in names:
-        number |= attribute_of(os, name, int) or 0
+        number |= getattr(os, name, 0)
     return number
 
 

@@ -24,7 +24,6 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import InternalError, MissingToolError, RuleError, UsageError, did_you_mean
 from robosmi.foreign_code import frames_of
 from robosmi.offers import Offered, PluginOffer, unasked
-from robosmi.typed import class_name, distinct, dynamic_attribute
 
 ENTRY_POINTS = "robosmi.transformations"
 BUILT_IN = "robosmi.transformations:registry"
@@ -167,14 +166,14 @@ class Registry:
             self._load(target)
         except MissingToolError as error:
             if not any(each.entry_point == target for each in self.broken):
-                self.broken.append(BrokenPlugin(distribution, target, f"{class_name(error.__cause__)}: {error.__cause__}"))
+                self.broken.append(BrokenPlugin(distribution, target, f"{type(error.__cause__).__name__}: {error.__cause__}"))
             return False
         return True
 
     def targets(self, kind: str, name: str) -> list[str]:
         """`module:attribute` of everything of that kind and name, in the order in which it was offered."""
         first = self.entries.get(kind, {}).get(name)
-        return [] if first is None else distinct([first, *self.more.get((kind, name), ())])
+        return [] if first is None else list(dict.fromkeys([first, *self.more.get((kind, name), ())]))
 
     def owner(self, kind: str, name: str) -> str:
         """The distribution of the plug-in that offers the content of that kind and name; empty for what is built in."""
@@ -219,10 +218,10 @@ class Registry:
             return load(target)
         module, _, attribute = target.partition(":")
         try:
-            return dynamic_attribute(importlib.import_module(module), attribute)
+            return getattr(importlib.import_module(module), attribute)
         except (Exception, SystemExit) as error:
             raise MissingToolError(
-                f"'{target}' of the plug-in {distribution} cannot be loaded: {class_name(error)}: {error}",
+                f"'{target}' of the plug-in {distribution} cannot be loaded: {type(error).__name__}: {error}",
                 fix=f"mend, update or uninstall {distribution.partition(' ')[0]}",
             ) from error
 
@@ -236,7 +235,7 @@ def load(target: str) -> Any:
     """
     module, _, attribute = target.partition(":")
     try:
-        return dynamic_attribute(importlib.import_module(module), attribute)
+        return getattr(importlib.import_module(module), attribute)
     except (ImportError, AttributeError) as error:
         if (missing := unloadable(error)) is not None:
             raise missing from error
@@ -262,7 +261,7 @@ def registry() -> Registry:
             fill: Callable[[Registry], None] = point.load()
             fill(offered)
         except (Exception, SystemExit) as error:
-            result.broken.append(BrokenPlugin(distribution, value, f"{class_name(error)}: {error}"))
+            result.broken.append(BrokenPlugin(distribution, value, f"{type(error).__name__}: {error}"))
         else:
             result.take(offered, distribution)
     return result
@@ -315,7 +314,7 @@ def unloadable(error: BaseException) -> MissingToolError | None:
         foreign = _came_of_an_import(error)
     if not foreign:
         return None
-    cause = str(error) if isinstance(error, (ImportError, AttributeError)) else f"{class_name(error)}: {error}"
+    cause = str(error) if isinstance(error, (ImportError, AttributeError)) else f"{type(error).__name__}: {error}"
     return MissingToolError(
         f"a package that robosmi needs cannot be loaded: {cause}",
         fix="install robosmi again in a fresh environment (robosmi doctor says what is there)",
@@ -350,7 +349,7 @@ def raised_by(error: BaseException) -> RuleError | None:
     for frame, line in reversed(list(frames_of(error))):
         if owner := registry().provider(frame.f_globals.get("__name__", "")):
             return RuleError(
-                f"the plug-in {owner} raised {class_name(error)}: {error}",
+                f"the plug-in {owner} raised {type(error).__name__}: {error}",
                 location=Location(frame.f_code.co_filename, line),
                 fix=f"report it to the authors of {owner.partition(' ')[0]}; ROBOSMI_DEBUG=1 shows where it happened",
             )

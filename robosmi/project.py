@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
 from itertools import pairwise
 from pathlib import Path
 
@@ -18,7 +19,6 @@ from robosmi import inputs, resources
 from robosmi.data_text import Json, as_table, as_text, data_toml, line_of_key, toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, did_you_mean
-from robosmi.typed import kept
 
 FILE_NAME = "robosmi.toml"
 LEVELS = ("off", "info", "warning", "error")
@@ -340,7 +340,7 @@ def _default_files(project: Path | None) -> Iterator[Path]:
     return (path for folder in resources.folders("platform_repo", project) if (path := folder / "defaults.toml").is_file())
 
 
-@kept
+@cache
 def _merged(files: tuple[tuple[str, int], ...]) -> dict[str, dict[str, Json]]:  # by time of change: an edited file is read anew
     merged: dict[str, dict[str, Json]] = {}
     built_in = read_data(Path(files[-1][0])) if files else {}

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 from robosmi.errors import PlatformDataError
-from robosmi.typed import kept
 from robosmi.user_folders import OWN, cache_dir, named, project_folder, project_of_input, user_data
 
 __all__ = ["KINDS", "built_in", "cache_dir", "find", "folders", "named", "project_of_input", "user_data"]
@@ -21,7 +21,7 @@ KINDS = ("metamodels", "templates", "platform_repo")
 """The kinds of data there are; each is a folder of the package of that name."""
 
 
-@kept
+@cache
 def built_in(kind: str) -> Path:
     """The folder of built-in data of a kind, in a wheel or in a source checkout.
 
@@ -66,7 +66,7 @@ def _folders(kind: str, project: Path | None) -> Iterator[str]:
     yield str(built_in(kind))
 
 
-@kept
+@cache
 def _of_plugins(kind: str) -> tuple[str, ...]:
     from robosmi.plugins import registry  # the registry asks entry points, which only what reads data has to wait for
 

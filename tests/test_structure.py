@@ -42,7 +42,6 @@ FOUNDATION = (
     "file_locks",
     "ending_signals",
     "data_text",
-    "typed",
     "trust",
     "template_files",
 )

@@ -27,12 +27,13 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from msgspec import structs
+
 from robosmi.chain.graph import Dependencies, graph_of, in_order, missing
 from robosmi.chain.run import ChainResult, ChainRun, Progress
 from robosmi.chain.steps import CALL, GIVEN, KINDS, Step, relative
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import RuleError, SourceError, did_you_mean
-from robosmi.typed import attribute_of, replaced
 
 if TYPE_CHECKING:
     import networkx as nx  # longer to import than most chains take
@@ -218,7 +219,7 @@ class Chain:
         for number, step in enumerate(self.steps):
             if step.kind == CALL and name in (step.name, step.makes):
                 first = step.instead_of or step.function
-                self.steps[number] = replaced(self._call(function, step.makes, step.name), instead_of=first)
+                self.steps[number] = structs.replace(self._call(function, step.makes, step.name), instead_of=first)
                 return
         known = [step.name for step in self.steps if step.kind == CALL]
         raise SourceError(
@@ -243,7 +244,7 @@ class Chain:
             options[key] = tuple(folder / p for p in ([given] if isinstance(given, (str, Path)) else given))
         code = _source_of(function) if function is not None else None
         listed = (models,) if isinstance(models, str) else tuple(models)
-        title = name or attribute_of(function, "__name__", str) or kind
+        title = name or getattr(function, "__name__", None) or kind
         if not re.fullmatch(r"\w[\w .-]*", title):
             raise SourceError(
                 f"'{title}' cannot be a step's name", location=self.place, fix="use letters, digits, blanks, points and dashes"

@@ -14,6 +14,7 @@ from types import FunctionType
 from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi import inputs
 from robosmi.chain.steps import Step, StepResult, relative
@@ -32,7 +33,6 @@ from robosmi.query import ModelView
 from robosmi.query.erl import failed, owner_of, place_of, technology
 from robosmi.transform import ETL, Flock
 from robosmi.transform.flock_rules import left_out_fix, left_out_text
-from robosmi.typed import attribute_of, replaced
 from robosmi.validate import EVL
 from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
 
@@ -84,7 +84,8 @@ def _opened(step: Step, driver: Function) -> Model:
     Raises:
         RuleError: it raises, or makes something else.
     """
-    code = attribute_of(driver, "__init__", FunctionType) or driver
+    init = getattr(driver, "__init__", None)
+    code = init if isinstance(init, FunctionType) else driver
     try:
         made = driver(step.file, step.makes)
     except (Exception, SystemExit) as error:
@@ -188,7 +189,7 @@ def _stored(model: Model) -> bytes:
 def _located(finding: Finding, files: Mapping[str, Path | None]) -> Finding:
     """The finding with the file of the model that its element is in, where the constraint gives no place."""
     file = files.get((finding.element or "").partition("!")[0])
-    return replaced(finding, location=Location(str(file))) if file is not None and finding.location is None else finding
+    return replace(finding, location=Location(str(file))) if file is not None and finding.location is None else finding
 
 
 def transform(step: Step, doing: Doing) -> tuple[StepResult, Model]:

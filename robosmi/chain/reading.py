@@ -17,7 +17,6 @@ from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import RuleError, SourceError, did_you_mean
 from robosmi.model.files import read_input
-from robosmi.typed import class_name, dynamic_attribute
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -95,7 +94,7 @@ def _add(chain: Chain, step: dict[str, Any], number: int, folder: Path, place: L
             step["reads"] = [*_listed(step.get("reads", ())), *([code] if code.endswith(".py") else [])]
         chain.load(target, step=title, **step)
         return
-    dynamic_attribute(chain, kind)(function(target, folder, place), step=title, **step)
+    getattr(chain, kind)(function(target, folder, place), step=title, **step)
 
 
 def _listed(names: str | Iterable[str]) -> list[str]:
@@ -119,7 +118,7 @@ def function(target: str, folder: Path, place: Location) -> Function:
     if not module_name or not name.isidentifier():
         raise _wrong(place, f"'{target}' names no function", "write FILE.py:FUNCTION or package.module:FUNCTION")
     module = _module_of_file(folder / module_name, place) if module_name.endswith(".py") else _imported(module_name, place)
-    found = dynamic_attribute(module, name, None)
+    found = getattr(module, name, None)
     if not callable(found):
         known = [key for key, value in vars(module).items() if callable(value) and not key.startswith("_")]
         raise _wrong(place, f"{module_name} has no function '{name}'{did_you_mean(name, known)}", "correct the name")
@@ -155,7 +154,9 @@ def _module_of_file(path: Path, place: Location) -> Any:
             line = step.tb_lineno if step.tb_frame.f_code.co_filename == str(path) else line
             step = step.tb_next
         where = Location(str(path), line)
-        raise RuleError(f"the code cannot be imported: {class_name(error)}: {error}", location=where, fix="correct it") from error
+        raise RuleError(
+            f"the code cannot be imported: {type(error).__name__}: {error}", location=where, fix="correct it"
+        ) from error
     finally:
         sys.path[:] = before
     return module

@@ -9,8 +9,6 @@ import types
 import typing
 from typing import TYPE_CHECKING, Any
 
-from robosmi.typed import attribute_of, class_name, paired
-
 if TYPE_CHECKING:
     from robosmi.functions import Function
 
@@ -35,11 +33,11 @@ def _fits(value: Any, expected: Any) -> bool:
         return any(_fits(value, member) for member in members)
     if origin is tuple and members and members[-1] is not Ellipsis:
         fits = isinstance(value, tuple) and len(value) == len(members)
-        return fits and all(_fits(part, member) for part, member in paired(value, members))
+        return fits and all(_fits(part, member) for part, member in zip(value, members, strict=True))
     kind = origin or expected
     if kind is None:
         return value is None
-    return not isinstance(kind, type) or attribute_of(kind, "_is_protocol", bool) or isinstance(value, kind)
+    return not isinstance(kind, type) or getattr(kind, "_is_protocol", False) or isinstance(value, kind)
 
 
 def named(expected: Any) -> str:
@@ -49,7 +47,7 @@ def named(expected: Any) -> str:
         return " or ".join(named(member) for member in members)
     if expected is type(None) or expected is None:
         return "None"
-    name = attribute_of(origin or expected, "__name__", str) or str(expected)
+    name = getattr(origin or expected, "__name__", str(expected))
     return f"{name}[{', '.join('...' if m is Ellipsis else named(m) for m in members)}]" if members else name
 
 
@@ -57,6 +55,6 @@ def described(value: Any) -> str:
     """A value described by its type: `None`, `a tuple of 2 (list, str)`, `an int`."""
     if value is None:
         return "None"
-    name = class_name(value)
-    members = f" of {len(value)} ({', '.join(class_name(part) for part in value)})" if isinstance(value, tuple) else ""
+    name = type(value).__name__
+    members = f" of {len(value)} ({', '.join(type(part).__name__ for part in value)})" if isinstance(value, tuple) else ""
     return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}{members}"

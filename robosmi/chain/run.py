@@ -24,7 +24,6 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, RuleError, SourceError, StoppedError, did_you_mean
 from robosmi.model.files import write_atomic
 from robosmi.plugins import raised_by, unloadable
-from robosmi.typed import attribute_of
 
 if TYPE_CHECKING:
     from robosmi.chain.languages import Choice, Doing  # all languages
@@ -371,7 +370,7 @@ class ChainRun:
         if step.instead_of is not None and (expected := unlike(made, step.instead_of)):
             from robosmi.query.erl import place_of
 
-            first = f"{step.instead_of.__module__}.{attribute_of(step.instead_of, '__qualname__', str) or ''}"
+            first = f"{step.instead_of.__module__}.{getattr(step.instead_of, '__qualname__', '')}"
             raise RuleError(
                 f"the function in the place of the step '{step.name}' made {described(made)} for '{step.makes}'; "
                 f"expected is {expected}",

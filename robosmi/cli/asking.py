@@ -14,7 +14,6 @@ from typing import Any, TextIO
 from robosmi.model.elsewhere import Elsewhere
 from robosmi.project import FILE_NAME
 from robosmi.quoting import terminal
-from robosmi.typed import sum_of
 
 SHOWN = 7
 NONE = "none"
@@ -138,7 +137,7 @@ class Answers:
             print(f"\nThe answers are kept in the plan alone: {terminal(change.stays)}.", file=self.out or sys.stdout)
         if not change.files:
             return {}
-        count, place = sum_of(len(each) for each in entries.values()), said_place(folder / FILE_NAME)
+        count, place = sum(len(each) for each in entries.values()), said_place(folder / FILE_NAME)
         print(f"\nKeep {count} answer{'s' * (count != 1)} in {terminal(place)}? (y, Enter: no)", file=self.out or sys.stdout)
         try:
             wanted = self.answer("> ").strip().lower() in ("y", "yes")

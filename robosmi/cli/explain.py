@@ -6,7 +6,6 @@ import argparse
 from typing import TYPE_CHECKING
 
 from robosmi.report import Report
-from robosmi.typed import distinct
 
 if TYPE_CHECKING:
     from robosmi.cli.options import Options
@@ -29,7 +28,7 @@ def run(arguments: _Arguments) -> Report:
 
     report = Report("explain")
     known = finding_rules()
-    asked = distinct(rule_called(word, known).id for word in arguments.rules)
+    asked = list(dict.fromkeys(rule_called(word, known).id for word in arguments.rules))
     report.result = {"rules": [known[rule].to_json() | {"page": page(known[rule])} for rule in asked or known]}
     for rule in asked:
         report.lines += [*([""] if report.lines else []), *terminal_page(known[rule])]

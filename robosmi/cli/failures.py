@@ -13,7 +13,6 @@ from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, RobosmiError, RuleError, SourceError
 from robosmi.foreign_code import END
 from robosmi.inputs import fix_of
-from robosmi.typed import class_name
 
 
 def as_error(error: BaseException) -> RobosmiError:
@@ -39,9 +38,9 @@ def as_error(error: BaseException) -> RobosmiError:
     if (raised := plugins.raised_by(error)) is not None:
         return raised
     if not isinstance(error, (Exception, SystemExit)) and (place := foreign_code.innermost(error)) is not None:
-        return RuleError(f"{class_name(error)}: {error}", location=place, fix="let this code raise an Exception, or nothing")
+        return RuleError(f"{type(error).__name__}: {error}", location=place, fix="let this code raise an Exception, or nothing")
     return InternalError(
-        f"{class_name(error)}: {error}",
+        f"{type(error).__name__}: {error}",
         fix="this is a bug of robosmi: please report it; ROBOSMI_DEBUG=1 shows where it happened",
     )
 

@@ -15,7 +15,6 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from robosmi.errors import MissingToolError
-from robosmi.typed import sum_of
 
 _CREATE, _ADD_RULE, _RESTRICT = 444, 445, 446  # system calls, alike on all architectures
 _ASK_VERSION = 1
@@ -24,7 +23,7 @@ _NO_NEW_PRIVILEGES = 38
 
 _EXECUTE, _WRITE_FILE, _READ_FILE, _READ_FOLDER = 1, 2, 4, 8
 _MAKE_SYMLINK = 1 << 12
-_CHANGES = sum_of(1 << n for n in range(4, 12))  # remove and make what is in a folder, but for symbolic links
+_CHANGES = sum(1 << n for n in range(4, 12))  # remove and make what is in a folder, but for symbolic links
 _MOVE, _TRUNCATE = 1 << 13, 1 << 14
 _OF_FILES = _EXECUTE | _WRITE_FILE | _READ_FILE | _TRUNCATE
 READ = _READ_FILE | _READ_FOLDER

@@ -37,7 +37,6 @@ from robosmi.errors import (
 )
 from robosmi.plugins import plugin_findings
 from robosmi.quoting import json_text, terminal
-from robosmi.typed import attribute_of
 
 if TYPE_CHECKING:
     from robosmi.cli.options import Options
@@ -249,7 +248,7 @@ def _lines(text: str) -> str:
 
 
 def _print_json(document: dict[str, Any]) -> None:
-    plain = (attribute_of(sys.stdout, "encoding", str) or "").lower().replace("-", "") != "utf8"
+    plain = (getattr(sys.stdout, "encoding", None) or "").lower().replace("-", "") != "utf8"
     streams.say(json_text(document, ascii_only=plain))
 
 

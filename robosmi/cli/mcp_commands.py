@@ -22,7 +22,6 @@ from robosmi.data_text import as_table, json_of
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError
 from robosmi.report.document import SCHEMA
-from robosmi.typed import sum_of
 
 _KEPT = ("PATH", "LANG", "LC_ALL", "SYSTEMROOT", "ROBOSMI_NPM")
 """What a command is told of the server's environment."""
@@ -67,7 +66,7 @@ class Commands:
             return refusal(
                 command, "RS901", 2, "an argument is no text", "leave out NUL and halves of characters (U+D800 to U+DFFF)"
             )
-        if (size := sum_of(len(word.encode()) + _WORD for word in words)) > (most := os.sysconf("SC_ARG_MAX") // 2):
+        if (size := sum(len(word.encode()) + _WORD for word in words)) > (most := os.sysconf("SC_ARG_MAX") // 2):
             return refusal(command, "RS901", 2, f"the arguments have {size} bytes together", f"give at most {most} bytes")
         own = Path(self._own.name)
         with tempfile.TemporaryDirectory(dir=own, prefix="call-") as temporary:

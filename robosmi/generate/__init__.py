@@ -9,8 +9,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from robosmi.typed import dynamic_attribute
-
 if TYPE_CHECKING:
     from robosmi.generate.gen import Gen
     from robosmi.generate.identity import region_id
@@ -32,5 +30,5 @@ def __getattr__(name: str) -> Any:
     if name in _PLACES:
         from importlib import import_module
 
-        return dynamic_attribute(import_module(f"robosmi.generate.{_PLACES[name]}"), name)
+        return getattr(import_module(f"robosmi.generate.{_PLACES[name]}"), name)
     raise AttributeError(f"module 'robosmi.generate' has no attribute '{name}'")

@@ -17,7 +17,6 @@ from jinja2.parser import Parser
 from robosmi.generate.borders import VALUE, fault
 from robosmi.generate.languages import LANGUAGES, NOWHERE, Language
 from robosmi.generate.quoting_filters import NOTHING, hidden
-from robosmi.typed import attribute_of
 
 _PRINTING = ("print", "println")
 _MARKING = ("start_preserve", "start_control")
@@ -32,7 +31,7 @@ def parsed(environment: Environment, source: str, name: str | None, filename: st
     """
     parser = Parser(environment, source, name, filename)
     tree = parser.parse()
-    language = LANGUAGES.get(attribute_of(parser, "quoting", str) or NOTHING)
+    language = LANGUAGES.get(getattr(parser, "quoting", NOTHING))
     if language is not None:
         _Walk(language, {macro.name for macro in tree.find_all(nodes.Macro)}, name, filename).through(tree.body, language.start)
     return tree

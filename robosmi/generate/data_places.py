@@ -9,8 +9,7 @@ from __future__ import annotations
 import re
 
 from msgspec import Struct
-
-from robosmi.typed import replaced
+from msgspec.structs import replace
 
 NOWHERE = ""
 """The place of a value that cannot be quoted; the same as in `languages`."""
@@ -48,15 +47,15 @@ def yaml(state: Lines, text: str) -> Lines:
     """The state after a piece of YAML text."""
     *lines, last = (state.line + text).split("\n")
     for line in lines:
-        state = _yaml_line(replaced(state, line=""), line)
-    return replaced(state, line=last)
+        state = _yaml_line(replace(state, line=""), line)
+    return replace(state, line=last)
 
 
 def _yaml_line(state: Lines, line: str) -> Lines:
     if not line.strip() or (line.lstrip().startswith("#") and state.block == -1 and not state.quote):
         return state
     if state.block != -1 and (found := _in_block(state, line)) is not None:
-        return replaced(state, block=found)
+        return replace(state, block=found)
     depth, quote = _brackets(line, state.depth, state.quote, ("'", '"'))
     if not depth and not quote and (opened := _BLOCK.search(line)):
         dashes = _DASHES.match(line)
@@ -96,7 +95,7 @@ def toml(state: Lines, text: str) -> Lines:
     for line in lines:
         depth, quote = _brackets(line, state.depth, state.quote, (*_TOML_QUOTES, "'", '"'))
         state = Lines(depth=max(depth, 0), quote=quote if quote in _TOML_QUOTES else "")
-    return replaced(state, line=last)
+    return replace(state, line=last)
 
 
 def toml_place(state: Lines) -> str:

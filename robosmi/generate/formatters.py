@@ -10,8 +10,6 @@ import re
 from collections import deque
 from collections.abc import Callable
 
-from robosmi.typed import matches
-
 
 def by_brackets(increase: str, decrease: str) -> Callable[[str], str]:
     """Make a formatter that replaces all indentation by tabs.
@@ -27,7 +25,7 @@ def by_brackets(increase: str, decrease: str) -> Callable[[str], str]:
         ups = deque(match.end() for match in deeper.finditer(plain))
         downs = deque(match.start() for match in back.finditer(plain))
         lines, depth, position = [], 0, 0
-        for line in matches(r"[^\n]*\n|[^\n]+", plain):
+        for line in re.findall(r"[^\n]*\n|[^\n]+", plain):
             begin, position = position, position + len(line)
             margin = depth
             while ups and position > ups[0]:

@@ -6,7 +6,6 @@ from robosmi.errors import ModelError
 from robosmi.model.driver import DynamicNode, Item, is_element, name_of, type_of
 from robosmi.model.ecore import EObject
 from robosmi.model.fragments import own_id
-from robosmi.typed import attribute_of
 
 
 def region_id(element: Item, *purpose: str) -> str:
@@ -40,8 +39,8 @@ def _names(element: DynamicNode) -> str:
     found: list[str] = []
     step: DynamicNode | None = element
     while step is not None:
-        name = attribute_of(step, "name", str)
-        if not name:
+        name = getattr(step, "name", None)
+        if not (name and isinstance(name, str)):
             raise ModelError(
                 f"a {name_of(type_of(step))} has neither an id nor a name, so nothing in the model says which region is its own",
                 fix="give it an id attribute or a name, or write the region's id in the template",

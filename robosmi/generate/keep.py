@@ -16,7 +16,6 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.generate.regions import CONTROLLED, PROTECTED, CommentStyle, Parts, Region, partition, styles_in
-from robosmi.typed import distinct, matches, sum_of
 
 if TYPE_CHECKING:
     from robosmi.generate.three_way import Chunk
@@ -63,7 +62,7 @@ def keep(
         return Kept(generated, [gone] if base is not None else [])
     if existing == generated:
         return Kept(existing)
-    all_styles = distinct([*styles, *styles_in(base or "")])
+    all_styles = list(dict.fromkeys([*styles, *styles_in(base or "")]))
     merge = _Merge(path, _ended(base) if base is not None else None, _ended(existing), _ended(generated), all_styles)
     kept = merge.result(before_conflicts)
     if not _ends_with_a_break(base, existing, generated):
@@ -248,7 +247,7 @@ class _Line(Struct):
 
 
 def _lines(text: str) -> list[str]:
-    return matches(r"[^\n]*\n|[^\n]+", text)
+    return re.findall(r"[^\n]*\n|[^\n]+", text)
 
 
 def _whole(lines: Sequence[str]) -> list[str]:
@@ -288,7 +287,7 @@ def _divider_left(text: str, others: Sequence[str]) -> int | None:
         return None
     outside = _BLOCK_COMMENT.sub(lambda comment: "\n" * comment[0].count("\n"), text).split("\n")
     found = [number for number, line in enumerate(outside, 1) if line.strip() == mark]
-    known = max(sum_of(line.strip() == mark for line in other.split("\n")) for other in others)
+    known = max(sum(line.strip() == mark for line in other.split("\n")) for other in others)
     return found[0] if len(found) > known else None
 
 

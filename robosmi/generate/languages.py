@@ -11,7 +11,6 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from robosmi.generate import data_places
-from robosmi.typed import matches
 
 State = TypeVar("State")
 NOWHERE = ""
@@ -173,7 +172,7 @@ def _html_place(state: tuple[str, str]) -> str:
 def _dot(state: tuple[str, int], text: str) -> tuple[str, int]:
     """The state after a piece of Graphviz: `code`, `string`, `label` or `attribute`, and the nesting of `<` `>` in a label."""
     where, depth = state
-    for letter in matches(r"\\.|[<>\"]|--|->", text):
+    for letter in re.findall(r"\\.|[<>\"]|--|->", text):
         if letter == '"':
             where = {"code": "string", "string": "code", "label": "attribute", "attribute": "label"}[where]
         elif letter in "<>" and where in ("code", "label"):

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 
 from robosmi.query.values import as_string
-from robosmi.typed import paired, sum_of
 
 if TYPE_CHECKING:
     from robosmi.query.values import Answer
@@ -114,7 +113,7 @@ class Buffer:
 
     def line(self) -> int:
         """The number of the last line, from 1 (EGL `out.getCurrentLineNumber()`)."""
-        return 1 + sum_of(part.count("\n") for part in self.parts)
+        return 1 + sum(part.count("\n") for part in self.parts)
 
     def _chop(self, count: int) -> None:
         for place in range(len(self.parts) - 1, -1, -1):
@@ -178,9 +177,9 @@ class Text(str):
     def lines_of_parts(self) -> list[tuple[int, int, TextPart]]:
         """First and last line (from 0) of each named part that has text."""
         found: list[tuple[int, int, TextPart]] = []
-        line = sum_of(piece.count("\n") for piece in self._parts[: self.named[0].piece]) if self.named else 0
+        line = sum(piece.count("\n") for piece in self._parts[: self.named[0].piece]) if self.named else 0
         stops = [part.piece for part in self.named[1:]] + [len(self._parts)]
-        for part, stop in paired(self.named, stops):
+        for part, stop in zip(self.named, stops, strict=True):
             text = "".join(self._parts[part.piece : stop])
             if text:
                 found.append((line, line + text.count("\n", 0, len(text) - 1), part))
@@ -192,8 +191,8 @@ class Text(str):
         """The sources of the text, in order: (offset of the first character, offset after the last one, elements)."""
         found: list[tuple[int, int, tuple[Any, ...]]] = []
         offset = part = first = 0
-        for place, last in paired(self._marks[::2], self._marks[1::2]):
-            offset += sum_of(len(text) for text in self._parts[part:place])
+        for place, last in zip(self._marks[::2], self._marks[1::2], strict=True):
+            offset += sum(len(text) for text in self._parts[part:place])
             elements = {id(element): element for element in self._seen[first:last]}
             found.append((offset, offset + len(self._parts[place]), tuple(elements.values())))
             part, first = place, last

@@ -18,7 +18,6 @@ from robosmi import quoting
 from robosmi.errors import did_you_mean
 from robosmi.query.values import as_string
 from robosmi.quoting import Quoted
-from robosmi.typed import attribute_of
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -81,7 +80,7 @@ class Declaration(Extension):
             raise TemplateSyntaxError(
                 f"{said} is no language{near}; there are: {', '.join(known)}", line, parser.name, parser.filename
             )
-        if attribute_of(parser, "quoting", str) not in (None, language.value):
+        if getattr(parser, "quoting", None) not in (None, language.value):
             raise TemplateSyntaxError("a template declares one language", line, parser.name, parser.filename)
         parser.quoting = language.value  # type: ignore[attr-defined]
         return []

@@ -10,11 +10,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from functools import cached_property
+from functools import cache, cached_property
 
 from msgspec import Struct
-
-from robosmi.typed import kept, replaced
+from msgspec.structs import replace
 
 PROTECTED, CONTROLLED = "protected", "controlled"
 
@@ -80,13 +79,13 @@ class Region(Struct, frozen=True):
     def holding(self, contents: str, enabled: bool) -> Region:
         """The same region with other contents, on or off."""
         same = enabled == self.enabled and self.opening.endswith("\n")
-        return replaced(self, contents=contents, enabled=enabled, opening=self.opening if same else "")
+        return replace(self, contents=contents, enabled=enabled, opening=self.opening if same else "")
 
     def as_in(self, other: Region) -> Region:
         """The region with a person's contents, state and marker formatting from the existing file."""
         if (other.kind, other.style) != (self.kind, self.style):
             return self.holding(other.contents, other.enabled)
-        return replaced(other, line=self.line)
+        return replace(other, line=self.line)
 
 
 class BrokenMarker(Struct, frozen=True):
@@ -157,7 +156,7 @@ def partition(text: str, styles: Iterable[CommentStyle]) -> Parts:
     return parts
 
 
-@kept
+@cache
 def _patterns(style: CommentStyle) -> tuple[re.Pattern[str], re.Pattern[str], re.Pattern[str]]:
     """Regular expressions for a marker: its beginning; its id and kind after that; the same followed by other text."""
     start = re.escape(style.start) + r"[^\S\n]*" if style.start else ""
@@ -198,7 +197,7 @@ def _partition(text: str, style: CommentStyle, first_line: int, broken: list[Bro
             if outer > done:
                 pieces.append(text[done:outer])
             done = start.end() + marker.end()
-            pieces.append(replaced(opened, contents=text[inner : start.start()], closing=text[start.start() : done]))
+            pieces.append(replace(opened, contents=text[inner : start.start()], closing=text[start.start() : done]))
             opened = None
     if opened is not None:
         broken.append(BrokenMarker(opened.line, opened.identity, "it is never ended"))

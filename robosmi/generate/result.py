@@ -13,7 +13,6 @@ from msgspec import Struct
 from robosmi.diagnostics import Finding
 from robosmi.generate.output import Text
 from robosmi.generate.regions import CommentStyle, partition
-from robosmi.typed import paired
 
 if TYPE_CHECKING:
     from robosmi.model.driver import Item
@@ -113,7 +112,7 @@ class FileChange(Struct):
         """The sources of its lines, for the text in the file."""
         there = _lines(self.after or "")
         stops = [origin.line for origin in self.origins[1:]] + [max(len(there), 1)]
-        for origin, stop in paired(self.origins, stops):
+        for origin, stop in zip(self.origins, stops, strict=True):
             yield from self._links(origin, there, stop)
 
     def _links(self, origin: Write, there: list[str], stop: int) -> Iterator[TextLink]:

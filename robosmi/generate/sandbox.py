@@ -17,7 +17,6 @@ from jinja2.sandbox import is_internal_attribute
 from robosmi.errors import RuleError
 from robosmi.model.driver import TypeHandle
 from robosmi.model.reachable import of_models
-from robosmi.typed import attribute_of, class_name
 
 _OF_PATHS = frozenset(name for name in dir(PurePath) if not name.startswith("_"))
 _CLOSED = (ModuleType, CodeType, FrameType, TracebackType, partial, partialmethod)
@@ -46,7 +45,7 @@ def _judged(obj: Any, attribute: str) -> bool:
 def refused(obj: Any, attribute: str) -> RuleError:
     """The error for an attribute that is not allowed."""
     return RuleError(
-        f"a template may not use '{attribute}' of a {class_name(obj)}",
+        f"a template may not use '{attribute}' of a {type(obj).__name__}",
         fix="compute it in the rule, and give it to the template",
     )
 
@@ -56,5 +55,5 @@ def may_call(function: Any) -> bool:
     if function.__class__ is TypeHandle:
         return False
     if function.__class__ in _WATCHED:
-        return not any(attribute_of(function, mark, bool) for mark in ("unsafe_callable", "alters_data"))
+        return not any(getattr(function, mark, False) is True for mark in ("unsafe_callable", "alters_data"))
     return True

@@ -26,7 +26,6 @@ from robosmi.generate.text_form import FileText, read, same_text
 from robosmi.model.commit import commit
 from robosmi.model.recovery import look_only
 from robosmi.model.runs import is_noted, note
-from robosmi.typed import paired
 
 
 class Pending(Struct, eq=False):
@@ -110,7 +109,7 @@ class Staging:
         """
         queue, self._queue = self._queue, []
         files = [self.file(one.name) for one in queue]
-        for one, file in paired(queue, files):
+        for one, file in zip(queue, files, strict=True):
             text, name = one.text, file.name
             if not file.touched and file.text is None and one.overwrite and not one.append and file.before == text.encode():
                 file.text = file.made = text  # the common case of a second run

@@ -7,6 +7,7 @@ tag are dropped; values print as in EOL. `gen` decides which template is used fo
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from types import MethodType
@@ -31,7 +32,6 @@ from robosmi.model.ecore import EObject
 from robosmi.model.in_order import IN_ORDER, in_order
 from robosmi.query.problems import unknown_property
 from robosmi.template_files import TemplateFiles
-from robosmi.typed import class_name, dynamic_attribute, kept
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -91,7 +91,7 @@ class _Environment(SandboxedEnvironment):
         if is_element and attribute in IN_ORDER and (ordered := in_order(obj, attribute)) is not None:
             return ordered
         try:
-            found = dynamic_attribute(obj, attribute)
+            found = getattr(obj, attribute)
             if attribute in ("format", "format_map"):  # their texts reach for attributes too
                 return self.wrap_str_format(found) or found
             return found
@@ -244,7 +244,7 @@ class Templates:
             return RuleError(
                 f"{error.message}", location=place, fix="correct the name, or give the value with the rule's parameters"
             )
-        return RuleError(f"{class_name(error)}: {error}", location=place, fix="correct the template, or what it calls")
+        return RuleError(f"{type(error).__name__}: {error}", location=place, fix="correct the template, or what it calls")
 
     def _place(self, name: str, error: BaseException | None) -> Location:
         """The innermost place in a template that an error passed through, else the template."""
@@ -263,7 +263,7 @@ class Templates:
         return {t.filename: t for t in cache.values() if t.filename is not None}
 
 
-@kept
+@functools.cache
 def _built_in(folders: tuple[Path, ...]) -> _Environment:
     """The environment of the templates in these folders; compiling them takes longer than what is made with them."""
     return _environment(TemplateFiles([str(folder) for folder in folders], found=True), auto_reload=True, cache=TemplateCache())

@@ -12,7 +12,6 @@ from collections import Counter
 from msgspec import Struct
 
 from robosmi.model.files import digest
-from robosmi.typed import matches, paired
 
 _END = re.compile(r"\r\n|\r|\n")
 
@@ -51,7 +50,7 @@ class FileText(Struct, frozen=True):
         *lines, last = text.split("\n")
         there = self.text.split("\n")[: len(self.ends)]
         own = {new: self.ends[old] for old, new in line_map(there, lines).items()}
-        moved = dict(paired(there, self.ends, strict=False))
+        moved = dict(zip(there, self.ends, strict=False))
         return "".join(f"{line}{own.get(number) or moved.get(line, usual)}" for number, line in enumerate(lines)) + last
 
 
@@ -72,7 +71,7 @@ def read(data: bytes, *, as_it_is: bool = False, errors: str = "strict") -> File
         return FileText(text, marked)
     if "\r" not in text:
         return FileText(text, marked, ("\n",) * text.count("\n"))
-    return FileText(_END.sub("\n", text), marked, tuple(matches(_END, text)))
+    return FileText(_END.sub("\n", text), marked, tuple(_END.findall(text)))
 
 
 def same_text(one: bytes, other: bytes | None) -> bool:

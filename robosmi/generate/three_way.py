@@ -20,8 +20,6 @@ from typing import TypeVar
 
 from msgspec import Struct
 
-from robosmi.typed import in_threes, matches, paired
-
 T = TypeVar("T")
 Span = tuple[int, int]
 Blocks = Callable[[Sequence[str], Sequence[str]], list[tuple[int, int, int]]]
@@ -91,13 +89,13 @@ def by_words(base: Sequence[str], ours: Sequence[str], theirs: Sequence[str]) ->
     made = {i for i, line in enumerate(theirs) if line != base[i]}
     if not (mine <= made or made <= mine):
         return None
-    merged = [_line_by_words(*three) for three in in_threes(base, ours, theirs)]
+    merged = [_line_by_words(*three) for three in zip(base, ours, theirs, strict=True)]
     lines = [line for line in merged if line is not None]
     return lines if len(lines) == len(merged) else None
 
 
 def _line_by_words(base: str, ours: str, theirs: str) -> str | None:
-    before, mine, made = (matches(_WORDS, text) for text in (base, ours, theirs))
+    before, mine, made = (_WORDS.findall(text) for text in (base, ours, theirs))
     if max(len(before), len(mine), len(made)) > _MOST_WORDS:
         return None
     if any(SequenceMatcher(None, before, side, autojunk=False).ratio() < _ALIKE for side in (mine, made)):
@@ -194,7 +192,7 @@ def _runs(base: Sequence[str], other: Sequence[str]) -> Iterator[tuple[int, int,
         anchors = [(a + i, b + unique[i]) for i in _rising(unique)]
         if anchors:
             starts, stops = [(a, b), *anchors], [*anchors, (stop_a, stop_b)]
-            work += [(i, end_i, j, end_j) for (i, j), (end_i, end_j) in paired(starts, stops)]
+            work += [(i, end_i, j, end_j) for (i, j), (end_i, end_j) in zip(starts, stops, strict=True)]
             continue
         length = _equal(base, other, range(stop_a - 1, a - 1, -1), range(stop_b - 1, b - 1, -1))
         stop_a, stop_b = stop_a - length, stop_b - length
@@ -231,7 +229,7 @@ def _between(
     base: Sequence[str], ours: Sequence[str], theirs: Sequence[str], start: list[int], stop: list[int]
 ) -> Iterator[Chunk]:
     """The chunk between two runs of lines that neither side changed: a change, a conflict, or nothing."""
-    spans = [(a, b) for a, b in paired(start, stop)]
+    spans = [(a, b) for a, b in zip(start, stop, strict=True)]
     was, mine, other = stretch(base, spans[0]), stretch(ours, spans[1]), stretch(theirs, spans[2])
     if not was and not mine and not other:
         return

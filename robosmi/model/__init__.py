@@ -11,8 +11,6 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from robosmi.typed import dynamic_attribute, first_of
-
 if TYPE_CHECKING:
     from robosmi.model.driver import Model
     from robosmi.model.ecore import DynamicEObject, EObject
@@ -39,7 +37,7 @@ def __getattr__(name: str) -> Any:
     if name in _PLACES:
         from importlib import import_module
 
-        return dynamic_attribute(import_module(f"robosmi.model.{_PLACES[name]}"), name)
+        return getattr(import_module(f"robosmi.model.{_PLACES[name]}"), name)
     raise AttributeError(f"module 'robosmi.model' has no attribute '{name}'")
 
 
@@ -53,7 +51,7 @@ def load_model(path: str | Path) -> DynamicEObject:
     from robosmi.model.metamodels import built_in
     from robosmi.model.versions import read_current
 
-    return first_of(read_current(Path(path), built_in()).values())
+    return next(iter(read_current(Path(path), built_in()).values()))
 
 
 def save_model(root: EObject, path: str | Path, others: Mapping[str, Root] | None = None) -> None:

@@ -8,12 +8,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from robosmi.model.driver import Held, Item, ModelElement, Node
-from robosmi.typed import dynamic_attribute
 
 
 def feature_value(element: Node, name: str) -> Held:
     """The value of an element's feature, given by name."""
-    value: Held = dynamic_attribute(element, name)
+    value: Held = getattr(element, name)
     return value
 
 

@@ -28,7 +28,6 @@ from robosmi.model.pyecore_internals import (
     set_own_resource,
     value_in,
 )
-from robosmi.typed import dynamic_attribute
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -69,7 +68,7 @@ class Recording:
         places = [(cls, name) for cls, names in _CHANGING for name in names if hasattr(cls, name)]
         for cls, name in [*places, (Element, "__init__")]:
             self._wrapped.append((cls, name, cls.__dict__.get(name)))
-            setattr(cls, name, self._wrapper(dynamic_attribute(cls, name), name in _OWN))
+            setattr(cls, name, self._wrapper(getattr(cls, name), name in _OWN))
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -31,7 +31,6 @@ from robosmi.model.package_problems import problems_of
 from robosmi.model.package_types import Notes
 from robosmi.model.package_view import Mixins, PackageView, view_of
 from robosmi.template_files import TemplateFiles
-from robosmi.typed import sum_of
 
 MIXINS = "mixins.py"
 
@@ -137,7 +136,7 @@ def render(metamodels: Sequence[Path], folder: Path | None = None) -> Rendered:
         run.mixins = {path: found for p in run.all() if (found := _mixins(folder, path := "/".join(run.names.module(p))))}
     files = PackageGenerator().render(run)
     sources = {"/".join([*run.names.module(p), "__init__.py"]): p.source for p in run.all()}
-    classes = sum_of(isinstance(c, Class) for p in run.all() for c in p.classifiers)
+    classes = sum(isinstance(c, Class) for p in run.all() for c in p.classifiers)
     return Rendered(files, sources, [*run.notes.findings, *_namespaces(run)], classes)
 
 

@@ -11,7 +11,6 @@ from pathlib import Path
 from robosmi import resources
 from robosmi.model.ecore import EClass, EModelElement, EPackage
 from robosmi.model.ecore_loader import GENMODEL
-from robosmi.typed import sum_of
 
 ORDER = ("ccode", "hardware", "platform", "migration", "trace")
 
@@ -68,7 +67,7 @@ def readme() -> str:
     for name in ORDER:
         package = ResourceSet().get_resource(URI(str(folder / f"{name}.ecore"))).contents[0]
         classes = [c for c in package.eClassifiers if hasattr(c, "eReferences")]
-        features = sum_of(len(c.eStructuralFeatures) for c in classes)
+        features = sum(len(c.eStructuralFeatures) for c in classes)
         counted = f"{len(classes)} classes, {features} features"
         parts.append(
             f"## {name}\n\n{documentation(package)}\n\nNamespace `{package.nsURI}`, {counted}.\n\n"

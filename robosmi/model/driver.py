@@ -19,7 +19,6 @@ from robosmi.errors import ModelError, did_you_mean
 from robosmi.model import structure
 from robosmi.model.ecore import DynamicEObject, EClass, EClassifier, EEnum, EEnumLiteral, EObject, Scalar
 from robosmi.model.feature_errors import LABELS, not_named
-from robosmi.typed import class_name, dynamic_attribute
 
 Node: TypeAlias = "EObject | ModelElement"
 """An element of any technology."""
@@ -246,7 +245,7 @@ class Model(ABC):
 
     def __repr__(self) -> str:
         place = f" of {self.path.name}" if self.path is not None else ""
-        return f"<{class_name(self)} {self.name}{place}>"
+        return f"<{type(self).__name__} {self.name}{place}>"
 
     def _repr_html_(self) -> str:
         from robosmi.model.html_table import html_table, tree_html  # for notebooks only
@@ -391,6 +390,6 @@ def label(element: Node) -> str:
     kind = name_of(type_of(element))
     known = set(features_of(element))
     for feature in LABELS:
-        if feature in known and isinstance(value := dynamic_attribute(element, feature), (str, int)) and value != "":
+        if feature in known and isinstance(value := getattr(element, feature), (str, int)) and value != "":
             return f"{kind} {value}"
     return kind

@@ -46,7 +46,6 @@ from robosmi.model.ordering import post_order
 from robosmi.model.pyecore_internals import add_silently, contain, set_key
 from robosmi.model.python_names import MEMBER, python_name
 from robosmi.model.strict import Element
-from robosmi.typed import dynamic_attribute
 
 _PRIMITIVE = {"boolean", "byte", "char", "double", "float", "int", "long", "short"}
 _XML_TYPES = {
@@ -256,9 +255,9 @@ def _enumeration(described: Enumeration) -> EEnum:
 def _known(classifier: Classifier) -> EClassifier:
     """pyecore's classifier for one of Ecore's own or of XMLType."""
     if classifier.package.name == "ecore":
-        found = dynamic_attribute(pyecore_ecore, classifier.name, None)
+        found = getattr(pyecore_ecore, classifier.name, None)
         if isinstance(classifier, Class):
-            eclass = dynamic_attribute(found, "eClass", None) if isinstance(found, type) else None
+            eclass = getattr(found, "eClass", None) if isinstance(found, type) else None
             return eclass if eclass is not None else _map_entry() if "MapEntry" in classifier.name else ecore.EObject.eClass
         return found if isinstance(found, ecore.EDataType) else ecore.EJavaObject
     if isinstance(classifier, Class):

@@ -15,7 +15,6 @@ from msgspec import Struct
 from robosmi.diagnostics import Location
 from robosmi.model.datatypes import ECORE_URI, XML_TYPE_URI
 from robosmi.model.ordering import post_order
-from robosmi.typed import class_name
 
 if TYPE_CHECKING:
     from robosmi.model.ecore_xml import EcoreNode
@@ -39,7 +38,7 @@ class DescribedElement(_Described):
     documentation: str = ""
 
     def __repr__(self) -> str:
-        return f"<{class_name(self)} {self.name}>"
+        return f"<{type(self).__name__} {self.name}>"
 
 
 def _nothing(node: EcoreNode, feature: str) -> list[DescribedElement]:

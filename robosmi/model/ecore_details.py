@@ -28,7 +28,6 @@ from robosmi.model.ecore_description import (
 )  # fmt: skip
 from robosmi.model.ecore_xml import EcoreNode
 from robosmi.model.pyecore_internals import add_silently, contain, key_of, set_features_of
-from robosmi.typed import dynamic_attribute, paired
 
 Pair: TypeAlias = "tuple[DescribedElement, ecore.EModelElement]"
 """A description, and the object made for it."""
@@ -67,12 +66,12 @@ class Details:
         if isinstance(classifier, Class):
             assert isinstance(made, ecore.EClass)
             found += [(feature, self._made(feature)) for feature in classifier.features]
-            for operation, its in paired(classifier.operations, made.eOperations):
+            for operation, its in zip(classifier.operations, made.eOperations, strict=True):
                 found.append((operation, its))
-                found += paired(operation.parameters, its.eParameters)
+                found += zip(operation.parameters, its.eParameters, strict=True)
         elif isinstance(classifier, Enumeration):
             assert isinstance(made, ecore.EEnum)
-            found += paired(classifier.literals, made.eLiterals)
+            found += zip(classifier.literals, made.eLiterals, strict=True)
         return found
 
     def _made(self, one: DescribedElement) -> ecore.EModelElement:
@@ -205,5 +204,5 @@ def _says_more(generic: ecore.EGenericType) -> bool:
 def _put(owner: EObject, feature: EStructuralFeature, part: EObject) -> None:
     """Add a value to a many-valued feature without notification."""
     contain(part, owner, feature)
-    add_silently(dynamic_attribute(owner, key_of(feature)), part)
+    add_silently(getattr(owner, key_of(feature)), part)
     set_features_of(owner).add(feature)

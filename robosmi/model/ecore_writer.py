@@ -14,7 +14,6 @@ from robosmi.model.datatypes import is_data_type, real, to_text
 from robosmi.model.ecore import DynamicEObject, EObject
 from robosmi.model.features import as_package, eclass_of, is_off
 from robosmi.model.pyecore_internals import proxy_place, xmi_id_of
-from robosmi.typed import dynamic_attribute
 
 WIDTH = 80
 _NAMED = (("eAnnotations", "parts", None), ("name", "text", None))
@@ -166,7 +165,7 @@ def _value(element: DynamicEObject, name: str) -> Any:
         return ()  # they are given with their arguments
     if name == "eType" and element.eGenericType is not None:
         return None
-    value = dynamic_attribute(element, name, None)
+    value = getattr(element, name, None)
     if name == "defaultValueLiteral" and value is None:
         return _default(element)
     if name in ("eTypeParameters", "eKeys", "eGenericExceptions", "eExceptions") and value is None:
@@ -176,7 +175,7 @@ def _value(element: DynamicEObject, name: str) -> Any:
 
 def _default(feature: DynamicEObject) -> str | None:
     """The text of a default that is given as a value, as generated packages do; None if it is that of the type."""
-    value = dynamic_attribute(feature, "default_value", None)
+    value = getattr(feature, "default_value", None)
     kind = real(feature.eType)
     return None if value is None or value == kind.default_value else str(to_text(kind)(value))
 

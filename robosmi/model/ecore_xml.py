@@ -12,7 +12,6 @@ from xml.parsers import expat
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.typed import paired
 
 _XSI = ("http://www.w3.org/2001/XMLSchema-instance", "http://www.omg.org/XMI", "http://schema.omg.org/spec/XMI/2.1")
 _SEPARATOR = "\x1f"
@@ -93,7 +92,7 @@ def read_nodes(data: bytes, path: Path) -> EcoreNode:
     def start(name: str, values: list[str]) -> None:
         namespace, _, tag = name.rpartition(_SEPARATOR)
         node = EcoreNode(tag, namespace, parser.CurrentLineNumber, stack[-1] if stack else None)
-        for key, value in paired(values[::2], values[1::2]):
+        for key, value in zip(values[::2], values[1::2], strict=True):
             space, _, local = key.rpartition(_SEPARATOR)
             if not space:
                 node.attributes[local] = value

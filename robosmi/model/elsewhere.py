@@ -20,7 +20,6 @@ from robosmi.inputs import OUTPUT
 from robosmi.model.files import digest
 from robosmi.model.open_folder import OpenFolder
 from robosmi.model.runs import ELSEWHERE, keep, kept, unkeep
-from robosmi.typed import paired
 
 Elsewhere = Mapping[Path, tuple[bytes | None, bytes | None]]
 """Files outside of an output folder that belong to its commit: the old and the new content of each; None for no file."""
@@ -56,7 +55,7 @@ def wait(folder: Path, run: str, files: Elsewhere) -> None:
         _Waiting(str(path), f".{path.name}.robosmi-{run}", _digest(old), _digest(new)) for path, (old, new) in files.items()
     ]
     keep(folder, ELSEWHERE, json_written({"run": run, "files": waiting}))
-    for one, (_, new) in paired(waiting, files.values()):
+    for one, (_, new) in zip(waiting, files.values(), strict=True):
         path = Path(one.path)
         try:
             with OpenFolder(path.parent) as around:

@@ -23,7 +23,6 @@ from robosmi.model.metamodel import Metamodel, Packages, TypedModel
 from robosmi.model.pyecore_internals import own_resource_of, set_own_resource
 from robosmi.model.resource import Home, Watch
 from robosmi.model.structure import contents, root_of, walk
-from robosmi.typed import distinct, first_of
 
 if TYPE_CHECKING:
     from robosmi.model.open_files import OpenFiles
@@ -117,8 +116,8 @@ class EmfModel(TypedModel):
                 open_files.add(place, model, documents)
             return model
         if roots is None:
-            roots = first_of(documents.values()).roots
-        packages = [*distinct(_outermost(root.eClass.ePackage) for root in roots), *used.epackages]
+            roots = next(iter(documents.values())).roots
+        packages = [*dict.fromkeys(_outermost(root.eClass.ePackage) for root in roots), *used.epackages]
         model = cls(roots, Metamodel(dict.fromkeys(packages)), name or file.stem, file)
         if open_files is not None:
             open_files.add(place, model, documents)

@@ -12,7 +12,6 @@ from typing import Any
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model import ecore
 from robosmi.model.ecore import EEnum, EObject
-from robosmi.typed import attribute_of, class_name, dynamic_attribute
 
 LABELS = ("name", "title", "label", "id", "a_id", "a_name", "a_title", "elementId", "path")
 """The features that tell one element from another, the best first."""
@@ -35,10 +34,9 @@ def value_refused(owner: str, name: str, value: object, error: TypeError) -> Fea
         value: what was given.
         error: what pyecore said of it.
     """
-    said, expected = f"{owner}.{name} does not take {value!r}", attribute_of(error, "expected", ecore.EClassifier)
-    if expected is None:
-        collection = attribute_of(error, "expected", type)
-        if collection is not None and issubclass(collection, ecore.ECollection):
+    said, expected = f"{owner}.{name} does not take {value!r}", getattr(error, "expected", None)
+    if not isinstance(expected, ecore.EClassifier):
+        if isinstance(expected, type) and issubclass(expected, ecore.ECollection):
             return FeatureValueError(
                 f"{said}: it takes many values", fix=f"use {name}.append(value), {name}.extend(values) or clear()"
             )
@@ -52,7 +50,7 @@ def value_refused(owner: str, name: str, value: object, error: TypeError) -> Fea
         where = f"metamodel '{expected.ePackage.nsURI}'" if expected.ePackage is not None else "metamodel"
         return FeatureValueError(f"{said}: its {expected.name} is that of another load of the {where}", fix=ONE_LOAD)
     fix = f"write {value}.0" if value.__class__ is int and expected.name in ("EDouble", "EFloat") else None
-    return FeatureValueError(f"{said}: it takes {expected.name}, not {kinds[0].name if kinds else class_name(value)}", fix=fix)
+    return FeatureValueError(f"{said}: it takes {expected.name}, not {kinds[0].name if kinds else type(value).__name__}", fix=fix)
 
 
 def is_another_load(kind: ecore.EClassifier | None, expected: ecore.EClassifier | None) -> bool:
@@ -78,7 +76,7 @@ def declared_features(cls: type) -> dict[str, Any]:
             for name, feature in base.__dict__.items():
                 if isinstance(feature, ecore.EStructuralFeature):
                     known[name] = feature.eType if isinstance(feature.eType, ecore.EEnum) else None
-        if dynamic_attribute(cls, "eClass", None) is not None:
+        if getattr(cls, "eClass", None) is not None:
             _CACHE[cls] = known
     return known
 
@@ -96,9 +94,9 @@ class NotComputedError(ModelError):
 def not_computed(element: EObject, name: str) -> NotComputedError:
     """The error for a derived feature that no code computes."""
     cls = element.__class__
-    is_generated = attribute_of(sys.modules.get(cls.__module__), "eClassifiers", dict) is not None
+    is_generated = hasattr(sys.modules.get(cls.__module__), "eClassifiers")
     again = f"define it in class {cls.__name__}Mixin of mixins.py, and generate the package again"
-    message = f"{class_name(element)}.{name} is derived, and no code is there that computes it"
+    message = f"{type(element).__name__}.{name} is derived, and no code is there that computes it"
     return NotComputedError(message, fix=again if is_generated else _BODY)
 
 
@@ -106,12 +104,12 @@ def unknown_feature(element: EObject, name: str) -> UnknownFeatureError:
     """The error for a name that is no feature of the element, with the nearest that is; for an operation that it has no body."""
     if any(operation.name == name for operation in element.eClass.eAllOperations()):
         return UnknownFeatureError(
-            f"the operation {class_name(element)}.{name} has no body: a metamodel says only that there is one",
-            fix=f"{_BODY}; in queries, write a function with @operation({class_name(element)})",
+            f"the operation {type(element).__name__}.{name} has no body: a metamodel says only that there is one",
+            fix=f"{_BODY}; in queries, write a function with @operation({type(element).__name__})",
         )
     known = declared_features(element.__class__)
     return UnknownFeatureError(
-        f"{class_name(element)} has no feature '{name}'{did_you_mean(name, known)}",
+        f"{type(element).__name__} has no feature '{name}'{did_you_mean(name, known)}",
         fix=f"use one of: {', '.join(sorted(known))}",
     )
 
@@ -126,7 +124,7 @@ def not_named(kind: ecore.EClassifier | type, values: Sequence[object]) -> Model
     if isinstance(kind, EEnum):
         literals = ", ".join(f"{kind.name}.{literal.name}" for literal in kind.eLiterals)
         return ModelError(f"{kind.name} is an enumeration, which has no elements", fix=f"use one of its literals: {literals}")
-    eclass = kind if isinstance(kind, ecore.EClass) else attribute_of(kind, "eClass", ecore.EClass)
+    eclass = kind if isinstance(kind, ecore.EClass) else getattr(kind, "eClass", None)
     name = kind.__name__ if isinstance(kind, type) else str(kind.name)
     known = sorted(str(feature.name) for feature in eclass.eAllStructuralFeatures()) if eclass is not None else []
     likely = next((each for each in LABELS if each in known), "FEATURE")

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 
 from robosmi.model.ecore import EBag, ECollection, EList, EObject, EOrderedSet, ESet, EStructuralFeature
 from robosmi.model.feature_errors import FeatureValueError, not_computed, value_refused
-from robosmi.typed import attribute_of, class_name, dynamic_attribute
 
 _query: Callable[[Any], Any] | None = None
 
@@ -29,8 +28,8 @@ class Asked:
 
     def __getattr__(self, name: str) -> Any:
         if name[0] == "_" or _query is None:
-            raise AttributeError(f"'{class_name(self)}' has no attribute '{name}'")
-        return dynamic_attribute(_query(self), name)
+            raise AttributeError(f"'{type(self).__name__}' has no attribute '{name}'")
+        return getattr(_query(self), name)
 
     def _repr_html_(self) -> str:
         from robosmi.model.show import items_html  # for notebooks only
@@ -40,7 +39,7 @@ class Asked:
     def _ask(self, name: str, *arguments: Any, **options: Any) -> Any:
         if _query is None:
             raise AttributeError(f"'{name}' is an operation of queries: import robosmi.query")
-        return dynamic_attribute(_query(self), name)(*arguments, **options)
+        return getattr(_query(self), name)(*arguments, **options)
 
     def select(self, condition: Callable[[Any], Any], kind: Any = None) -> Any:
         """The values for which the condition holds, as queries give them."""
@@ -78,8 +77,8 @@ class Queried(Asked):
 
     def _place(self) -> tuple[str, bool]:
         """Class and name of the feature, as `Book.authors`, and whether it holds elements."""
-        feature = attribute_of(self, "feature", EStructuralFeature)
-        owner = class_name(attribute_of(self, "owner", EObject))
+        feature = getattr(self, "feature", None)
+        owner = type(getattr(self, "owner", None)).__name__
         return f"{owner}.{feature.name if feature is not None else ''}", feature is not None and bool(feature.is_reference)
 
 

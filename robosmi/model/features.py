@@ -23,7 +23,6 @@ from robosmi.model.ecore import (
 )
 from robosmi.model.ordering import post_order
 from robosmi.model.pyecore_internals import declared_type_of, set_features_of
-from robosmi.typed import distinct, dynamic_attribute
 
 
 def eclass_of(kind: EClassifier | type | None) -> Any:
@@ -33,13 +32,13 @@ def eclass_of(kind: EClassifier | type | None) -> Any:
         return kind
     if kind is ecore.EObject:
         return ecore.EObject.eClass
-    return dynamic_attribute(kind, "eClass", kind) if isinstance(kind, type) else kind
+    return getattr(kind, "eClass", kind) if isinstance(kind, type) else kind
 
 
 def supertypes(eclass: EClass) -> list[EClass]:
     """The direct supertypes of an EClass, those given by generic types included, each once."""
     generic = [g.eClassifier for g in eclass.eGenericSuperTypes if g.eClassifier is not None]
-    return distinct(eclass_of(base) for base in [*eclass.eSuperTypes, *generic])
+    return list(dict.fromkeys(eclass_of(base) for base in [*eclass.eSuperTypes, *generic]))
 
 
 def all_features(eclass: EClass) -> list[EStructuralFeature]:
@@ -102,8 +101,8 @@ def is_abstract(eclass: EClass) -> bool:
 
 def is_off(element: EObject, name: str) -> bool:
     """Whether a flag that is on by default was switched off; pyecore returns False also for one that was never set."""
-    feature = type(element).__dict__.get(name) or dynamic_attribute(type(element), name)
-    return feature in set_features_of(element) and not dynamic_attribute(element, name)
+    feature = type(element).__dict__.get(name) or getattr(type(element), name)
+    return feature in set_features_of(element) and not getattr(element, name)
 
 
 def root_package(package: Package) -> EPackage:

@@ -16,7 +16,6 @@ from robosmi.model.ecore import EModelElement, ENamedElement, EObject
 from robosmi.model.features import all_features
 from robosmi.model.pyecore_internals import key_of, xmi_id_of
 from robosmi.model.structure import contents, place_in
-from robosmi.typed import dynamic_attribute
 
 
 def own_id(element: EObject) -> str | None:
@@ -54,7 +53,7 @@ def fragment_of(element: Any, roots: Sequence[EObject]) -> str:
         if name and _named(container, name) is element:
             steps.append(quote(name, safe=_SAFE))
         elif feature.many:
-            steps.append(f"@{feature.name}.{place_in(dynamic_attribute(container, key_of(feature)), element)}")
+            steps.append(f"@{feature.name}.{place_in(getattr(container, key_of(feature)), element)}")
         else:
             steps.append(f"@{feature.name}")
         element = container

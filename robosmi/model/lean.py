@@ -45,7 +45,6 @@ from robosmi.model.pyecore_internals import (
     value_in,
 )
 from robosmi.model.structure import resource_of
-from robosmi.typed import attribute_of, dynamic_attribute
 
 if TYPE_CHECKING:
     from robosmi.model.ecore import Value
@@ -173,7 +172,7 @@ def bare(feature: EStructuralFeature) -> bool:
 
 def features_fixed(cls: type) -> bool:
     """Whether a class says that its features never change once it is made, as those of `strict` do."""
-    return attribute_of(cls, "_fixed_features", bool) or False
+    return getattr(cls, "_fixed_features", False) is True
 
 
 def holder(cls: type[EValue], owner: EObject, feature: EStructuralFeature, value: Value) -> EValue:
@@ -238,7 +237,7 @@ def _set_features(element: EObject) -> Any:
     cls = element.__class__
     for name, value in element.__dict__.items():
         if value.__class__ in BARE:
-            feature = dynamic_attribute(cls, name, None)
+            feature = getattr(cls, name, None)
             if feature.__class__ is _BareAttribute:
                 found[feature] = None
         elif isinstance(value, EValue):
@@ -310,10 +309,10 @@ def prepare(cls: type) -> None:
     if is_prepared(cls):
         return
     for name, value in LAZY.items():
-        if not isinstance(dynamic_attribute(type(cls), name, None), property):  # a metaclass may keep the name for itself
+        if not isinstance(getattr(type(cls), name, None), property):  # a metaclass may keep the name for itself
             setattr(cls, name, value)
     for name, of_element in (("dyn_inst", lambda element: element), (IS_STATIC, lambda element: False)):
-        setattr(cls, name, _Own(dynamic_attribute(cls, name, None), of_element))
+        setattr(cls, name, _Own(getattr(cls, name, None), of_element))
 
 
 def repair_default(feature: EStructuralFeature, datatype: EDataType) -> None:

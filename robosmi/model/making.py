@@ -20,7 +20,6 @@ from robosmi.model.pyecore_internals import (
     set_features_of,
 )
 from robosmi.model.structure import walk
-from robosmi.typed import dynamic_attribute
 
 if TYPE_CHECKING:
     from robosmi.model.driver import Held
@@ -49,7 +48,7 @@ def new(kind: Kind, /, **features: Any) -> Any:
     made = of_ecore(cls) if cls.__module__ == "pyecore.ecore" else cls()
     for name, value in features.items():
         if known[name].many:
-            dynamic_attribute(made, name).extend(value)
+            getattr(made, name).extend(value)
         elif value is not None:
             setattr(made, name, value)
     return made
@@ -106,7 +105,7 @@ def unlink(element: Any) -> list[DynamicEObject]:
 
 
 def _forget(owner: EObject, feature: EStructuralFeature, value: Held) -> None:
-    held = dynamic_attribute(owner, key_of(feature))
+    held = getattr(owner, key_of(feature))
     if not feature.many:
         if held is value:
             setattr(owner, key_of(feature), None)

@@ -17,7 +17,6 @@ from robosmi.model.ecore import EClass, EClassifier, EEnum, EEnumLiteral, EPacka
 from robosmi.model.metamodels import Metamodels
 from robosmi.model.pyecore_internals import is_element
 from robosmi.model.strict_dynamic import make_strict
-from robosmi.typed import dynamic_attribute, paired
 
 Packages: TypeAlias = "Metamodels | Package | Iterable[Package]"
 """What a metamodel may be given as."""
@@ -80,7 +79,7 @@ class Metamodel(Metamodels):
         from robosmi.model.ecore_loader import load_metamodels
 
         described = load_metamodels([path])
-        own = paired(described, make_packages(described))
+        own = zip(described, make_packages(described), strict=True)
         return [package for one, package in own if one.source == path]
 
     @classmethod
@@ -134,7 +133,7 @@ class Metamodel(Metamodels):
         found = self.find(name)
         if found is None:
             raise unknown_type(name, self.names())
-        return dynamic_attribute(found, "python_class", found)
+        return getattr(found, "python_class", found)
 
     def __repr__(self) -> str:
         return f"<Metamodel {', '.join(str(p.name) for p in self.epackages)}: {len(self.names())} types>"

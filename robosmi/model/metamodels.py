@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Iterable, Iterator
+from functools import cache
 
 from robosmi.model.ecore import Package
 from robosmi.model.pyecore_internals import is_element
-from robosmi.typed import dynamic_attribute, kept
 
 BUILT_IN = ("ccode", "hardware", "platform", "trace", "migration")
 """The names of the built-in metamodels, each a package of `robosmi.metamodels`."""
@@ -45,11 +45,11 @@ def _with_subpackages(packages: Iterable[Package]) -> Iterator[Package]:
     while pending:
         package = pending.pop()
         yield package
-        epackage = package if is_element(package) else dynamic_attribute(package, "eClass", package)
+        epackage = package if is_element(package) else getattr(package, "eClass", package)
         pending.extend(reversed(list(epackage.eSubpackages)))
 
 
-@kept
+@cache
 def built_in() -> Metamodels:
     """The five metamodels of this package."""
     return Metamodels(importlib.import_module(f"robosmi.metamodels.{name}") for name in BUILT_IN)

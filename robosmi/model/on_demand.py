@@ -8,6 +8,7 @@ The driver decides which parts can wait and how they are built.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import InternalError
@@ -27,7 +28,6 @@ from robosmi.model.pyecore_internals import (
     read,
     target_in,
 )
-from robosmi.typed import class_name, kept
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 def refused(element: EObject, name: str) -> ReadOnlyError:
     """The error for a change of an element that is built on demand."""
     return ReadOnlyError(
-        f"{class_name(element)}.{name} cannot be changed: the model is a view of its source and read-only",
+        f"{type(element).__name__}.{name} cannot be changed: the model is a view of its source and read-only",
         fix="read the source into a model of its own and change that",
     )
 
@@ -143,7 +143,7 @@ def fill(element: EObject, feature: EStructuralFeature, value: Any) -> None:
         slots[SET_FEATURES][feature] = None
 
 
-@kept
+@cache
 def _stand_ins(cls: Any) -> Any:
     """The class of stand-ins for elements of a class; being a subclass, they are accepted wherever it is."""
     quiet: Any = type("Quiet", (cls.__class__,), {"__init__": type.__init__})  # it becomes part of no metamodel
@@ -205,7 +205,7 @@ def settle(element: EObject, links: Callable[[Any, Any], Any] | None = None) -> 
 _READ_ONLY = (Promise, ReadOnlyValue, ReadOnlySet, ReadOnlyList)
 
 
-@kept
+@cache
 def _held(cls: Any) -> list[tuple[Any, str, bool, bool]]:
     """The features of a class whose slots must be made read-only individually; cached, so its metamodel must not change.
 
@@ -243,7 +243,7 @@ def _promised(element: EObject, feature: EStructuralFeature, slot: Any) -> list[
     return built
 
 
-@kept
+@cache
 def _empty(cls: Any, name: str, feature: EStructuralFeature) -> Any:
     """The slot of a feature without a value, shared by all elements of a class."""
     if feature.many:

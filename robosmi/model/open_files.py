@@ -17,7 +17,6 @@ from robosmi.model.features import as_package
 from robosmi.model.fragments import own_id
 from robosmi.model.metamodels import Metamodels, built_in
 from robosmi.model.xmi_document import Document
-from robosmi.typed import distinct
 
 if TYPE_CHECKING:
     from robosmi.model.emf import EmfModel
@@ -37,7 +36,7 @@ class OpenFiles:
     def packages(self) -> Metamodels:
         """The built-in metamodels, and those of the models that are open."""
         own: list[Package] = [package for model in self._models.values() for package in model.packages]
-        return Metamodels([*distinct([*reversed(own), *built_in().packages])])
+        return Metamodels([*dict.fromkeys([*reversed(own), *built_in().packages])])
 
     def roots(self, path: Path, known: Metamodels) -> list[DynamicEObject] | None:
         """The root elements of a file that was read with another one and is to be a model now, or None to read it."""

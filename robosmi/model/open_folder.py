@@ -20,7 +20,6 @@ from types import TracebackType
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
-from robosmi.typed import first_of
 
 _HELD = {os.open, os.mkdir, os.rename, os.unlink, os.stat, os.rmdir} <= os.supports_dir_fd and hasattr(os, "O_NOFOLLOW")
 _FOLDER = os.O_RDONLY | inputs.flags("O_DIRECTORY", "O_NOFOLLOW", "O_CLOEXEC")
@@ -303,7 +302,7 @@ class OpenFolder:
         if found is None:
             found = self._opened(real, make)
             while len(self._open) >= _KEPT:
-                os.close(self._open.pop(first_of(self._open)))
+                os.close(self._open.pop(next(iter(self._open))))
         self._open[real] = found
         return own, found
 

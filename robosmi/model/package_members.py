@@ -27,7 +27,6 @@ from robosmi.model.package_types import (
 )
 from robosmi.model.python_names import python_name
 from robosmi.model.source_text import call, docstring, string
-from robosmi.typed import dynamic_attribute
 
 _FLAGS = {"ordered": True, "unique": True, "changeable": True} | dict.fromkeys(
     ("derived", "transient", "volatile", "unsettable"), False
@@ -113,7 +112,7 @@ class ClassMembers:
             arguments.append(f"lower={feature.lower}")
         if feature.upper != 1:
             arguments.append(f"upper={feature.upper}")
-        arguments += [f"{flag}={not usual}" for flag, usual in _FLAGS.items() if dynamic_attribute(feature, flag) != usual]
+        arguments += [f"{flag}={not usual}" for flag, usual in _FLAGS.items() if getattr(feature, flag) != usual]
         if feature.is_reference and feature.containment:
             arguments.append("containment=True")
         if not feature.is_reference and feature.is_id:

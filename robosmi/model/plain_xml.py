@@ -20,7 +20,6 @@ from robosmi.model.files import read_input
 from robosmi.model.strict import FeatureValueError, UnknownFeatureError
 from robosmi.model.xml_guard import read_tree, root_offset
 from robosmi.model.xml_values import checked, typed, written
-from robosmi.typed import class_name, distinct
 
 if TYPE_CHECKING:
     from lxml.etree import _Element
@@ -150,7 +149,7 @@ class XmlElement(ModelElement):
 
     def __repr__(self) -> str:
         shown = "".join(f" {_local(n)}={v!r}" for n, v in self._node.attrib.items() if _local(n) in ("id", "name", "title"))
-        return f"<{class_name(self)}{shown}>"
+        return f"<{type(self).__name__}{shown}>"
 
 
 class XmlModel(Model):
@@ -213,7 +212,7 @@ class XmlModel(Model):
     def types(self) -> Iterator[tuple[str, Type]]:
         """`Element`, and a type for each tag that occurs."""
         yield "Element", self._base
-        for tag in distinct(_local(element._node.tag) for element in self._everything()):
+        for tag in dict.fromkeys(_local(element._node.tag) for element in self._everything()):
             yield f"t_{tag}", self._kind(tag)
 
     def find_type(self, name: str) -> type[XmlElement] | None:

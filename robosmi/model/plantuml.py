@@ -13,7 +13,6 @@ from robosmi.model.ecore import EClass, EClassifier, EEnum, EObject, EPackage, E
 from robosmi.model.metamodel import Metamodel
 from robosmi.model.show import known_values, plain
 from robosmi.quoting import plantuml
-from robosmi.typed import distinct
 
 if TYPE_CHECKING:
     from robosmi.model.driver import Held
@@ -93,7 +92,7 @@ def _objects(elements: list[Node], limit: int) -> list[str]:
             links.append(f"{numbers[id(container)]} *-- {numbers[id(element)]}")
     if len(elements) > limit:
         lines.append(f"note as cut\n  {len(elements) - limit} more elements are not shown\nend note")
-    return lines + distinct(links)
+    return lines + list(dict.fromkeys(links))
 
 
 def _is_part(element: Node, name: str, target: Node) -> bool:

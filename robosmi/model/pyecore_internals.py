@@ -35,7 +35,6 @@ from robosmi.model.ecore import (
     Resource,
     Scalar,
 )
-from robosmi.typed import attribute_of
 
 if TYPE_CHECKING:
     from types import ModuleType
@@ -124,7 +123,7 @@ def is_value(slot: Any) -> TypeGuard[EValue]:
 
 def is_static(cls: type) -> bool:
     """Whether a class was generated."""
-    return attribute_of(cls, IS_STATIC, bool) or False
+    return getattr(cls, IS_STATIC, False) is True
 
 
 def hold(holder: EValue, value: Argument) -> None:

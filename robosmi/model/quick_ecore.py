@@ -47,7 +47,6 @@ from robosmi.model.pyecore_internals import (
     update_field,
     value_in,
 )
-from robosmi.typed import attribute_of
 
 F = TypeVar("F", bound=EStructuralFeature)
 
@@ -152,7 +151,7 @@ def promote(cls: type[EObject], root: type) -> None:
         root: base class of all generated classes; as a base it makes no supertype.
     """
     names = [*vars(cls)]
-    features = {key: feature for key in names if (feature := attribute_of(cls, key, EStructuralFeature)) is not None}
+    features = {key: feature for key in names if isinstance(feature := getattr(cls, key, None), EStructuralFeature)}
     if not _are_all(features, names):
         Core.register_classifier(cls, promote=True)
         if root in cls.__bases__:
@@ -183,8 +182,13 @@ def promote(cls: type[EObject], root: type) -> None:
 def _enter(cls: type[EObject], made: EClass) -> None:
     """Put the EClass of a generated class into the package of its module."""
     module = sys.modules[cls.__module__]
-    package = attribute_of(module, "eClass", EPackage)
-    if package is None or not vars(module).keys() >= _WITH_PACKAGE or package.listeners or first_listeners_of(package):
+    package = getattr(module, "eClass", None)
+    if (
+        not isinstance(package, EPackage)
+        or not vars(module).keys() >= _WITH_PACKAGE
+        or package.listeners
+        or first_listeners_of(package)
+    ):
         Core.register_classifier(cls)
         return
     module.eClassifiers[cls.__name__] = cls

@@ -27,7 +27,6 @@ from robosmi.model.files import read_input
 from robosmi.model.metamodel import Metamodel
 from robosmi.model.open_files import OpenFiles
 from robosmi.model.opening import driver_of
-from robosmi.typed import distinct
 
 V = TypeVar("V")
 Paths = str | Path | Sequence[str | Path]
@@ -67,7 +66,7 @@ class Session:
             ModelError: it is no metamodel, or contradicts Ecore; or a file that was read before has changed since.
         """
         described = self._reader.read([Path(path) for path in paths])
-        for source in distinct(package.source for package in described):
+        for source in dict.fromkeys(package.source for package in described):
             digest = _digest(source)
             if self._digests.setdefault(source, digest) != digest:
                 raise ModelError(

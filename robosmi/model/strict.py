@@ -24,7 +24,6 @@ from robosmi.model.feature_errors import (
 from robosmi.model.in_order import all_contents, contents
 from robosmi.model.lean import is_prepared, prepare
 from robosmi.model.structure import resource_of
-from robosmi.typed import class_name, dynamic_attribute
 
 __all__ = ["Element", "EnumLiteral", "FeatureValueError", "UnknownFeatureError", "enum_literal"]
 
@@ -84,7 +83,7 @@ class Element(_Base):
         def eGet(self, feature: Any) -> Any:
             """The value of a feature, given by its name in the metamodel or itself."""
             name = feature if isinstance(feature, str) else feature.name
-            return dynamic_attribute(self, self._renamed.get(name, name))
+            return getattr(self, self._renamed.get(name, name))
 
         def eSet(self, feature: Any, value: Any) -> None:
             """Set a feature, given by its name in the metamodel or itself."""
@@ -119,11 +118,11 @@ class Element(_Base):
                     return
                 raise unknown_feature(self, name)
             if expected is not None and value.__class__ is str:
-                raise literal_wanted(class_name(self), name, expected, value)
+                raise literal_wanted(type(self).__name__, name, expected, value)
             try:
                 object.__setattr__(self, name, value)
             except TypeError as error:
-                raise value_refused(class_name(self), name, value, error) from error
+                raise value_refused(type(self).__name__, name, value, error) from error
 
         def __getattr__(self, name: str) -> Any:
             if name[:2] == "__":
@@ -142,12 +141,12 @@ class Element(_Base):
             for n in ("name", "title", "label", "path", "elementId", "line")
             if n in known and self.eIsSet(n)
         ]
-        return f"<{class_name(self)}{' ' if shown else ''}{' '.join(shown)}>"
+        return f"<{type(self).__name__}{' ' if shown else ''}{' '.join(shown)}>"
 
 
 def enum_literal(enumeration: type[_Literal], name: str) -> _Literal:
     """The literal of a generated enumeration by its name, which it has."""
-    found: _Literal = dynamic_attribute(enumeration, name)
+    found: _Literal = getattr(enumeration, name)
     return found
 
 

@@ -15,7 +15,6 @@ from robosmi.model.feature_errors import UnknownFeatureError, literal_wanted, no
 from robosmi.model.in_order import all_contents, contents
 from robosmi.model.pyecore_internals import is_static
 from robosmi.model.strict import INTERNAL, Element
-from robosmi.typed import attribute_of
 
 
 def make_strict(package: EPackage) -> None:
@@ -29,8 +28,8 @@ def make_strict(package: EPackage) -> None:
         one = pending.pop()
         pending.extend(one.eSubpackages)
         for classifier in one.eClassifiers:
-            cls = attribute_of(classifier, "python_class", type)
-            if not isinstance(classifier, ecore.EClass) or cls is None or issubclass(cls, Element):
+            cls = getattr(classifier, "python_class", None)
+            if not isinstance(classifier, ecore.EClass) or not isinstance(cls, type) or issubclass(cls, Element):
                 continue
             if not is_static(cls) and "__setattr__" not in cls.__dict__:
                 for name, member in _MEMBERS.items():
@@ -46,7 +45,7 @@ def _initialise(element: EObject, *values: object, **features: object) -> None:
 
 
 def _set(self: EObject, name: str, value: object) -> None:
-    feature = attribute_of(self.__class__, name, object)
+    feature = getattr(self.__class__, name, None)
     if feature is None and name[:1] != "_" and name not in INTERNAL:
         known = [str(f.name) for f in self.eClass.eAllStructuralFeatures()]
         raise UnknownFeatureError(

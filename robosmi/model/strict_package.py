@@ -26,7 +26,6 @@ from robosmi.model.pyecore_internals import key_of, set_key
 from robosmi.model.python_names import MEMBER
 from robosmi.model.quick_ecore import add_literal, promote, quick_constructor
 from robosmi.model.strict import Element
-from robosmi.typed import attribute_of, dynamic_attribute
 
 _Type = TypeVar("_Type", bound=type)
 _Value = TypeVar("_Value")
@@ -129,8 +128,8 @@ else:
                 computed(feature)
                 if key_of(feature) == key:
                     continue
-                other = dynamic_attribute(cls, feature.name, None)
-                hidden = other is not None and attribute_of(other, "name", str) != feature.name
+                other = getattr(cls, feature.name, None)
+                hidden = other is not None and getattr(other, "name", None) != feature.name
                 if feature.name in MEMBER or feature.name.startswith("__") or hidden:
                     set_key(feature, key)
                     cls._renamed = {**cls._renamed, feature.name: key}
@@ -155,7 +154,7 @@ else:
             self.code.__set__(element, value)
 
         def __getattr__(self, name: str) -> Any:
-            return dynamic_attribute(self.feature, name)
+            return getattr(self.feature, name)
 
         def __setattr__(self, name: str, value: object) -> None:
             setattr(self.feature, name, value)
@@ -163,14 +162,14 @@ else:
     def __getattr__(name: str) -> Any:
         """pyecore's data types and classes by name."""
         if name.startswith("E") and hasattr(ecore, name):
-            return dynamic_attribute(ecore, name)
+            return getattr(ecore, name)
         raise AttributeError(name)
 
     EStringToStringMapEntry = ecore.EObject.__class__("EStringToStringMapEntry", (Element,), {})
     EStringToStringMapEntry.eClass = ecore.EClass("EStringToStringMapEntry", metainstance=EStringToStringMapEntry)
     for _name in ("key", "value"):
         setattr(EStringToStringMapEntry, _name, EAttribute(name=_name, eType=ecore.EString))
-        EStringToStringMapEntry.eClass.eStructuralFeatures.append(dynamic_attribute(EStringToStringMapEntry, _name))
+        EStringToStringMapEntry.eClass.eStructuralFeatures.append(getattr(EStringToStringMapEntry, _name))
 
 
 def find_classifier(classifiers: dict[str, Classifier]) -> Callable[[str], Classifier | None]:
@@ -344,7 +343,7 @@ def inherit(cls: Any, *bases: Any) -> None:
 
 def _is_defined(module: str) -> bool:
     """Whether the classes of a module are defined, even if it is still being imported."""
-    return attribute_of(sys.modules.get(module), "_defined", bool) or False
+    return getattr(sys.modules.get(module), "_defined", False) is True
 
 
 _WAITING: list[tuple[ModuleType, list[str], Callable[[], None]]] = []

@@ -14,7 +14,6 @@ from robosmi.errors import ModelError
 from robosmi.model.ecore import DynamicEObject, EClass, EObject
 from robosmi.model.features import all_features, is_computed
 from robosmi.model.pyecore_internals import container_of, key_of, own_resource_of, read
-from robosmi.typed import dynamic_attribute
 
 
 def feature_names(eclass: EClass) -> list[str]:
@@ -90,7 +89,7 @@ def resource_of(element: EObject) -> Any:
 
 def place_in(collection: Any, element: EObject) -> int:
     """The position of an element in a many-valued feature, by identity; -1 if it is not there."""
-    positions = dynamic_attribute(collection, "map", None)
+    positions = getattr(collection, "map", None)
     guess = positions.get(element, -1) if positions is not None else -1
     if 0 <= guess < len(collection) and collection[guess] is element:
         return int(guess)

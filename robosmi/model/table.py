@@ -18,7 +18,6 @@ from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, SourceError, did_you_mean
 from robosmi.model.driver import Model, ModelElement, name_of
 from robosmi.model.strict import FeatureValueError, UnknownFeatureError
-from robosmi.typed import class_name, in_threes, paired
 
 _DELIMITERS = ",;\t|"
 
@@ -46,18 +45,18 @@ class Row(ModelElement):
     def __getattr__(self, name: str) -> Any:
         place = self.__class__._places.get(name)  # type: ignore[attr-defined]
         if place is None:
-            raise _unknown(class_name(self), name, self._features())
+            raise _unknown(type(self).__name__, name, self._features())
         return self._values[place]
 
     def __setattr__(self, name: str, value: Any) -> None:
         place = self.__class__._places.get(name)  # type: ignore[attr-defined]
         if place is None:
-            raise _unknown(class_name(self), name, self._features())
+            raise _unknown(type(self).__name__, name, self._features())
         self._values[place] = self.__class__._check(name, value)  # type: ignore[attr-defined]
 
     def __repr__(self) -> str:
-        shown = ", ".join(f"{c}={v!r}" for c, v in list(paired(self._features(), self._values))[:3])
-        return f"<{class_name(self)} {shown}>"
+        shown = ", ".join(f"{c}={v!r}" for c, v in list(zip(self._features(), self._values, strict=True))[:3])
+        return f"<{type(self).__name__} {shown}>"
 
 
 class Table:
@@ -229,7 +228,7 @@ def _table(path: Path, columns: list[str], types: Mapping[str, Callable[[str], A
 
 def _values(table: Table, cells: list[str], line: int, problems: list[str]) -> list[Any]:
     values: list[Any] = []
-    for cell, kind, column in in_threes(cells, table.types, table.columns):
+    for cell, kind, column in zip(cells, table.types, table.columns, strict=True):
         try:
             values.append(cell if kind is str else kind(cell) if cell else None)
         except ValueError:

@@ -21,7 +21,6 @@ from robosmi.model.features import as_package
 from robosmi.model.metamodels import Metamodels
 from robosmi.model.xmi_reader import UnreadableModelError, read_models
 from robosmi.plugins import load, registry
-from robosmi.typed import attribute_of, first_of
 
 KIND = "model migration"
 
@@ -87,7 +86,7 @@ def migrated(path: Path, metamodels: Metamodels, refused: UnreadableModelError) 
     names = registry().entries.get(KIND, {})
     if not any(uri in text for uri in names for _, text in refused.problems):
         raise refused
-    return first_of(read_current(path, metamodels).values())
+    return next(iter(read_current(path, metamodels).values()))
 
 
 def _steps(metamodels: Metamodels) -> dict[str, Migration]:
@@ -106,7 +105,7 @@ def _current(roots: dict[Path, DynamicEObject], steps: dict[str, Migration]) -> 
     replaced: list[EObject] = []
     seen: set[str] = set()
     while pending := {file: uri for file, root in current.items() if (uri := _namespace(root)) in steps and uri not in seen}:
-        step = steps[first_of(pending.values())]
+        step = steps[next(iter(pending.values()))]
         older = {file: current[file] for file, uri in pending.items() if steps[uri] is step}
         seen |= {pending[file] for file in older}
         replaced += older.values()
@@ -120,13 +119,13 @@ def _current(roots: dict[Path, DynamicEObject], steps: dict[str, Migration]) -> 
 
 def _other_version(step: Migration, steps: Mapping[str, Migration]) -> str:
     """What to do if a step that names no newer version was to lead to one of those from which other steps lead on."""
-    if (into := attribute_of(step, "assumed", str)) is None:
+    if (into := getattr(step, "assumed", None)) is None:
         return ""
     names = _types(step)
     between = [uri for uri, other in steps.items() if other is not step and not names.isdisjoint(_types(other))]
     if not between:
         return ""
-    own = first_of(uri for uri, other in steps.items() if other is step)
+    own = next(uri for uri, other in steps.items() if other is step)
     advice = f"if it leads to '{between[0]}', write ModelMigration(OLD, rules, Metamodel.load(FILE)) with its file"
     return f"the step of '{own}' leads to {into}; {advice}"
 

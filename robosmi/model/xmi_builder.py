@@ -29,7 +29,6 @@ from robosmi.model.xmi_plan import (
     FeatureEntry,
     Plans,
 )
-from robosmi.typed import class_name, sum_of
 
 if TYPE_CHECKING:
     from robosmi.model.ecore import Slots
@@ -69,7 +68,7 @@ class Builder:
                 slots[entry.key] = collection(element, feature)
             add_silently(slots[entry.key], child)
         elif entry.key in slots:
-            self.here(f"{class_name(element)}.{feature.name} takes one element, not two")
+            self.here(f"{type(element).__name__}.{feature.name} takes one element, not two")
             return
         else:
             slots[entry.key] = holder(ContainedValue, element, feature, child)
@@ -194,5 +193,5 @@ class Builder:
             return
         held = element.__dict__.get(entry.key)
         place = len(held) if held is not None and entry.many else 0
-        place += sum_of(1 for owner, other, *_ in self.document.parts if owner is element and other is entry)
+        place += sum(1 for owner, other, *_ in self.document.parts if owner is element and other is entry)
         self.document.parts.append((element, entry, link, self.expat.CurrentLineNumber, place))

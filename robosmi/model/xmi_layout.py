@@ -16,7 +16,6 @@ from robosmi.model.ecore import EClass, EObject, EStructuralFeature
 from robosmi.model.feature_values import is_stored
 from robosmi.model.pyecore_internals import key_of
 from robosmi.model.strict import Element
-from robosmi.typed import dynamic_attribute
 
 if TYPE_CHECKING:
     from robosmi.model.ecore import Slots
@@ -82,7 +81,7 @@ class Column:
         """The same column with nothing rendered yet."""
         made: Column = object.__new__(Column)
         for name in Column.__slots__:
-            setattr(made, name, dynamic_attribute(self, name))
+            setattr(made, name, getattr(self, name))
         made.rendered = {}
         return made
 

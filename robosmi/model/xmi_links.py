@@ -20,7 +20,6 @@ from robosmi.model.pyecore_internals import add_silently, contain, container_of,
 from robosmi.model.xmi_document import Document
 from robosmi.model.xmi_places import shown
 from robosmi.model.xmi_plan import FeatureEntry
-from robosmi.typed import class_name, dynamic_attribute
 
 Problem = Callable[[Document, int, str], None]
 Where: TypeAlias = "Document | Package"
@@ -78,7 +77,7 @@ class XmiLinker:
             self._add(document, line, owner, entry, targets)
 
     def _wrong(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, text: str) -> None:
-        self.problem(document, line, f"{class_name(owner)}.{entry.feature.name} {text}")
+        self.problem(document, line, f"{type(owner).__name__}.{entry.feature.name} {text}")
 
     def _one(self, document: Document, text: str) -> list[str]:
         """The URI of a single reference: an id may hold spaces, a type may stand before a URI of another file."""
@@ -106,7 +105,7 @@ class XmiLinker:
         else:
             found = resolve(document, link.removeprefix("#"))
         if found is None:
-            self.problem(document, line, f"{class_name(owner)}.{entry.feature.name}: '{link}' leads to nothing")
+            self.problem(document, line, f"{type(owner).__name__}.{entry.feature.name}: '{link}' leads to nothing")
         elif "#" not in link:
             self._found[id(document)][link] = found
         return found
@@ -256,7 +255,7 @@ def _by_keys(element: EObject, name: str, wanted: dict[str, str]) -> DynamicEObj
     """The element of a collection whose key attributes have these texts (`@items[name='a']`)."""
     one: DynamicEObject
     for one in element.__dict__.get(name, ()):
-        if wanted and all(str(dynamic_attribute(one, key, None)) == unquote(text) for key, text in wanted.items()):
+        if wanted and all(str(getattr(one, key, None)) == unquote(text) for key, text in wanted.items()):
             return one
     return None
 
@@ -265,6 +264,6 @@ def _by_name(element: EObject, name: str) -> EObject | None:
     """The part of a metamodel element with that name."""
     parts: list[ENamedElement] = []
     for feature in ("eClassifiers", "eSubpackages", "eStructuralFeatures", "eOperations", "eLiterals", "eParameters"):
-        parts.extend(dynamic_attribute(element, feature, ()))
+        parts.extend(getattr(element, feature, ()))
     texts = (name, unquote(name))
     return next((part for part in parts if part.name in texts), None)

@@ -45,7 +45,6 @@ from robosmi.model.xmi_plan import (
     Plans,
 )
 from robosmi.model.xml_characters import may_hold_escapes, restored
-from robosmi.typed import class_name
 
 if TYPE_CHECKING:
     from robosmi.model.ecore import Slots
@@ -221,7 +220,7 @@ class _Parser(Builder):
             return self.root(tag, attributes)
         local = tag.rpartition("}")[2]
         entry = entries.get(local)
-        owner = class_name(element)
+        owner = type(element).__name__
         if entry is None or entry.kind == XMI_ID:
             if local == "Extension" and XMI_NAMESPACES.fullmatch(tag.rpartition("}")[0]):
                 self.skip()
@@ -249,7 +248,7 @@ class _Parser(Builder):
     def text_of(self, element: DynamicEObject, slots: Slots, entry: FeatureEntry, attributes: dict[str, str]) -> None:
         """Take the text up to the end of the current element as a value or a reference."""
         line = self.expat.CurrentLineNumber
-        owner = class_name(element)
+        owner = type(element).__name__
         self.depth = 1
         self.texts.clear()
 

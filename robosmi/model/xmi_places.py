@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Collection, Mapping, Sequence
+from functools import lru_cache
 from pathlib import PurePosixPath
 from typing import Any
 from urllib.parse import quote
@@ -22,7 +23,6 @@ from robosmi.model.ecore import EClass, EModelElement, EObject, EPackage, EStruc
 from robosmi.model.features import as_package, id_attribute, root_package
 from robosmi.model.lean import plain_value
 from robosmi.model.pyecore_internals import container_of, containing_feature_of, is_value, key_of, value_in, xmi_id_of
-from robosmi.typed import class_name, dynamic_attribute, remembered
 
 _ODD_ID = re.compile(r"^/|^\?|[\s#:]|^$")
 _NOT_IN_PATHS = re.compile(r"(?![A-Za-z0-9/_.!~*'()@=+$,;-])[\x00-\x9f]")  # as EMF's URI.createFileURI, but for & and :
@@ -180,7 +180,7 @@ def shown(element: EObject | None) -> str:
         return text
     name = element.__dict__.get("name")
     value = value_in(name) if is_value(name) else name if isinstance(name, str) else None
-    return f"<{class_name(element)}{f' name={value!r}' if value is not None else ''}>"
+    return f"<{type(element).__name__}{f' name={value!r}' if value is not None else ''}>"
 
 
 def _rest(step: _Step, slot: EValue | Sequence[EObject] | None, child: EObject) -> str:
@@ -226,7 +226,7 @@ def metamodel_place(element: EModelElement | type) -> tuple[EPackage, str]:
     Raises:
         Unplaced: it is in no package.
     """
-    one: Any = dynamic_attribute(element, "eClass", None) if isinstance(element, type) else element
+    one: Any = getattr(element, "eClass", None) if isinstance(element, type) else element
     steps: list[str] = []
     while not isinstance(one, ecore.EPackage):
         container = one.eContainer()
@@ -243,7 +243,7 @@ def metamodel_place(element: EModelElement | type) -> tuple[EPackage, str]:
     return root, f"/{''.join(f'/{step}' for step in reversed(steps))}"
 
 
-@remembered(256)
+@lru_cache(maxsize=256)
 def relative(source: str, target: str) -> str:
     """The URI of one file seen from another, both relative to the same folder."""
     folder = PurePosixPath(source).parent

@@ -22,7 +22,6 @@ from robosmi.model.xmi_document import Document, ForeignRoot, Unreadable
 from robosmi.model.xmi_links import XmiLinker, resolve
 from robosmi.model.xmi_parser import parse
 from robosmi.model.xmi_plan import Plans
-from robosmi.typed import paired
 
 if TYPE_CHECKING:
     from robosmi.model.open_files import OpenDocuments
@@ -213,7 +212,7 @@ class _Reader:
     def locate(self, path: Path, text: str) -> None:
         """Load the metamodels that a file names by xsi:schemaLocation, as far as they are files and not known."""
         words = text.split()
-        for uri, place in paired(words[::2], words[1::2], strict=False):
+        for uri, place in zip(words[::2], words[1::2], strict=False):
             file = self._local(path, place.partition("#")[0])
             if self.package(uri) is None and file is not None and self._may_read(file) and file.is_file():
                 self.ecore(file, Location(str(path), 1))

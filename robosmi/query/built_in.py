@@ -13,7 +13,6 @@ from robosmi.query import anything, model_level, models, numbers, operators, pro
 from robosmi.query.collections import Q, map_of
 from robosmi.query.operations import TABLES, Table
 from robosmi.query.values import as_string, equal, key
-from robosmi.typed import dynamic_attribute
 
 
 def _public(module: Any, *without: str) -> Table:
@@ -56,14 +55,14 @@ _NUMBER: Table = {
     "as_float": numbers.as_real,
     "ln": numbers.ln,
 }
-_INTEGER = {n: dynamic_attribute(numbers, n) for n in ("to", "iota", "to_binary", "to_hex", "mod")}
+_INTEGER = {n: getattr(numbers, n) for n in ("to", "iota", "to_binary", "to_hex", "mod")}
 _STRING = _public(strings)
 _MAP: Table = {
-    n: (lambda m, *a, _n=n: dynamic_attribute(map_of(m), _n)(*a))
+    n: (lambda m, *a, _n=n: getattr(map_of(m), _n)(*a))
     for n in ("get", "put", "put_all", "remove", "contains_key", "contains_value", "key_set", "size", "is_empty", "clear")
 }
 _MAP["values"] = lambda m: map_of(m).value_bag()
-_COLLECTION = {n: dynamic_attribute(Q, n) for n in dir(Q) if n[0] != "_" and callable(dynamic_attribute(Q, n))}
+_COLLECTION = {n: getattr(Q, n) for n in dir(Q) if n[0] != "_" and callable(getattr(Q, n))}
 for _name in ("get", "list", "lazy", "distinct", "index"):
     _COLLECTION.pop(_name, None)
 _COLLECTION["equals"] = lambda c, other: equal(c, other)

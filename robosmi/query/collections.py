@@ -24,7 +24,6 @@ from robosmi.query.maps import Entries, Fields, K, V
 from robosmi.query.totals import Totals
 from robosmi.query.types import AnyKind, EolType, resolve
 from robosmi.query.values import collection_kind, equal, position, unique
-from robosmi.typed import class_name
 
 if TYPE_CHECKING:
     from robosmi.model.dynamic import Dynamic
@@ -129,7 +128,7 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        return f"{class_name(self)}({self._items!r})"
+        return f"{type(self).__name__}({self._items!r})"
 
     def _repr_html_(self) -> str:
         from robosmi.model.show import items_html

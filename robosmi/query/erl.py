@@ -18,7 +18,6 @@ from robosmi import foreign_code
 from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, RobosmiError, RuleError, UsageError
 from robosmi.model.driver import Model, TypeHandle, class_of, is_element, name_of, type_of
-from robosmi.model.ecore import EClassifier
 from robosmi.model.feature_errors import is_another_load
 from robosmi.plugins import is_own
 from robosmi.query.models import ModelView
@@ -26,7 +25,6 @@ from robosmi.query.problems import UnknownTypeError, unknown_type
 from robosmi.query.run import Run, current_run
 from robosmi.query.types import EolType, resolve, type_named
 from robosmi.query.values import as_string
-from robosmi.typed import attribute_of, class_name, sum_of
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -160,8 +158,8 @@ def other_load(kind: RuleType, models: Iterable[Model]) -> Model | None:
     found = [(m, class_of(t)) for m in models if (t := m.find_type(name_of(kind.kind))) is not None]
     if any(cls is kind.cls for _, cls in found):
         return None
-    wanted = attribute_of(kind.cls, "eClass", EClassifier)
-    return next((m for m, cls in found if is_another_load(wanted, attribute_of(cls, "eClass", EClassifier))), None)
+    wanted = getattr(kind.cls, "eClass", None)
+    return next((m for m, cls in found if is_another_load(wanted, getattr(cls, "eClass", None))), None)
 
 
 def with_place(error: RobosmiError, what: str, function: Function | None) -> RobosmiError:
@@ -255,7 +253,7 @@ def failed(
     if isinstance(error, RecursionError) and (found := foreign_code.endless(error)) is not None:
         said = f"{what} fails{about}: the function '{found[0]}' calls itself without end"
         return RuleError(said, location=found[1], fix=foreign_code.END)
-    said = f"{what} fails{about}: {class_name(error)}: {error}"
+    said = f"{what} fails{about}: {type(error).__name__}: {error}"
     world = isinstance(error, (OSError, MemoryError, RecursionError))  # a full disk or a deep input is no bug of a rule
     if is_own(_module_of(owner or function)) and not world:
         return InternalError(said, location=place, fix="this is a bug of robosmi: please report it with this place")
@@ -288,16 +286,17 @@ def _shown(element: Item, models: Iterable[Model]) -> str:
 
 def code_of(function: Function) -> CodeType | None:
     """The code object of a function, below its decorators; None if it has no Python source."""
-    return attribute_of(inspect.unwrap(function), "__code__", CodeType)
+    code = getattr(inspect.unwrap(function), "__code__", None)
+    return code if isinstance(code, CodeType) else None
 
 
 def _module_of(function: Function) -> str:
-    return attribute_of(inspect.unwrap(function), "__module__", str) or ""
+    return inspect.unwrap(function).__module__ or ""
 
 
 def called(function: Function | str) -> str:
     """The name of a rule, given by it or as its function."""
-    return function if isinstance(function, str) else attribute_of(function, "__name__", str) or str(function)
+    return function if isinstance(function, str) else getattr(function, "__name__", None) or str(function)
 
 
 def place_of(function: Function) -> Location | None:
@@ -331,7 +330,7 @@ def arity(function: Function) -> int:
     except (TypeError, ValueError):
         return 0
     positional = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
-    return sum_of(p.kind in positional and p.default is inspect.Parameter.empty for p in parameters)
+    return sum(p.kind in positional and p.default is inspect.Parameter.empty for p in parameters)
 
 
 def told(given: Any, element: Item) -> Any:

@@ -31,7 +31,6 @@ from robosmi.query import (
 from robosmi.query.collections import Lazy
 from robosmi.query.run import Run, ext
 from robosmi.query.values import Long, as_string, equal
-from robosmi.typed import attribute_of, class_name
 
 _ALLOWED: tuple[type[ast.AST], ...] = (
     ast.Expression, ast.Constant, ast.Name, ast.Load, ast.Attribute, ast.Subscript, ast.Slice, ast.Call, ast.keyword, ast.Starred,
@@ -43,7 +42,7 @@ _ALLOWED: tuple[type[ast.AST], ...] = (
 
 def _functions(module: Any, *without: str) -> dict[str, Any]:
     found = {name: value for name, value in vars(module).items() if name[0] != "_" and callable(value)}
-    return {n: f for n, f in found.items() if attribute_of(f, "__module__", str) == module.__name__ and n not in without}
+    return {n: f for n, f in found.items() if getattr(f, "__module__", None) == module.__name__ and n not in without}
 
 
 NAMES: dict[str, Any] = {
@@ -102,7 +101,7 @@ def evaluate(expression: str, given: Iterable[Model], then: Callable[[Any], Any]
     except RecursionError as error:
         raise UsageError("the expression calls itself too often", fix="use closure") from error
     except Exception as error:  # whatever the expression does wrong
-        raise UsageError(f"the expression fails: {class_name(error)}: {error}", fix="see docs/reference/eol.md") from error
+        raise UsageError(f"the expression fails: {type(error).__name__}: {error}", fix="see docs/reference/eol.md") from error
 
 
 def _few(names: list[str]) -> str:
@@ -137,9 +136,9 @@ def _checked(expression: str) -> ast.Expression:
 
 
 def _check(node: ast.AST) -> None:
-    name = next(filter(None, (attribute_of(node, field, str) for field in ("attr", "id", "arg"))), "")
+    name = next(filter(None, (getattr(node, field, None) for field in ("attr", "id", "arg"))), "")
     if not isinstance(node, _ALLOWED):
-        what = class_name(node)
+        what = type(node).__name__
         raise UsageError(
             f"an expression may not use {what}", fix="use names, attributes, calls, operators, lambdas and comprehensions"
         )
@@ -161,7 +160,7 @@ class _Guard(ast.NodeTransformer):
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
         self.generic_visit(node)
-        operator = class_name(node.op)
+        operator = type(node.op).__name__
         return _asked(node, f"a {operator}", node.left, node.right) if operator in reachable.OPERATORS else node
 
     def visit_FormattedValue(self, node: ast.FormattedValue) -> ast.AST:

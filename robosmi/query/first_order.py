@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 from robosmi.query.problems import OperandError
 from robosmi.query.types import fits_integer, matching
 from robosmi.query.values import collection_kind, key, position
-from robosmi.typed import sum_of
 
 if TYPE_CHECKING:
     from typing import Self
@@ -161,9 +160,9 @@ class FirstOrder(Generic[T]):
     def count(self, condition: Any, kind: AnyKind | None = None) -> int:
         """How many items fulfil a condition, or are the value that is given; a function is taken as a condition."""
         if callable(condition) and not hasattr(condition, "eClass"):
-            return sum_of(1 for x in self._source(kind) if condition(x))
+            return sum(1 for x in self._source(kind) if condition(x))
         wanted = key(condition)
-        return sum_of(1 for x in self._items if key(x) == wanted)
+        return sum(1 for x in self._items if key(x) == wanted)
 
     def sort_by(self, body: Callable[[T], R], kind: AnyKind | None = None) -> Q[T]:
         """A Sequence sorted by the body's value; stable. Numbers, texts and Booleans as they are, anything else by its text.

@@ -12,7 +12,6 @@ from typing import Any, TypeVar
 
 from robosmi.query.problems import unknown_property
 from robosmi.query.values import equal, key
-from robosmi.typed import class_name
 
 K = TypeVar("K")
 V = TypeVar("V")
@@ -72,7 +71,7 @@ class Entries(MutableMapping[K, V]):
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        return f"{class_name(self)}({{{', '.join(f'{k!r}: {v!r}' for k, v in self._entries.values())}}})"
+        return f"{type(self).__name__}({{{', '.join(f'{k!r}: {v!r}' for k, v in self._entries.values())}}})"
 
     def put(self, k: K, v: V) -> V | None:
         """Set the value of a key, and give the one it had or None."""

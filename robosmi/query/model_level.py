@@ -17,7 +17,6 @@ from robosmi.model.in_order import INHERITED, inherited
 from robosmi.query.collections import Q
 from robosmi.query.run import current_run
 from robosmi.query.words import snake
-from robosmi.typed import attribute_of
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -68,7 +67,7 @@ def create_instance(kind: Answer) -> Any:
 def is_instantiable(kind: Answer) -> bool:
     """Whether elements of the type can be made."""
     model, own = _of_model(kind)
-    return not (model.read_only or any(attribute_of(own, name, bool) for name in ("abstract", "interface")))
+    return not (model.read_only or any(getattr(own, name, False) is True for name in ("abstract", "interface")))
 
 
 class _Inherited(Struct, frozen=True):
@@ -116,6 +115,6 @@ MODELS: dict[str, Function] = {
 LITERALS: dict[str, Function] = {
     "get_name": lambda literal: literal.name,
     "get_value": lambda literal: literal.value,
-    "get_literal": lambda literal: attribute_of(literal, "literal", str) or literal.name,
+    "get_literal": lambda literal: getattr(literal, "literal", None) or literal.name,
 }
 """Operations of enumeration literals; `name`, `value` and `literal` are properties too."""

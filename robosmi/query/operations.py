@@ -21,7 +21,6 @@ from robosmi.query.problems import OperandError, describe, unknown_operation
 from robosmi.query.run import current_run
 from robosmi.query.values import collection_kind, equal
 from robosmi.query.words import snake
-from robosmi.typed import dynamic_attribute
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -74,7 +73,7 @@ def _built_in(target: Any, name: str) -> Function | None:
     for table in _tables(target):
         if (found := table.get(name)) is not None:
             return found
-    return dynamic_attribute(Q, name) if name in FIRST_ORDER else None
+    return getattr(Q, name) if name in FIRST_ORDER else None
 
 
 def call(target: V, name: str, *arguments: W, **options: AnyKind) -> Dynamic:
@@ -116,7 +115,7 @@ def call_built_in(target: V, name: str, *arguments: W, **options: AnyKind) -> Dy
     of_collections = plain in TABLES["Collection"]
     receiver = collection(target) if plain in FIRST_ORDER or (of_collections and collection_kind(target) is not None) else target
     if isinstance(receiver, Q) and of_collections:
-        function = (lambda other: equal(receiver, other)) if plain == "equals" else dynamic_attribute(receiver, plain, None)
+        function = (lambda other: equal(receiver, other)) if plain == "equals" else getattr(receiver, plain, None)
         assert function is not None
         return _guarded(function, plain, arguments, options)
     return _guarded(function, plain, (receiver, *arguments), options)

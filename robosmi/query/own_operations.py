@@ -20,7 +20,6 @@ from robosmi.query.problems import describe, unknown_operation
 from robosmi.query.run import current_run
 from robosmi.query.values import key
 from robosmi.query.words import snake
-from robosmi.typed import attribute_of, dynamic_attribute, sum_of
 
 if TYPE_CHECKING:
     from robosmi.functions import Function, NamedFunction
@@ -48,7 +47,7 @@ class OwnOperation:
         self.cached = cached
         parameters = inspect.signature(function).parameters.values()
         self.most = len(parameters) - 1
-        self.least = sum_of(1 for p in parameters if p.default is p.empty) - 1
+        self.least = sum(1 for p in parameters if p.default is p.empty) - 1
 
     def run(self, target: Any, *arguments: Any) -> Any:
         """The result of the function, or its cached result of this run."""
@@ -81,7 +80,7 @@ def operation(context: types.AnyKind, *, name: str | None = None) -> Callable[[F
     def declare(function: F) -> F:
         plain = snake(name or function.__name__)
         scope = function.__globals__
-        made = OwnOperation(context, function, attribute_of(function, "_eol_cached", bool) or False)
+        made = OwnOperation(context, function, getattr(function, "_eol_cached", False))
         listed: list[OwnOperation] = scope.setdefault(DECLARED, {}).setdefault(plain, [])
         same = [n for n, other in enumerate(listed) if other.context is context or other.context == context]
         if same:
@@ -123,7 +122,7 @@ def called_for(function: Function, body: Callable[..., R], *arguments: Any) -> R
 
 def globals_of(function: Function) -> Scope | None:
     """The global names of the module of a function, below its decorators; None if it has no Python source."""
-    return attribute_of(inspect.unwrap(function), "__globals__", dict)
+    return getattr(inspect.unwrap(function), "__globals__", None)
 
 
 def own_operation(target: Any, name: str, arguments: int) -> Function | None:
@@ -166,7 +165,7 @@ def _visible(scope: Scope | None, name: str) -> list[OwnOperation]:
             if isinstance(value, ModuleType):
                 if DECLARED in value.__dict__:
                     pending.append(value.__dict__)
-            elif (declared := dynamic_attribute(value, "_eol_declared", None)) is not None and declared[1] == name:
+            elif (declared := getattr(value, "_eol_declared", None)) is not None and declared[1] == name:
                 pending.append(declared[0])
     return found
 

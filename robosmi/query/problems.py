@@ -14,7 +14,6 @@ from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.driver import UnknownTypeError, unknown_type
 from robosmi.model.ecore import EObject
 from robosmi.query.values import collection_kind
-from robosmi.typed import class_name
 
 __all__ = [
     "OperandError",
@@ -64,5 +63,5 @@ def describe(target: Any) -> str:
     """What a target is, for messages: `a Book`, `a Sequence`."""
     kind = collection_kind(target)
     if kind is None:
-        kind = target.eClass.name if isinstance(target, EObject) else class_name(target)
+        kind = target.eClass.name if isinstance(target, EObject) else type(target).__name__
     return f"{'an' if kind[0] in 'AEIOU' else 'a'} {kind}"

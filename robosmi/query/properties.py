@@ -22,7 +22,6 @@ from robosmi.query.run import ext
 from robosmi.query.types import EolType
 from robosmi.query.values import collection_kind, compares_itself
 from robosmi.query.words import snake
-from robosmi.typed import attribute_of, dynamic_attribute
 
 if TYPE_CHECKING:
     from robosmi.model.dynamic import Dynamic
@@ -49,7 +48,7 @@ def _property(target: V, name: str) -> Answer:
     if target is None:
         raise UndefinedError(f"the property '{name}' of nothing was asked for", fix="use get_safe, or a default")
     if name[:1] == "~":
-        noted: Answer = dynamic_attribute(ext(target), name[1:])
+        noted: Answer = getattr(ext(target), name[1:])
         return noted
     if isinstance(target, Tuple):
         field: Answer = target.field(name)
@@ -57,7 +56,7 @@ def _property(target: V, name: str) -> Answer:
     if isinstance(target, EObject) and not isinstance(target, EEnumLiteral):
         feature = target.eClass.findEStructuralFeature(name)
         if feature is not None:
-            value = dynamic_attribute(target, name)
+            value = getattr(target, name)
             return collection(value) if compares_itself(value.__class__) else value
         if isinstance(target, EClass) and name == "name":
             return target.name
@@ -138,7 +137,7 @@ def _has_feature(cls: type, name: str) -> bool:
     if not name.isidentifier() or name[0] == "_" or compares_itself(cls):
         return False
     if issubclass(cls, EObject):
-        kind = dynamic_attribute(cls, "eClass", None)
+        kind = getattr(cls, "eClass", None)
         return isinstance(kind, EClass) and kind.findEStructuralFeature(name) is not None
     return issubclass(cls, ModelElement)
 
@@ -158,7 +157,7 @@ def _own(target: Any, name: str) -> Any:
     """An attribute of a plain Python object; texts and numbers have methods only, and no method is a property."""
     if name[:1] in ("_", "") or isinstance(target, _CLOSED) or of_models(target, name) is False:
         return _MISSING
-    value = dynamic_attribute(target, name, _MISSING)
+    value = getattr(target, name, _MISSING)
     if value is None and name == "literal" and isinstance(target, EEnumLiteral):
         return target.name  # EMF: a literal without a text of its own is written by its name
     return _MISSING if isinstance(value, _METHODS) or (callable(value) and not isinstance(value, EObject)) else value
@@ -174,4 +173,7 @@ def property_names(target: Any) -> list[str]:
         return target._features()
     if isinstance(target, EObject):
         return [feature.name for feature in target.eClass.eAllStructuralFeatures()]
-    return ["name"] if isinstance(target, EolType) else [n for n in attribute_of(target, "__dict__", dict) or {} if n[0] != "_"]
+    if isinstance(target, EolType):
+        return ["name"]
+    attributes = getattr(target, "__dict__", None)  # no dict if the target is a class
+    return [name for name in attributes if name[0] != "_"] if isinstance(attributes, dict) else []

@@ -24,7 +24,6 @@ from robosmi.query.first_order import FIRST_ORDER
 from robosmi.query.held import CHANGING, HeldByFeature
 from robosmi.query.run import Extended
 from robosmi.query.words import snake
-from robosmi.typed import attribute_of, class_name, dynamic_attribute
 
 MAX_BITS = 100_000
 MAX_ITEMS = 10_000_000
@@ -75,14 +74,14 @@ def attribute(target: Any, name: str) -> Any:
     if isinstance(target, Model) and name == "path":
         return target[name]
     if target is not None and not isinstance(target, _READABLE):
-        raise UsageError(f"an expression may not look into a {class_name(target)}", fix="use the functions of robosmi.query")
+        raise UsageError(f"an expression may not look into a {type(target).__name__}", fix="use the functions of robosmi.query")
     if not _may_read(target, name):
         if isinstance(target, Model):
             return target[name]  # a type, or the error that there is none
         raise UsageError(f"an expression may not use '{name}'", fix="use features, and the functions of robosmi.query")
     if name in IN_ORDER and isinstance(target, EObject) and (ordered := in_order(target, name)) is not None:
         return ordered
-    return dynamic_attribute(target, name)
+    return getattr(target, name)
 
 
 def _may_read(target: Any, name: str) -> bool:
@@ -129,11 +128,11 @@ class Caller:
             )
         if not self._may_call(function):
             raise UsageError(f"an expression may not call {_said(function)}", fix="use the functions of robosmi.query")
-        name = str(self._named.get(id(function)) or attribute_of(function, "__name__", str) or "")
+        name = str(self._named.get(id(function)) or getattr(function, "__name__", ""))
         self._check(name, function, arguments, options)
         value = function(*arguments, **options)
         if is_resource(value) or isinstance(value, type):
-            raise UsageError(f"an expression may not use a {class_name(value)} of Python's", fix="ask for values")
+            raise UsageError(f"an expression may not use a {type(value).__name__} of Python's", fix="ask for values")
         return value
 
     def _may_call(self, function: Any) -> bool:
@@ -168,7 +167,7 @@ class Caller:
             self._check_bodies(name, given, options)
         if name in _GROWING:
             _check_size(name, [*given, *options.values()])
-        if name == "powerset" and len(dynamic_attribute(function, "__self__", arguments[0] if arguments else ())) > _MAX_POWERSET:
+        if name == "powerset" and len(getattr(function, "__self__", arguments[0] if arguments else ())) > _MAX_POWERSET:
             raise UsageError(f"the powerset of more than {_MAX_POWERSET} items is too large", fix="ask for less")
 
     def _check_bodies(self, name: str, given: tuple[Any, ...], options: dict[str, Any]) -> None:
@@ -182,8 +181,9 @@ class Caller:
 
 def _said(function: Any) -> str:
     if isinstance(function, (EObject, TypeHandle, type)):
-        return f"the type {attribute_of(function, 'name', str) or class_name(function)}"
-    return f"a {class_name(function)}"
+        name = getattr(function, "name", None)
+        return f"the type {name if isinstance(name, str) else type(function).__name__}"
+    return f"a {type(function).__name__}"
 
 
 def _check_size(name: str, given: list[Any]) -> None:

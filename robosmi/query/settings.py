@@ -6,7 +6,6 @@ from inspect import getmembers_static
 from typing import Any
 
 from robosmi.errors import UsageError, did_you_mean
-from robosmi.typed import class_name
 
 
 class Settings:
@@ -35,7 +34,7 @@ class Settings:
         ):
             known = sorted({n for n in (*self.__dict__, *_settable(self.__class__)) if n[:1] != "_"})
             raise UsageError(
-                f"{class_name(self)} has no setting '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(known)}"
+                f"{type(self).__name__} has no setting '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(known)}"
             )
         super().__setattr__(name, value)
 

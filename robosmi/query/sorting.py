@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from robosmi.query.problems import OperandError
 from robosmi.query.values import Long, as_string, collection_kind, is_number
-from robosmi.typed import dynamic_attribute
 
 if TYPE_CHECKING:
     from robosmi.query.values import Answer
@@ -67,5 +66,5 @@ def _compare(left: Any, right: Any) -> int:
 def _comparable(value: Answer) -> bool:
     if isinstance(value, (str, bool)) or is_number(value):
         return True
-    own: Any = dynamic_attribute(value.__class__, "__lt__", None)  # dates and the like, and Python's tuples of keys
+    own: Any = getattr(value.__class__, "__lt__", None)  # dates and the like, and Python's tuples of keys
     return isinstance(value, tuple) or (collection_kind(value) is None and own is not _UNORDERED)

@@ -14,7 +14,6 @@ from robosmi.query.collections import Q
 from robosmi.query.models import literal_named
 from robosmi.query.problems import OperandError
 from robosmi.query.types import fits_integer
-from robosmi.typed import paired
 
 if TYPE_CHECKING:
     from robosmi.query.values import Answer
@@ -264,7 +263,7 @@ def equals_ignore_case(text: str, other: Answer) -> bool:
 
 def compare_to(text: str, other: str) -> int:
     """Negative, 0 or positive, as the text comes before, is, or comes after the other."""
-    for a, b in paired(text, _text(other, "compareTo"), strict=False):
+    for a, b in zip(text, _text(other, "compareTo"), strict=False):
         if a != b:
             return ord(a) - ord(b)
     return len(text) - len(other)

@@ -14,7 +14,6 @@ from robosmi.model.driver import TypeHandle, is_element, unknown_type
 from robosmi.model.ecore import EClass
 from robosmi.query.run import current_run
 from robosmi.query.values import INT_MAX, INT_MIN, Long, collection_kind
-from robosmi.typed import attribute_of
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -51,7 +50,7 @@ def _collection(*kinds: str) -> Function:
 
 
 def _map(name: str) -> Function:
-    return lambda x: (attribute_of(x.__class__, "_eol_map", str) or ("Map" if isinstance(x, dict) else "")) == name
+    return lambda x: getattr(x.__class__, "_eol_map", "Map" if isinstance(x, dict) else "") == name
 
 
 _BUILT_IN = {

@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from typing import TypeVar
 
 from robosmi.errors import UsageError
-from robosmi.typed import class_name
 
 T = TypeVar("T")
 
@@ -38,7 +37,7 @@ def verdict_of(answer: T, says: str, fix: str) -> T:
     elif isinstance(answer, Iterator):
         given = "a generator or another iterator (it has a `yield`?)"
     elif answer.__class__ in (list, tuple, dict, set, frozenset):
-        given = f"a plain {class_name(answer)}"
+        given = f"a plain {type(answer).__name__}"
     elif isinstance(answer, type) and not hasattr(answer, "eClass"):  # classes of a metamodel are its elements
         given = f"the class {answer.__name__!r}, which was not called"
     elif inspect.isroutine(answer):

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import re
-
-from robosmi.typed import kept
+from functools import cache
 
 _BEFORE_CAPITAL = re.compile(r"(?<!^)(?=[A-Z])")
 
 
-@kept
+@cache
 def snake(name: str) -> str:
     """An EOL name in Python's way.
 

@@ -17,7 +17,6 @@ from robosmi.recommend.evidence import Evidence
 from robosmi.recommend.lexicon import Lexicon
 from robosmi.recommend.part_words import PartWords
 from robosmi.recommend.ranking import Decision
-from robosmi.typed import paired, sum_of
 
 DECISIONS: tuple[Decision, ...] = ("library", "optional", "none")
 
@@ -99,11 +98,11 @@ def softmax(values: Sequence[float]) -> list[float]:
     """exp(v) / sum of exp, without overflow."""
     highest = max(values)
     powers = [math.exp(value - highest) for value in values]
-    return [power / sum_of(powers) for power in powers]
+    return [power / sum(powers) for power in powers]
 
 
 def _dot(row: Sequence[float], features: Sequence[float]) -> float:
-    return sum_of(a * b for a, b in paired(row, features))
+    return sum(a * b for a, b in zip(row, features, strict=True))
 
 
 def _row(data: Mapping[str, object], name: str) -> tuple[float, ...]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
 from typing import TypeAlias
 
 from msgspec import Struct
@@ -16,7 +17,6 @@ from msgspec import Struct
 from robosmi.recommend.index import FIELDS, Library, LibraryIndex
 from robosmi.recommend.part_words import PartWords
 from robosmi.recommend.words import StopWords, chunks, is_model, parts
-from robosmi.typed import distinct, paired, remembered, sum_of
 
 FIELD_WEIGHTS = (3.0, 2.0, 1.0, 1.6, 0.35)
 """Weight of a word (BM25F) by the library's field that contains it: name, header, keyword, meta, ident."""
@@ -63,11 +63,11 @@ class EvidenceFinder:
 
     def __init__(self, index: LibraryIndex, stop: StopWords) -> None:
         self.index, self.stop = index, stop
-        filled = [sum_of(1 for length in lengths if length) for lengths in index.lengths]
-        self._average = [sum_of(lengths) / max(count, 1) or 1.0 for lengths, count in paired(index.lengths, filled)]
-        self._hits = remembered(1024)(self._model_hits)
+        filled = [sum(1 for length in lengths if length) for lengths in index.lengths]
+        self._average = [sum(lengths) / max(count, 1) or 1.0 for lengths, count in zip(index.lengths, filled, strict=True)]
+        self._hits = lru_cache(maxsize=1024)(self._model_hits)
         self._words_of: dict[int, list[_Name]] = {}
-        self._scored = remembered(512)(self._word_scores)
+        self._scored = lru_cache(maxsize=512)(self._word_scores)
 
     def rarity(self, word: str) -> float:
         """The inverse document frequency of BM25, ln(1 + (N - df + 0.5) / (df + 0.5)); 0 for a word that no library has."""
@@ -184,7 +184,7 @@ class EvidenceFinder:
             return value
         if len(pieces) > 1:
             halves = [weight(piece) for piece in pieces[1:] if piece not in self.stop]
-            return sum_of(halves) / len(halves) if halves else 0.0
+            return sum(halves) / len(halves) if halves else 0.0
         if is_model(pieces[0]):
             like = (w for n, w in part.models.items() if n.startswith(pieces[0]) or pieces[0].startswith(n))
             return 0.85 * max(like, default=0.0)
@@ -198,7 +198,7 @@ class EvidenceFinder:
         if wanted := [number for number in libraries if number not in known]:
             telling = {library.id: self._telling(library) for library in self.index.libraries(wanted)}
             pieces = (piece for names in telling.values() for name in names for word in name for piece in word)
-            spread = self.index.spread(distinct(pieces))
+            spread = self.index.spread(list(dict.fromkeys(pieces)))
             rarity = {piece: self._rarity(found) for piece, found in spread.items()}
             for number, names in telling.items():
                 known[number] = [[(word, max(rarity.get(piece, 0.0) for piece in word)) for word in name] for name in names]

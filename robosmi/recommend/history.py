@@ -15,13 +15,13 @@ from decimal import Decimal
 from pathlib import Path
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi import resources
 from robosmi.errors import RobosmiError, UsageError
 from robosmi.recommend.history_database import Collision, Database, Statements, Values, database, unusable
 from robosmi.recommend.ranking import Choices
 from robosmi.recommend.words import models
-from robosmi.typed import dynamic_attribute, replaced, sum_of
 
 _KEY = "part_id = :part_id AND title = :title AND library = :library AND version = :version AND target = :target"
 _LATER = "last_used = CASE WHEN last_used < :last_used THEN :last_used ELSE last_used END"
@@ -187,13 +187,13 @@ class History:
         Raises:
             UsageError: an entry names no library, or neither identifier nor title of a part.
         """
-        listed = [replaced(entry, count=1) for entry in entries]
+        listed = [replace(entry, count=1) for entry in entries]
         if any(not entry.library or not (entry.part_id or entry.title) for entry in listed):
             raise UsageError("a choice needs a part and a library", fix="name both")
 
         def count(statements: Statements) -> int:
             more = f"UPDATE {{table}} SET count = count + 1, component = :component, {_LATER} WHERE {_KEY}"
-            return sum_of(
+            return sum(
                 statements.run(more, _key(entry, "component", "last_used"))
                 or statements.run(_INSERT, _key(entry, "component", "count", "last_used"))
                 for entry in listed
@@ -293,7 +293,7 @@ class ForgivingHistory:
 
 
 def _key(entry: HistoryEntry, *more: str) -> Values:
-    return {name: dynamic_attribute(entry, name) for name in ("part_id", "title", "library", "version", "target", *more)}
+    return {name: getattr(entry, name) for name in ("part_id", "title", "library", "version", "target", *more)}
 
 
 def _counted(rows: Sequence[_Row], among: Targets | None) -> dict[str, int]:

@@ -18,7 +18,6 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, SourceError
-from robosmi.typed import attribute_of
 
 if TYPE_CHECKING:
     import sqlite3
@@ -275,11 +274,11 @@ class Collision(SourceError):
 
 
 def _is_collision(error: Any) -> bool:
-    return attribute_of(error.orig, "sqlstate", str) in ("40001", "40P01", "23505") or "UNIQUE" in str(error.orig).upper()
+    return getattr(error.orig, "sqlstate", None) in ("40001", "40P01", "23505") or "UNIQUE" in str(error.orig).upper()
 
 
 def _short(error: Exception) -> str:
-    return str(attribute_of(error, "orig", Exception) or error).strip().splitlines()[0]
+    return str(getattr(error, "orig", None) or error).strip().splitlines()[0]
 
 
 def database(place: Path | str) -> Database:

@@ -13,6 +13,7 @@ from __future__ import annotations
 import re
 import struct
 from collections.abc import Sequence
+from functools import lru_cache
 from itertools import accumulate
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -23,7 +24,6 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.recommend.tfidf import Postings
-from robosmi.typed import remembered
 
 if TYPE_CHECKING:
     from robosmi.recommend.library_api import HeaderApi
@@ -139,12 +139,12 @@ class LibraryIndex:
         self.copies, self.used_by, self.interfaces = runs["copies"], runs["used_by"], runs["interfaces"]
         self.lengths = tuple(runs[f"length_{field}"] for field in FIELDS)
         # a drawing has the same few words and candidates again and again
-        self.postings = remembered(256)(self._postings)
-        self.identifiers = remembered(256)(self._identifiers)
-        self.facts = remembered(1024)(self._facts)
+        self.postings = lru_cache(maxsize=256)(self._postings)
+        self.identifiers = lru_cache(maxsize=256)(self._identifiers)
+        self.facts = lru_cache(maxsize=1024)(self._facts)
         self._read: dict[int, Library] = {}
-        self.library_named = remembered(2048)(self._library_named)
-        self.header = remembered(4096)(self._header)
+        self.library_named = lru_cache(maxsize=2048)(self._library_named)
+        self.header = lru_cache(maxsize=4096)(self._header)
 
     @property
     def documents(self) -> int:

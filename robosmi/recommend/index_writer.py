@@ -16,7 +16,6 @@ from robosmi.model.sqlite_files import writing
 from robosmi.recommend.index import APPLICATION, FIELDS, FORMAT, is_named_like
 from robosmi.recommend.library_api import packed
 from robosmi.recommend.library_record import HeaderRecord, LibraryRecord, used_by
-from robosmi.typed import sum_of
 
 if TYPE_CHECKING:
     import sqlite3
@@ -81,7 +80,7 @@ def _fill(db: sqlite3.Connection, rows: Sequence[LibraryRecord], headers: Sequen
         "main": [int(header.main) for _, header in headers],
         "named": [int(is_named_like(header.file, rows[library].name)) for library, header in headers],
     } | {
-        f"length_{name}": [min(sum_of(found[number].values()), 0xFFFF) for found in fields] for number, name in enumerate(FIELDS)
+        f"length_{name}": [min(sum(found[number].values()), 0xFFFF) for found in fields] for number, name in enumerate(FIELDS)
     }  # fmt: skip
     db.executemany("INSERT INTO run VALUES (?, ?)", ((name, _pack(numbers)) for name, numbers in sorted(runs.items())))
     db.executemany("INSERT INTO api VALUES (?, ?)", ((n, packed(row.api)) for n, row in enumerate(rows) if row.api))

@@ -7,13 +7,15 @@ file that a later one contains, too, keeps its number but is no longer found by 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from robosmi.recommend.index import FIELDS, Facts, Header, Library, LibraryIndex
 from robosmi.recommend.tfidf import Postings
-from robosmi.typed import paired, remembered, replaced
 
 if TYPE_CHECKING:
     from robosmi.recommend.library_api import HeaderApi
@@ -47,11 +49,11 @@ class LayeredIndex(LibraryIndex):
         self.used_by = self._highest(self._joined(lambda layer: layer.used_by), last)
         self.interfaces = self._joined(lambda layer: layer.interfaces)
         self.lengths = tuple(list(chain.from_iterable(layer.lengths[n] for layer in self._layers)) for n in range(len(FIELDS)))
-        self.postings = remembered(256)(lambda term: self._counts(lambda layer: layer.postings(term)))
-        self.identifiers = remembered(256)(lambda term: self._counts(lambda layer: layer.identifiers(term)))
-        self.facts = remembered(1024)(self._facts)
-        self.library_named = remembered(2048)(self._library_named)
-        self.header = remembered(4096)(self._header)
+        self.postings = lru_cache(maxsize=256)(lambda term: self._counts(lambda layer: layer.postings(term)))
+        self.identifiers = lru_cache(maxsize=256)(lambda term: self._counts(lambda layer: layer.identifiers(term)))
+        self.facts = lru_cache(maxsize=1024)(self._facts)
+        self.library_named = lru_cache(maxsize=2048)(self._library_named)
+        self.header = lru_cache(maxsize=4096)(self._header)
 
     def close(self) -> None:
         """Close the files."""
@@ -103,7 +105,7 @@ class LayeredIndex(LibraryIndex):
         headers: list[int] = []
         counts: list[int] = []
         for n, layer in enumerate(self._layers):
-            for header, count in paired(*postings(layer)):
+            for header, count in zip(*postings(layer), strict=True):
                 number = header + self._first_header[n]
                 if self.library_of[number] not in self._hidden:
                     headers.append(number)
@@ -118,7 +120,7 @@ class LayeredIndex(LibraryIndex):
             for place, library in enumerate(found):
                 if library + self._first[n] not in self._hidden:
                     libraries.append(library + self._first[n])
-                    for column, values in paired(columns, given):
+                    for column, values in zip(columns, given, strict=True):
                         column.append(values[place] if values else 0)
         return libraries, tuple(bytes(column) if any(column) else b"" for column in columns) if libraries else ()
 
@@ -126,7 +128,7 @@ class LayeredIndex(LibraryIndex):
         """See `LibraryIndex.library`."""
         n = self._layer(self._first, number)
         own = self._layers[n].library(number - self._first[n])
-        return own if not n else replaced(own, id=number)
+        return own if not n else replace(own, id=number)
 
     def libraries(self, numbers: Sequence[int]) -> list[Library]:
         """See `LibraryIndex.libraries`."""

@@ -10,6 +10,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Callable, Iterable, Iterator
+from functools import cache
 from pathlib import Path
 from typing import Literal, cast, get_args
 
@@ -19,7 +20,6 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.recommend.words import plain
-from robosmi.typed import kept
 
 Need = Literal["library", "optional", "none", ""]
 """Whether a program needs a library for a device: needed; helpful, though plain calls suffice; not needed; unknown."""
@@ -75,7 +75,7 @@ class Lexicon:
         for number, row in enumerate(rows):
             for name in row.names:
                 (self._prefixes if name.endswith("*") else self._exact).setdefault(plain(name), number)
-        self.devices = _resolved(rows, kept(self.number_of))  # many entries are of the same kinds
+        self.devices = _resolved(rows, cache(self.number_of))  # many entries are of the same kinds
 
     def number_of(self, name: str) -> int | None:
         """The index of the entry with a name, ignoring letter case and punctuation; None if there is none.

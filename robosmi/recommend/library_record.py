@@ -13,7 +13,6 @@ from msgspec import Struct
 from robosmi.recommend.index import FIELDS, INTERFACES
 from robosmi.recommend.library_api import HeaderApi
 from robosmi.recommend.words import words
-from robosmi.typed import sum_of
 
 _INCLUDED = {
     "wire.h": "i2c",
@@ -92,7 +91,7 @@ class LibraryRecord(Struct, frozen=True):
     def interfaces(self) -> int:
         """How it speaks to a device, a bit for each of `index.INTERFACES`."""
         spoken = {_INCLUDED.get(name.rsplit("/", 1)[-1].lower()) for header in self.headers for name in header.includes}
-        return sum_of(1 << number for number, name in enumerate(INTERFACES) if name in spoken)
+        return sum(1 << number for number, name in enumerate(INTERFACES) if name in spoken)
 
 
 def used_by(libraries: Iterable[LibraryRecord]) -> dict[str, int]:

@@ -15,7 +15,6 @@ from msgspec import Struct
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.lexicon import Lexicon
 from robosmi.recommend.words import chunks, is_model, models, plain, runs
-from robosmi.typed import sum_of
 
 _WEIGHTS = {"title": 1.0, "property": 0.9, "family": 0.8, "tag": 0.75, "description": 0.35}
 _SILENT = frozenset(
@@ -117,7 +116,7 @@ def _rank(lexicon: Lexicon, found: Recognised, support: Mapping[int, float], bes
     above = [best[number].strength for number, distance in lexicon.lineage(found.device) if distance and number in best]
     strength = max([found.strength, *above]) if found.strength >= _SURE else found.strength
     repeated = min(max(support.get(found.device, 0.0) - found.strength, 0.0), 1.0)
-    return strength + 0.15 * sum_of(above) + 0.1 * repeated
+    return strength + 0.15 * sum(above) + 0.1 * repeated
 
 
 def _in_text(lexicon: Lexicon, where: str, text: str) -> Iterator[Recognised]:

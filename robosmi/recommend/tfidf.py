@@ -18,8 +18,6 @@ from typing import Protocol
 
 from msgspec import Struct
 
-from robosmi.typed import distinct, matches, paired
-
 _WORD = re.compile(r"[^\W_]+")
 
 Postings = tuple[Sequence[int], Sequence[int]]
@@ -60,7 +58,7 @@ class Contribution(Struct, frozen=True):
 
 def words(title: str) -> tuple[str, ...]:
     """T: the distinct words of a title in their order; lower case, split at everything but letters and digits."""
-    return tuple(distinct(matches(_WORD, title.lower())))
+    return tuple(dict.fromkeys(_WORD.findall(title.lower())))
 
 
 def tf_weight(tf: int) -> float:
@@ -86,7 +84,7 @@ def score_headers(collection: Documents, terms: Sequence[str]) -> dict[int, floa
     for term in terms:
         headers, counts = collection.postings(term)
         rarity = idf(collection.documents, len(headers))
-        for header, tf in paired(headers, counts):
+        for header, tf in zip(headers, counts, strict=True):
             weight = weights.get(tf)
             if weight is None:
                 weight = weights[tf] = tf_weight(tf)

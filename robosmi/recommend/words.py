@@ -9,10 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 from msgspec import Struct
-
-from robosmi.typed import distinct, matches, remembered
 
 _CHUNK = re.compile(r"[^\W_]+")
 _CAMEL = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+|[^\W\d_A-Za-z]+")
@@ -45,10 +44,10 @@ class StopWords(Struct, frozen=True):
 
 def chunks(text: str) -> list[str]:
     """The runs of letters and digits of a text, as written."""
-    return matches(_CHUNK, text)
+    return _CHUNK.findall(text)
 
 
-@remembered(65536)
+@lru_cache(maxsize=65536)
 def stem(word: str) -> str:
     """A word without the plural's s ("sensors", "switches" stay comparable with "sensor", "switch"). Lower case in and out."""
     if len(word) <= 3 or word[-1] != "s" or word.endswith(("ss", "us", "is")) or _DIGIT.search(word):
@@ -58,7 +57,7 @@ def stem(word: str) -> str:
     return word[:-3] + "y" if word.endswith("ies") and len(word) > 4 else word[:-1]
 
 
-@remembered(65536)
+@lru_cache(maxsize=65536)
 def parts(chunk: str) -> tuple[str, ...]:
     """A chunk in lower case, and the words it is made of if these are several ("QuadStepper": quadstepper, quad, stepper).
 
@@ -66,8 +65,8 @@ def parts(chunk: str) -> tuple[str, ...]:
     """
     whole = stem(chunk.lower())
     shortest = 4 if is_model(whole) else 2
-    inner = (stem(piece.lower()) for piece in matches(_CAMEL, chunk) if not piece.isdigit())
-    return tuple(distinct([whole, *(piece for piece in inner if len(piece) >= shortest)]))
+    inner = (stem(piece.lower()) for piece in _CAMEL.findall(chunk) if not piece.isdigit())
+    return tuple(dict.fromkeys([whole, *(piece for piece in inner if len(piece) >= shortest)]))
 
 
 def words(text: str) -> Iterator[str]:
@@ -76,7 +75,7 @@ def words(text: str) -> Iterator[str]:
         yield from parts(chunk)
 
 
-@remembered(65536)
+@lru_cache(maxsize=65536)
 def is_model(word: str) -> bool:
     """Whether a word in lower case may be a model number: letters and digits, at least three, and no size, housing or term."""
     return (

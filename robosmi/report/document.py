@@ -7,10 +7,10 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from msgspec import Struct, field
+from msgspec.structs import replace
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.project import Accepted
-from robosmi.typed import distinct, replaced
 
 if TYPE_CHECKING:
     from robosmi.data_text import Json
@@ -63,7 +63,7 @@ class Report(Struct):
             if level or reason is not None:
                 evidence = dict(finding.evidence) | ({"accepted": reason} if reason is not None else {})
                 severity_now = Severity.info if reason is not None else Severity[level or "info"]
-                finding = replaced(finding, severity=severity_now, evidence=evidence)
+                finding = replace(finding, severity=severity_now, evidence=evidence)
             judged.append(finding)
         self.findings = judged + [_accepts_nothing(one, found) for one in accept if (found := self._of_others(one))]
 
@@ -104,5 +104,5 @@ def _accepts_nothing(accepted: Accepted, found: Sequence[Finding]) -> Finding:
         "RS911",
         Severity.warning,
         f"[[accept]] of {accepted.rule} names '{accepted.element}', which none of its findings is about",
-        fix=f"name one of: {', '.join([*distinct(names), '*'])}",
+        fix=f"name one of: {', '.join([*dict.fromkeys(names), '*'])}",
     )

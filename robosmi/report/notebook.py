@@ -11,7 +11,6 @@ from typing import Any
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.quoting import html_attribute
-from robosmi.typed import sum_of
 
 SHOWN = 200
 """Rows of a table; more are counted."""
@@ -28,7 +27,7 @@ class Findings(list[Finding]):
 
 def findings_html(findings: Sequence[Finding]) -> str:
     """A table of findings, the worst first: level, rule, place, message and what to do."""
-    counts = [(level, sum_of(f.severity is level for f in findings)) for level in sorted(Severity, reverse=True)]
+    counts = [(level, sum(f.severity is level for f in findings)) for level in sorted(Severity, reverse=True)]
     head = ", ".join(f"{count} {level.name}" for level, count in counts if count) or "no findings"
     rows = []
     for finding in sorted(findings, key=lambda f: -f.severity):

@@ -20,7 +20,6 @@ from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.plugins import registry
-from robosmi.typed import distinct
 
 if TYPE_CHECKING:
     from robosmi.validate import EVL
@@ -128,7 +127,7 @@ def rule_called(word: str, rules: dict[str, FindingRule]) -> FindingRule:
             offered, fix="read its message; its plug-in gives it a page by a file rules/*.toml in its folder of data"
         )
     near = [f"{known[n].id} ({known[n].name})" for n in difflib.get_close_matches(wanted, known, n=3, cutoff=0.6)]
-    near = distinct(near) or [f"{r.id} ({r.name})" for r in rules.values() if wanted and wanted in _plain(r.name)][:3]
+    near = list(dict.fromkeys(near)) or [f"{r.id} ({r.name})" for r in rules.values() if wanted and wanted in _plain(r.name)][:3]
     meant = f"; near are: {', '.join(near)}" if near else ""
     raise UsageError(f"no rule is called '{word}'{meant}", fix="robosmi explain, without a rule, lists all")
 

@@ -12,7 +12,6 @@ from robosmi.model.by_name import feature_value
 from robosmi.model.driver import FeatureValue, Node, features_of
 from robosmi.model.ecore import EObject
 from robosmi.query.values import collection_kind
-from robosmi.typed import dynamic_attribute
 
 
 def is_many(target: Node, name: str) -> bool:
@@ -58,6 +57,6 @@ def assign(target: Node, name: str, value: Any, given: FeatureValue = None) -> N
         raise ModelError(
             f"{name} of {target!r} takes many values, not the equivalent of {given!r}", fix=f"put it into a list: {name}=[x]"
         )
-    values = dynamic_attribute(target, name)
+    values = getattr(target, name)
     values.clear()
     values.extend(list(value))

@@ -15,7 +15,6 @@ from robosmi.model.driver import Item, class_of
 from robosmi.model.ecore import EClassifier, EEnum, EEnumLiteral, EObject, EStructuralFeature
 from robosmi.model.features import all_features
 from robosmi.query.values import collection_kind
-from robosmi.typed import dynamic_attribute
 
 _BOXED = {
     "boolean": "java.lang.Boolean", "byte": "java.lang.Byte", "char": "java.lang.Character", "double": "java.lang.Double",
@@ -63,7 +62,7 @@ class ConservativeCopy:
             if value is NONE:
                 continue
             if wanted.many:
-                values = dynamic_attribute(migrated, wanted.name)
+                values = getattr(migrated, wanted.name)
                 values.clear()
                 values.extend(value)
             else:
@@ -118,10 +117,10 @@ def restore_order(original: EObject, migrated: EObject, equivalent: Callable[[EO
     for feature in all_features(migrated.eClass):
         if not (feature.is_reference and feature.many and feature.eOpposite and not feature.derived):
             continue
-        old: Any = dynamic_attribute(original, feature.name, None)
+        old: Any = getattr(original, feature.name, None)
         if collection_kind(old) is None:
             continue
-        values = dynamic_attribute(migrated, feature.name)
+        values = getattr(migrated, feature.name)
         wanted = [e for e in (equivalent(x) for x in old) if e is not None]
         if list(values) != wanted and len(values) == len(wanted) and {id(x) for x in values} == {id(x) for x in wanted}:
             values.items[:] = wanted

@@ -20,7 +20,6 @@ from robosmi.transform.assignment import assign
 from robosmi.transform.rule import Rule, bind, declare
 from robosmi.transform.schedule import Demand, Match, Schedule
 from robosmi.transform.trace import Trace
-from robosmi.typed import distinct
 
 if TYPE_CHECKING:
     from robosmi.functions import Function, NamedFunction
@@ -145,7 +144,7 @@ class ETL(Settings):
             UnknownTypeError: a type is in none of the models.
         """
         modules = self.modules()
-        used = [as_model(m) for m in models] or distinct(m for module in reversed(modules) for m in module.models)
+        used = [as_model(m) for m in models] or list(dict.fromkeys(m for module in reversed(modules) for m in module.models))
         trace, warnings = Trace(self.step), list[str]()
         bound = bind([rule for module in modules for rule in module.rules], used)
         lazy = next((rule for rule in bound if rule.lazy), None)

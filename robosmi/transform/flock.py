@@ -26,7 +26,6 @@ from robosmi.query.verdicts import guarded
 from robosmi.transform.assignment import assign
 from robosmi.transform.conservative_copy import ConservativeCopy, restore_order
 from robosmi.transform.flock_rules import Mapping, MigrateRule
-from robosmi.typed import paired
 
 if TYPE_CHECKING:
     from robosmi.functions import Function as AnyFunction
@@ -207,7 +206,7 @@ class Flock(Settings):
             for old, new in list(self._equivalents.values()):
                 if new is not None:
                     restore_order(old, new, self._equivalent)
-        for original, fitting in paired(elements, rules):
+        for original, fitting in zip(elements, rules, strict=True):
             self._apply(original, fitting)
 
     def _check(self) -> None:

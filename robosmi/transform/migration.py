@@ -19,7 +19,6 @@ from robosmi.model.metamodel import Metamodel
 from robosmi.model.metamodels import Metamodels, built_in
 from robosmi.transform.flock import Flock
 from robosmi.transform.flock_rules import left_out_fix, left_out_text
-from robosmi.typed import dynamic_attribute
 
 
 class ModelMigration(Struct, dict=True):
@@ -41,7 +40,7 @@ class ModelMigration(Struct, dict=True):
     @cached_property
     def _metamodel(self) -> Metamodel:
         older = [p for p in Metamodel.load(self.old).epackages if self._new.get(p.nsURI) is None]
-        for feature in (f for p in older for c in p.eClassifiers for f in dynamic_attribute(c, "eStructuralFeatures", ())):
+        for feature in (f for p in older for c in p.eClassifiers for f in getattr(c, "eStructuralFeatures", ())):
             kind = eclass_of(feature.eType)
             current = self._new.get(kind.ePackage.nsURI) if kind.ePackage not in older else None
             if current is not None:

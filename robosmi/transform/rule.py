@@ -10,6 +10,7 @@ import inspect
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
+from functools import cache
 from types import CodeType, FunctionType
 from typing import TYPE_CHECKING, Any
 
@@ -22,7 +23,6 @@ from robosmi.model.ordering import post_order
 from robosmi.query.erl import RuleType, arity, called, failed, other_load, place_of, rule_type, type_name
 from robosmi.query.options import check_options
 from robosmi.query.verdicts import guarded
-from robosmi.typed import attribute_of, kept, paired
 
 if TYPE_CHECKING:
     from robosmi.functions import Function, NamedFunction
@@ -95,7 +95,7 @@ def declare(body: NamedFunction, transform: Any, to: Any, name: str | None, **op
         raise wrong(
             f"has {len(targets)} target types and {len(names)} parameters for targets", "give each target a parameter and a type"
         )
-    for parameter, kind in paired(parameters, [source, *targets]):
+    for parameter, kind in zip(parameters, [source, *targets], strict=True):
         if kind is None:
             raise wrong(
                 f"does not say of which type '{parameter}' is",
@@ -119,7 +119,7 @@ _OPTIONS = ("guard", "extends", "lazy", "greedy", "abstract", "primary", "init")
 _MORE = inspect.CO_VARARGS | inspect.CO_VARKEYWORDS
 
 
-@kept
+@cache
 def _compiled(annotation: str) -> CodeType:
     code: CodeType = compile(annotation, "<annotation>", "eval")
     return code
@@ -127,7 +127,7 @@ def _compiled(annotation: str) -> CodeType:
 
 def _annotation(body: NamedFunction, parameter: str) -> Any:
     function = inspect.unwrap(body) if hasattr(body, "__wrapped__") else body
-    kind = (attribute_of(function, "__annotations__", dict) or {}).get(parameter)
+    kind = getattr(function, "__annotations__", {}).get(parameter)
     if kind is None or kind is Any or kind == "Any":
         return None
     if not isinstance(kind, str):
@@ -141,7 +141,7 @@ def _annotation(body: NamedFunction, parameter: str) -> Any:
 def _nonlocals(body: NamedFunction) -> dict[str, Any]:
     """The variables of enclosing functions that a function uses (`inspect.getclosurevars` looks at more, and takes long)."""
     found = {}
-    for name, cell in paired(body.__code__.co_freevars, body.__closure__ or ()):
+    for name, cell in zip(body.__code__.co_freevars, body.__closure__ or (), strict=True):
         with suppress(ValueError):  # not set yet
             found[name] = cell.cell_contents
     return found
@@ -173,7 +173,7 @@ class BoundRule:
         self._refuse_another_load(self.kind, models)
         self.lazy = rule.lazy or (self.kind.primitive is not None and not rule.abstract)
         self.width = len(rule.targets)
-        for name, given in paired(rule.names, rule.targets):
+        for name, given in zip(rule.names, rule.targets, strict=True):
             if given not in makers:
                 makers[given] = self._maker(name, given)
         self.makers = [makers[given] for given in rule.targets]
@@ -256,7 +256,7 @@ class BoundRule:
             except (Exception, SystemExit) as error:
                 raise failed(error, f"making the targets of the rule {self.name}", self.body, source, self.models) from error
         made = []
-        for make, init in paired(self.makers, self.init):
+        for make, init in zip(self.makers, self.init, strict=True):
             try:
                 made.append(make() if init is None else init(source) if arity(init) else init())
             except (Exception, SystemExit) as error:

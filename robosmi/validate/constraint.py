@@ -16,7 +16,6 @@ from robosmi.diagnostics import Location, Severity
 from robosmi.errors import RuleError, UsageError
 from robosmi.query.erl import code_of, place_of, type_name
 from robosmi.query.options import check_options
-from robosmi.typed import class_name
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -69,7 +68,7 @@ class Fail:
     def __init__(self, message: str | None = None, /, *fixes: Fix, **extras: Held) -> None:
         for fix in fixes:
             if not isinstance(fix, Fix):
-                raise UsageError(f"a Fail takes a message and fixes, not a {class_name(fix)}", fix=_FIX)
+                raise UsageError(f"a Fail takes a message and fixes, not a {type(fix).__name__}", fix=_FIX)
         for name, value in extras.items():
             if any(isinstance(x, Fix) for x in (value if isinstance(value, (list, tuple)) else [value])):
                 raise UsageError(f"'{name}=' of a Fail is a value that is kept with the finding, and offers no fix", fix=_FIX)

@@ -17,7 +17,6 @@ from robosmi.model.feature_errors import ONE_LOAD
 from robosmi.query.deep import LEVELS, in_thread
 from robosmi.query.erl import RuleType, called, failed, other_load, place_of, rule_type, told
 from robosmi.query.verdicts import guarded, verdict_of
-from robosmi.typed import distinct
 from robosmi.validate.constraint import Constrained, Constraint, Fail
 from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
 
@@ -223,7 +222,7 @@ class Evaluation:
         if (known := state.answer(element)) is not None:
             return known
         if (state, element) in self._asked:
-            circle = ", ".join(distinct(s.constraint.name for s, _ in self._asked))
+            circle = ", ".join(dict.fromkeys(s.constraint.name for s, _ in self._asked))
             raise UsageError(
                 f"constraints ask for each other in a circle: {circle}", fix="remove one of these calls of satisfies"
             )

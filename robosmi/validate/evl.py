@@ -15,7 +15,6 @@ from robosmi.model.ordering import post_order
 from robosmi.query.erl import Given, RuleBlocks, as_model, run_over
 from robosmi.query.options import with_options
 from robosmi.query.settings import Settings
-from robosmi.typed import distinct
 from robosmi.validate.constraint import Constrained, Constraint, Context, E, Fix, R
 from robosmi.validate.evaluation import Evaluation
 from robosmi.validate.findings import Applied, OfferedFix, Unsatisfied, Validation
@@ -168,7 +167,7 @@ class EVL(Settings):
         contexts = []
         for module in modules:
             contexts += [*module.contexts, *(c for c in (module._constraints, module._critiques) if c.constraints)]
-        evaluation = Evaluation(contexts, distinct(used))
+        evaluation = Evaluation(contexts, list(dict.fromkeys(used)))
         for module in modules:
             module._evaluation = evaluation
         return evaluation

@@ -16,7 +16,6 @@ from robosmi.errors import RuleError, UsageError
 from robosmi.model.driver import Model
 from robosmi.query.erl import failed, place_in_model, technology, told
 from robosmi.query.values import as_string
-from robosmi.typed import dynamic_attribute, sum_of
 from robosmi.validate.constraint import Constraint, Fix
 
 if TYPE_CHECKING:
@@ -70,7 +69,7 @@ def _recorders(models: list[Model]) -> Iterator[Callable[[], Any]]:
     changed = [technology(m) for m in models]
     yield lambda: Recording([m for m in changed if isinstance(m, EmfModel)])
     for model in changed:
-        if not isinstance(model, EmfModel) and (own := dynamic_attribute(model.__class__, "recording", None)) is not None:
+        if not isinstance(model, EmfModel) and (own := getattr(model.__class__, "recording", None)) is not None:
             yield lambda model=model, own=own: own(model)  # type: ignore[misc]
 
 
@@ -222,7 +221,7 @@ class Validation:
         for a in self.fixed:
             done, why = ("fixed", "") if a.error is None else ("not fixed", f": {a.error.message}")
             lines.append(f"{done} {a.of.name}: {a.title}{why}")
-        counts = [(sum_of(u.severity is level for u in self.unsatisfied), level.name) for level in reversed(Severity)]
+        counts = [(sum(u.severity is level for u in self.unsatisfied), level.name) for level in reversed(Severity)]
         said = ", ".join(f"{count} {name}{'s' if count != 1 and name != 'info' else ''}" for count, name in counts if count)
         return "\n".join([*lines, said or "all constraints are satisfied"])
 

@@ -13,8 +13,8 @@ from itertools import pairwise
 from statistics import median
 
 from msgspec import Struct
+from msgspec.structs import replace
 
-from robosmi.typed import paired, replaced, sum_of
 from robosmi.verify.pulses import FEWEST, Pulse, pulses_of, same_wave, wave_parts
 from robosmi.verify.servo_widths import servo_widths
 from robosmi.verify.simulation import ConsoleByte, PinTrace
@@ -132,10 +132,10 @@ def activity(trace: PinTrace, pin: str, sight: Sight = SIGHTS[0], pulses: Sequen
     drives_servo = any(_is_frames(run) for run in runs)
     until_us = _until(trace, pin)
     found: list[ActivityEvent] = []
-    for run, doubtful in paired(runs, unclear):
+    for run, doubtful in zip(runs, unclear, strict=True):
         if not (drives_servo and len(run) == 1 and _is_servo_pulse(run[0])):  # a single frame moves nothing
             events = _run(run, until_us, sight)
-            found += [replaced(event, unclear=True) for event in events] if doubtful else events
+            found += [replace(event, unclear=True) for event in events] if doubtful else events
     return merged([IDLE, *found])
 
 
@@ -184,7 +184,7 @@ def _edges(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[Activit
         return [event for p in pulses for event in _levels(p, horizon_us)]
     parts = wave_parts(pulses)
     ends = [*(after[0].begin for _, after in parts[1:]), horizon_us]
-    return [event for (steady, part), until_us in paired(parts, ends) for event in _part(steady, part, until_us, sight)]
+    return [event for (steady, part), until_us in zip(parts, ends, strict=True) for event in _part(steady, part, until_us, sight)]
 
 
 def _is_servo_pulse(pulse: Pulse) -> bool:
@@ -219,7 +219,7 @@ def _wave(pulses: list[Pulse], horizon_us: float, sight: Sight) -> list[Activity
     """A wave event with the median period, and its end."""
     periods = sorted(after.begin - before.begin for before, after in pairwise(pulses))
     middle = periods[len(periods) // 10 : len(periods) - len(periods) // 10] or periods
-    period = sum_of(middle) / len(middle)
+    period = sum(middle) / len(middle)
     duty = min(1.0, median(p.end - p.begin for p in pulses) / period)
     ended = pulses[-1].begin + period
     return [ActivityEvent(pulses[0].begin, WAVE, (1e6 / period, round(duty, 3)), len(pulses)), *_end(ended, horizon_us, sight)]

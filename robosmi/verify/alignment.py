@@ -11,8 +11,8 @@ import re
 from collections.abc import Callable, Sequence
 
 from msgspec import Struct
+from msgspec.structs import replace
 
-from robosmi.typed import matches, paired, replaced
 from robosmi.verify.activity import HELD, PULSE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.driven_lines import lengths_alike, pulses_alike
 from robosmi.verify.servo_widths import tolerated_us
@@ -72,7 +72,7 @@ def _reads_alike(one: str, other: str, told: ActivityEvent) -> bool:
         return True
     if _NUMBER.sub("0", one) != _NUMBER.sub("0", other):
         return False
-    for place, (mine, theirs) in enumerate(paired(matches(_NUMBER, one), matches(_NUMBER, other))):
+    for place, (mine, theirs) in enumerate(zip(_NUMBER.findall(one), _NUMBER.findall(other), strict=True)):
         if mine == theirs:
             continue
         if (place < len(told.exact) and told.exact[place]) or not _written_alike(mine, theirs):
@@ -103,7 +103,7 @@ def _written_alike(mine: str, theirs: str) -> bool:
 
 def numbers_of(event: ActivityEvent) -> list[str]:
     """The numbers in an event's text."""
-    return matches(_NUMBER, str(event.value[0]))
+    return _NUMBER.findall(str(event.value[0]))
 
 
 def shape_of(event: ActivityEvent) -> str:
@@ -138,9 +138,9 @@ def with_vague_widths(source: Sequence[ActivityEvent], scaled: Sequence[Sequence
     for at, event in enumerate(source):
         if event.kind == PULSES:
             width = float(event.value[0])
-            more = [sign * (float(run[at].value[0]) - width) for sign, run in paired((1, -1)[: len(scaled)], scaled)]
+            more = [sign * (float(run[at].value[0]) - width) for sign, run in zip((1, -1)[: len(scaled)], scaled, strict=True)]
             if min(more) > 0 and tolerated_us(width) < max(more) <= _OWN_STEPS_US:
-                event = replaced(event, off=(2 * max(more) / width,))
+                event = replace(event, off=(2 * max(more) / width,))
         vague.append(event)
     return vague
 

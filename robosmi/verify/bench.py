@@ -16,7 +16,6 @@ from typing import Any, ClassVar, TypeVar
 
 from robosmi.errors import UsageError, VerificationError
 from robosmi.plugins import registry
-from robosmi.typed import class_name, distinct
 from robosmi.verify.simulation import ConsoleByte, DeviceEvent, DeviceUse, PinChange, PinTrace, Wave
 
 Seen = TypeVar("Seen", PinChange, Wave, ConsoleByte, DeviceEvent)
@@ -248,7 +247,7 @@ class Bench(ABC):
             kind = device_class(use.kind)
             device = kind(self, number, use.pins, use.settings)
             self._devices.append(device)
-            for pin in distinct(use.pins.values()):
+            for pin in dict.fromkeys(use.pins.values()):
                 self._at_pin.setdefault(pin, []).append(device)
             if device.address is not None:
                 if device.address in self._on_bus:
@@ -303,7 +302,7 @@ class Device:
         self.bench = bench
         self.number = number
         self.pins = pins
-        kind = class_name(self)
+        kind = type(self).__name__
         known_pins = (*self.pin_names, *self.optional_pin_names)
         for what, given, known in (("pin", pins, known_pins), ("setting", settings, tuple(self.setting_names))):
             if unknown := sorted({*given} - {*known}):

@@ -18,7 +18,6 @@ from robosmi.data_text import as_table, json_of, json_written
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import did_you_mean
 from robosmi.model.files import write_atomic
-from robosmi.typed import distinct, paired
 from robosmi.verify import archives
 from robosmi.verify.boards import Board, Claim
 from robosmi.verify.compile_report import OTHER_FACTS
@@ -66,12 +65,12 @@ def _pin_findings(
         cause = f"the core's files cannot be compiled as the file of the board '{board.name}' says: {found}"
         yield Finding(OTHER_FACTS, Severity.error, cause, _place(board.file, "variant ="), fix=fix)
         return
-    numbers = dict(paired(wanted, _numbers(found.get(_TOLD, b""), _SIZES["long"])))
-    for claim, each in paired(claims, asked):
+    numbers = dict(zip(wanted, _numbers(found.get(_TOLD, b""), _SIZES["long"]), strict=True))
+    for claim, each in zip(claims, asked, strict=True):
         values = [_value(table, numbers[expression], found) for table, expression in each]
         if values[0] == values[1]:
             continue
-        others = paired(claim.choices, values[2:])
+        others = zip(claim.choices, values[2:], strict=True)
         told = next((choice for choice, value in others if value == values[0]), "no such pin" if values[0] is None else values[0])
         yield Finding(
             OTHER_FACTS, Severity.error,
@@ -199,7 +198,7 @@ def _listed(entries: Mapping[str, str], short: str, option: str, key: str) -> li
         found = [entries[f"{short}.{key}"]]
     else:
         found = [value for name, value in entries.items() if re.fullmatch(rf"{short}\.menu\.\w+\.\w+\.{re.escape(key)}", name)]
-    return [value.removesuffix("L") for value in distinct(found) if value]
+    return [value.removesuffix("L") for value in dict.fromkeys(found) if value]
 
 
 def _place(file: Path | None, beside: str) -> Location | None:

@@ -15,13 +15,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.doing import doing
 from robosmi.errors import MissingToolError
 from robosmi.plugins import content
-from robosmi.typed import paired, replaced, sum_of
 from robosmi.verify import archives, compile_commands, messages
 from robosmi.verify.boards import Board
 from robosmi.verify.compile_report import (
@@ -92,7 +92,7 @@ class Build(Struct):
             used = [(library, self._archive_library(library, libraries)) for library in libraries]
         except _Broken as broken:
             errors, more = messages.compiler_findings(broken.text, self.toolchain.messages, self.sketch.folder)
-            return _with(replaced(report, warnings_elsewhere=elsewhere + more), errors or [broken.finding()])
+            return _with(replace(report, warnings_elsewhere=elsewhere + more), errors or [broken.finding()])
         return self._link(objects, [archive for _, archive in used if archive], report, keep)
 
     # ---- compiling
@@ -164,7 +164,7 @@ class Build(Struct):
             return done.stderr, done.returncode != 0
 
         own = {path.resolve() for path in self.sketch.sources}
-        results = list(in_parallel(one, paired(sources, objects)))
+        results = list(in_parallel(one, zip(sources, objects, strict=True)))
         return objects, "".join(text for text, _ in results), any(failed for _, failed in results)
 
     def _compile_sketch(self, sources: Sequence[Path], libraries: list[CompiledLibrary]) -> tuple[list[Path], str, bool]:
@@ -256,9 +256,9 @@ class Build(Struct):
             self.installed.run(tool, [*data.texts("measure"), *arguments])
         flash, ram = self._measure(values) if elf.is_file() else (None, None)
         fits = not overflow and flash is not None and flash <= self.board.flash_bytes and (ram or 0) <= self.board.ram_bytes
-        report = replaced(report, ok=True, fits=fits, fits_on=self.board.name if fits else None, flash_bytes=flash, ram_bytes=ram)
+        report = replace(report, ok=True, fits=fits, fits_on=self.board.name if fits else None, flash_bytes=flash, ram_bytes=ram)
         if elf.is_file():
-            report = replaced(report, stack=self._stack(values))
+            report = replace(report, stack=self._stack(values))
         if fits:
             report = _with(report, self._little_ram(ram or 0, report.stack))
         return self._keep(report, values, keep) if keep is not None and not overflow else report
@@ -268,7 +268,7 @@ class Build(Struct):
         data = self.toolchain.size
         done = self.installed.run(self.toolchain.tool(data).key, fill(data.texts("arguments"), values))
         sections = {match["section"]: int(match["bytes"]) for match in data.pattern("pattern").finditer(done.stdout)}
-        flash, ram = (sum_of(sections.get(name, 0) for name in data.texts(kind)) for kind in ("flash", "ram"))
+        flash, ram = (sum(sections.get(name, 0) for name in data.texts(kind)) for kind in ("flash", "ram"))
         return flash, ram
 
     def _stack(self, values: dict[str, str]) -> StackBound | None:
@@ -295,10 +295,10 @@ class Build(Struct):
         data = self.toolchain.hex
         done = self.installed.run(self.toolchain.tool(data).key, fill(data.texts("arguments"), values))
         if done.returncode != 0:
-            return _with(replaced(report, ok=False), [messages.unread("converting", done.stderr)])
+            return _with(replace(report, ok=False), [messages.unread("converting", done.stderr)])
         elf = keep / Path(values["elf"]).name
         elf.write_bytes(without_relocations(inputs.read_bytes(values["elf"], inputs.MODEL)))
-        return replaced(report, elf=elf, hex=Path(shutil.copy2(values["hex"], keep)))
+        return replace(report, elf=elf, hex=Path(shutil.copy2(values["hex"], keep)))
 
 
 class _Broken(Exception):
@@ -317,4 +317,4 @@ class _Broken(Exception):
 
 
 def _with(report: CompileReport, findings: Sequence[Finding]) -> CompileReport:
-    return replaced(report, diagnostics=(*report.diagnostics, *findings))
+    return replace(report, diagnostics=(*report.diagnostics, *findings))

@@ -12,7 +12,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from robosmi.typed import paired
 from robosmi.verify.activity import BURST, LEVEL, WAVE, ActivityEvent
 from robosmi.verify.alignment import aligned
 from robosmi.verify.comparison import FirstDifference
@@ -74,7 +73,7 @@ def _begins(channel: str, runs: Sequence[Sequence[ActivityEvent]], target: Seque
     for number in sharp:
         if number not in theirs:
             continue
-        times = [run[pairs[number]].at_us / 1000 for run, pairs in paired(varied, seen) if number in pairs]
+        times = [run[pairs[number]].at_us / 1000 for run, pairs in zip(varied, seen, strict=True) if number in pairs]
         if len(times) == len(varied):
             event, other = nominal[number], target[theirs[number]]
             found.append(_Begin(event.at_us / 1000, channel, event, tuple(times), other.at_us / 1000, other))
@@ -91,7 +90,7 @@ def _sharp(before: ActivityEvent, event: ActivityEvent) -> bool:
 def _swapped(before: _Begin, after: _Begin) -> bool:
     """Whether the target clearly reverses two events whose order and distance are the same in all runs of the source."""
     apart_ms = after.at_ms - before.at_ms
-    spread_ms = max((abs(b - a - apart_ms) for a, b in paired(before.varied_ms, after.varied_ms)), default=0.0)
+    spread_ms = max((abs(b - a - apart_ms) for a, b in zip(before.varied_ms, after.varied_ms, strict=True)), default=0.0)
     coarse_ms = max(_SURE_MS, *(_period_ms(each.event) for each in (before, after)))
     return apart_ms > 2 * spread_ms + coarse_ms and before.target_ms - after.target_ms > coarse_ms
 

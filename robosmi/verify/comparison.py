@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
-from robosmi.typed import replaced
 from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSE, PULSES, READING, WAVE, ActivityEvent
 from robosmi.verify.alignment import aligned, alike, larger, parts_off
 from robosmi.verify.brief_widths import first_stray_width
@@ -163,7 +163,7 @@ def tolerances(source: Sequence[ActivityEvent], varied: Sequence[Sequence[Activi
 
 def _loose_waves(source: Sequence[ActivityEvent]) -> list[ActivityEvent]:
     """The events, with the waves that the program makes edge by edge as vague in their frequency as its steps are."""
-    return [replaced(each, off=(_OWN_HZ,)) if each.kind == WAVE and each.pulses else each for each in source]
+    return [replace(each, off=(_OWN_HZ,)) if each.kind == WAVE and each.pulses else each for each in source]
 
 
 def compare(
@@ -192,7 +192,7 @@ def compare(
     if allowed is None or _ends_differ(vague, varied, horizon_ms, allowed):
         return _racy(channel, source, target, varied, horizon_ms)
     off = allowed or [EventTolerance()]
-    source = [replaced(event, off=allowed[at].parts or event.off) for at, event in enumerate(source)]
+    source = [replace(event, off=allowed[at].parts or event.off) for at, event in enumerate(source)]
 
     def in_time(own: int, other: int) -> bool:
         vague_ms = _vague_ms(source[own], target[other])
@@ -253,12 +253,12 @@ def _racy(
     theirs = target[before.other] if before.other < len(target) else None
     if mine is not None and (theirs is not None or mine.at_us / 1000 < horizon_ms - 3 * _tau(mine, 20.0)):
         message = f"{mine} {'are' if mine.kind == PULSES else 'is'} missing" if theirs is None else f"{theirs} instead of {mine}"
-        return replaced(found, status=DIFFERENT, difference=FirstDifference(mine.at_us / 1000, channel, message, mine, theirs))
+        return replace(found, status=DIFFERENT, difference=FirstDifference(mine.at_us / 1000, channel, message, mine, theirs))
     wrong = first_wrong_line(source, target, varied)
     if wrong is not None:
         message = f"{wrong.target} instead of {wrong.source}, which the source prints in each run, though other lines change"
         first = FirstDifference(wrong.source.at_us / 1000, channel, message, wrong.source, wrong.target)
-        return replaced(found, status=DIFFERENT, difference=first)
+        return replace(found, status=DIFFERENT, difference=first)
     return found
 
 

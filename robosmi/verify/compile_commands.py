@@ -12,7 +12,6 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from robosmi.typed import matches
 from robosmi.verify.sketch import Sketch
 from robosmi.verify.toolchain_data import Toolchain, ToolchainLanguage
 from robosmi.verify.tools import Installed
@@ -50,7 +49,7 @@ def entries(
             "arguments": [*first, *flags(suffix), *searched[suffix], *more, shown],
         }
 
-    before = [part for name in matches("#include <(.+)>", toolchain.sketch.text("prologue")) for part in ("-include", name)]
+    before = [part for name in re.findall("#include <(.+)>", toolchain.sketch.text("prologue")) for part in ("-include", name)]
     suffix = toolchain.languages[0].suffixes[0]
     for path in (sketch.main, *sketch.parts):
         named = [] if path.suffix in toolchain.suffixes else ["-x", toolchain.sketch.text("language")]

@@ -22,7 +22,6 @@ from robosmi.errors import MissingToolError
 from robosmi.plugins import content, registry
 from robosmi.resources import built_in
 from robosmi.trust import acting
-from robosmi.typed import matches
 from robosmi.verify.board_check import board_findings
 from robosmi.verify.boards import Board, load_boards
 from robosmi.verify.host_model import HostModel, host_models, load_host_model
@@ -209,7 +208,7 @@ def _fits(version: str, requirement: str) -> bool:
     """Whether a version is within the bounds of a requirement; they are numbers between dots."""
 
     def numbers(text: str) -> list[int]:
-        return [int(number) for number in matches(r"\d+", text)[:3]]
+        return [int(number) for number in re.findall(r"\d+", text)[:3]]
 
     bounds = re.finditer(r"(>=|<)([\d.]+)", requirement)
     return all((numbers(version) >= numbers(bound[2])) is (bound[1] == ">=") for bound in bounds)

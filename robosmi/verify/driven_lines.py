@@ -11,7 +11,8 @@ from itertools import pairwise
 from math import inf
 from statistics import median
 
-from robosmi.typed import replaced, sum_of
+from msgspec.structs import replace
+
 from robosmi.verify.activity import HELD, LEVEL, PULSE, ActivityEvent
 from robosmi.verify.pulses import TONE_DUTY, few_periods
 from robosmi.verify.servo_widths import EQUAL_US
@@ -106,7 +107,7 @@ def _without_tones(held: list[tuple[float, float]], longest: float = inf) -> lis
         near = [periods[other] for other in (at - 1, at + 1) if 0 <= other < len(periods)]
         steady = any(period / _TONE_STEADY <= each <= period * _TONE_STEADY for each in near)
         tone[at] = steady and TONE_DUTY[0] <= held[at][1] / period <= TONE_DUTY[1]
-    whole = [sum_of(tone[at : at + _TONE_PULSES]) == _TONE_PULSES for at in range(len(tone))]
+    whole = [sum(tone[at : at + _TONE_PULSES]) == _TONE_PULSES for at in range(len(tone))]
     sure = [any(whole[max(0, at - _TONE_PULSES + 1) : at + 1]) for at in range(len(tone))]
 
     def of_tone(at: int) -> bool:
@@ -158,7 +159,7 @@ def let_go_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
             found.append(ActivityEvent(at_us, LEVEL, (value,)))
     first_us = next((event.at_us for event in found[1:] if event.value == (LET_GO,)), inf)
     near = trace.simulated_us - _LEAST_PAUSE_US < first_us < inf
-    return [found[0], *(replaced(event, barely=True) for event in found[1:])] if near else found
+    return [found[0], *(replace(event, barely=True) for event in found[1:])] if near else found
 
 
 def lengths_alike(one_us: float, other_us: float) -> bool:

@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from math import floor
 from typing import NamedTuple
 
-from robosmi.typed import paired, sum_of
 from robosmi.verify.bench import BY_A_WAY, FOR_A_TIME, TO_A_PLACE
 
 FRAME_S = 0.021
@@ -120,15 +119,15 @@ class Goals:
         if len(driven) < len(motion) or not (kind.within or driven[-1].last == FOR_A_TIME):  # of a goal nothing is known then
             if not kind.timed:
                 return [Expected([*places], kind.within, moved=False, loose=False)]
-            width = 2 * kind.within + _width(sum_of(each.changes for each in motion), sum_of(each.way for each in motion))
+            width = 2 * kind.within + _width(sum(each.changes for each in motion), sum(each.way for each in motion))
             return [self._from_rest(places, width)]
-        width = _width(sum_of(each.changes for each in driven), sum_of(each.way for each in driven))
+        width = _width(sum(each.changes for each in driven), sum(each.way for each in driven))
         if driven[-1].last == TO_A_PLACE:
             self._origin, self._vague = [0.0] * len(places), 0.0
             return [self._at_goal(places, self._origin, kind.within, 0.0)]
         if driven[-1].last != BY_A_WAY:
             self._vague += width
-            only_timed = all(each.way <= by.way for each, by in paired(motion, driven))
+            only_timed = all(each.way <= by.way for each, by in zip(motion, driven, strict=True))
             return [self._from_rest(places, width + (0 if kind.recounts and only_timed else 2 * kind.within))]
         self._vague += width
         if not kind.recounts or not self._vague:
@@ -137,19 +136,19 @@ class Goals:
         if width:
             return [self._at_goal(places, left, 2 * kind.within, width)]
         found = [self._at_goal(places, [float(floor(each)) for each in left], kind.within, 0.0)]
-        if any(abs(stands - last) < kind.recounts + _BEYOND for stands, last in paired(left, ended)):
+        if any(abs(stands - last) < kind.recounts + _BEYOND for stands, last in zip(left, ended, strict=True)):
             found.append(self._at_goal(places, origin, 2 * kind.within, 0.0))
         return found
 
     def _from_rest(self, places: Sequence[float], width: float) -> Expected:
         """A motion that is compared from the rest before it."""
-        moved = [place - left for place, left in paired(places, self._left)]
+        moved = [place - left for place, left in zip(places, self._left, strict=True)]
         self._left = [*places]
         return Expected(moved, width, moved=True, loose=True)
 
     def _at_goal(self, places: Sequence[float], origin: Sequence[float], within: float, vague: float) -> Expected:
         """A motion that ends at a goal, which is counted from `origin`."""
-        moved = [place - begin for place, begin in paired(places, origin)]
+        moved = [place - begin for place, begin in zip(places, origin, strict=True)]
         if self._vague:
             self._origin, self._vague = [*places], 0.0
         self._left = self._ended = [*places]

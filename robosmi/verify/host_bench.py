@@ -9,7 +9,6 @@ import struct
 from collections.abc import Callable, Collection, Sequence
 
 from robosmi.errors import UsageError, VerificationError
-from robosmi.typed import sum_of
 from robosmi.verify.bench import AIMS, Bench, Level
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.simulation import ConsoleByte, Wave
@@ -71,7 +70,7 @@ class HostBench(Bench):
 
     def bits(self, pins: Collection[str]) -> int:
         """Pins as bits."""
-        return sum_of(1 << number for number, label in enumerate(self.labels) if label in pins)
+        return sum(1 << number for number, label in enumerate(self.labels) if label in pins)
 
     @property
     def unheeded(self) -> dict[int, str]:
@@ -83,7 +82,7 @@ class HostBench(Bench):
     def asking(self) -> tuple[int, int, int]:
         """Bit masks of the pins whose devices must react at once when the pin is driven low, driven high, or released."""
         found = [
-            sum_of(1 << number for number, label in enumerate(self.labels) if self._reacts(label, level)) for level in (0, 1, "z")
+            sum(1 << number for number, label in enumerate(self.labels) if self._reacts(label, level)) for level in (0, 1, "z")
         ]
         return found[0], found[1], found[2]
 

@@ -15,13 +15,14 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+from msgspec.structs import replace
+
 from robosmi import inputs
 from robosmi.data_text import as_list, as_table, json_of, json_written
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.model.commit import update
-from robosmi.typed import matches, replaced
 from robosmi.verify.build_record import FOLDER, BuildRecord, record_at
 from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.libraries import STAND_IN
@@ -93,10 +94,10 @@ def compile_into(
             contents[_record_name(sketch)] = record.to_bytes()
         if report.elf is not None and report.hex is not None:
             contents |= {report.elf.name: inputs.read_bytes(report.elf, inputs.OUTPUT), report.hex.name: program}
-            report = replaced(report, elf=folder / report.elf.name, hex=folder / report.hex.name)
+            report = replace(report, elf=folder / report.elf.name, hex=folder / report.hex.name)
     _refuse_others(folder, sketch, contents)
     update(folder, contents)
-    return replaced(report, database=folder / DATABASE)
+    return replace(report, database=folder / DATABASE)
 
 
 def _refuse_others(folder: Path, sketch: Sketch, contents: Iterable[str]) -> None:
@@ -128,7 +129,7 @@ def _named_outside(sketch: Sketch, files: Iterable[str]) -> set[str]:
     named: set[Path] = set()
     for path in (own / name for name in files):
         text = inputs.read_text(path, inputs.OUTPUT, "utf-8", "replace")
-        named |= {(path.parent / header).resolve() for header in matches(_QUOTED, text)}
+        named |= {(path.parent / header).resolve() for header in _QUOTED.findall(text)}
     return {str(path) for path in named if not path.is_relative_to(own) and path.is_file()}
 
 

@@ -16,7 +16,6 @@ from pathlib import Path
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.typed import matches
 from robosmi.verify.temporary import MAKE_SPACE
 
 _WRITABLE = "make that folder writable, or let TMPDIR name another one"
@@ -72,12 +71,12 @@ def check_machine(tool: str, done: subprocess.CompletedProcess[str]) -> subproce
     if done.returncode == 0:
         return done
     name, folder = Path(tool).name, Location(tempfile.gettempdir())
-    for words in matches(_SAID, done.stderr):
+    for words in _SAID.findall(done.stderr):
         raise SourceError(f"'{name}' cannot do its work in this folder: {words}", location=folder, fix=_ADVICE[words])
     if _UNTOLD.search(done.stderr) and shutil.disk_usage(folder.path).free < _LITTLE_SPACE:
         words = os.strerror(errno.ENOSPC)
         raise SourceError(f"'{name}' failed and did not say why, probably: {words}", location=folder, fix=_ADVICE[words])
     from_outside = next((words for number, words in _SIGNAL_WORDS.items() if done.returncode == -number), "")
-    for ended in [from_outside] if from_outside else matches(_KILLED, done.stderr):
+    for ended in [from_outside] if from_outside else _KILLED.findall(done.stderr):
         raise SourceError(f"'{name}' was ended by the system: {ended}", location=folder, fix=_ENDINGS[ended])
     return done

@@ -11,9 +11,10 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
+from msgspec.structs import replace
+
 from robosmi import inputs
 from robosmi.diagnostics import Finding, FlowStep, Location, Severity
-from robosmi.typed import distinct, replaced
 from robosmi.verify.compile_report import (
     COMPILER_ERROR,
     COMPILER_WARNING,
@@ -57,7 +58,7 @@ def compiler_findings(text: str, patterns: DataTable, folder: Path) -> tuple[lis
             if last is not None:
                 notes = [*findings[last].listed("notes"), {"message": match["message"], "location": place.to_json()}]
                 steps = (*findings[last].steps, FlowStep(place, match["message"]))
-                findings[last] = replaced(findings[last], evidence={**findings[last].evidence, "notes": notes}, steps=steps)
+                findings[last] = replace(findings[last], evidence={**findings[last].evidence, "notes": notes}, steps=steps)
             continue
         finding = _finding(match["message"], _SEVERITY[match["severity"]], place, patterns)
         if own is None and finding.severity is Severity.warning:
@@ -114,7 +115,7 @@ def assembler_findings(text: str, patterns: DataTable, files: Iterable[Path]) ->
         patterns: the toolchain's messages.
         files: the sketch's own files.
     """
-    said = distinct(match["message"].strip() for match in patterns.pattern("assembler").finditer(text))
+    said = list(dict.fromkeys(match["message"].strip() for match in patterns.pattern("assembler").finditer(text)))
     if not said:
         return []
     place = _first(patterns.pattern("assembler_word"), files)

@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 import subprocess
 from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from time import monotonic
 
@@ -18,7 +19,6 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, MissingToolError, VerificationError
-from robosmi.typed import distinct, kept, matches, paired
 from robosmi.verify import archives
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.machine_faults import check_machine
@@ -119,7 +119,7 @@ class _Build(Struct, dict=True):
         objects = [self.folder / f"{number}-{path.stem}.o" for number, path in enumerate(sources)]
         jobs = [
             ["command", *flags, f"-fmacro-prefix-map={path.parent}/=", "-c", str(path), "-o", str(target)]  # of __FILE__
-            for path, target in paired(sources, objects)
+            for path, target in zip(sources, objects, strict=True)
         ]
         self._run_all(jobs)
         joined, named = self.folder / "joined.o", self.folder / "program.o"
@@ -136,7 +136,7 @@ class _Build(Struct, dict=True):
         unmodelled = sorted(name for name in names.undefined if self._is_own(name) and self.model.prefix + name not in known)
         binary = self.folder / "original"
         self._link(binary, named, *([self._stubs(unmodelled)] if unmodelled else []), library)
-        unknown = tuple(distinct(_as_written(name) for name in unmodelled))
+        unknown = tuple(dict.fromkeys(_as_written(name) for name in unmodelled))
         return OriginalProgram(binary, self.model, tuple(sources), self.compiler, unknown, names.counters)
 
     # ---- the model, compiled once
@@ -260,7 +260,7 @@ class _Build(Struct, dict=True):
                 fix="rename it in the program: a header of its platform declares that name" if taken
                 else "name the program's other files and folders of headers; or the model of its platform lacks that name",
             )  # fmt: skip
-        if twice := set(matches(_TWICE, done.stderr)):
+        if twice := set(_TWICE.findall(done.stderr)):
             raise VerificationError(f"the program defines {', '.join(sorted(twice))} more than once", fix="keep one of them")
         raise InternalError(f"'{self.model.compiler.text(role)}' failed: {done.stderr.strip()[-500:]}")
 
@@ -294,7 +294,7 @@ def _read_names(said: str) -> _Names:
     )
 
 
-@kept
+@cache
 def _defined(tool: str, archive: Path) -> frozenset[str]:
     """The names that an archive defines; its name says its content (see `archives`), so that it is read once."""
     return _read_names(run([tool, "-S", str(archive)]).stdout).defined
@@ -307,7 +307,7 @@ def _environment() -> dict[str, str]:
     return {"PATH": os.environ.get("PATH", os.defpath), "LC_ALL": "C"}
 
 
-@kept
+@cache
 def compiler_version(path: str) -> str:
     """The version that a compiler tells, `unknown` if it tells none."""
     return tool_version(path, ["--version"])

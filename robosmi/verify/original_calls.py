@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
-from robosmi.typed import paired, replaced
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_run import OriginalRun, run_original
 from robosmi.verify.simulation import DeviceUse
@@ -68,7 +68,7 @@ def library_calls(
         if not found or (called.function, called.line) != (found[-1].function, found[-1].line):
             found.append(called)
         elif prints:
-            found[-1] = replaced(found[-1], prints=True)
+            found[-1] = replace(found[-1], prints=True)
     return found
 
 
@@ -78,7 +78,7 @@ def with_place(program: OriginalProgram, run: OriginalRun) -> OriginalRun:
         return run
     site = run.calls[-1][1]
     file, line = _places(program, {site})[site]
-    return replaced(run, cause=f"{run.cause} ({Path(file).name}:{line})") if line else run
+    return replace(run, cause=f"{run.cause} ({Path(file).name}:{line})") if line else run
 
 
 def _functions(program: OriginalProgram) -> list[tuple[int, str]]:
@@ -99,7 +99,7 @@ def _places(program: OriginalProgram, addresses: set[int]) -> dict[int, tuple[st
     listed = sorted(addresses)
     command = [program.model.tools()["places"], "-e", str(program.binary), *(f"{each - _CALL_BYTES:#x}" for each in listed)]
     found = {}
-    for address, line in paired(listed, run(command).stdout.splitlines()):
+    for address, line in zip(listed, run(command).stdout.splitlines(), strict=True):
         file, _, number = line.split(" (")[0].rpartition(":")
         found[address] = file, int(number) if number.isdigit() else 0
     return found

@@ -15,7 +15,6 @@ from msgspec import Struct
 
 from robosmi.data_text import as_table, json_of
 from robosmi.errors import InternalError, MissingToolError
-from robosmi.typed import sum_of
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.temporary import temporary_folder
 from robosmi.verify.tools import run
@@ -52,7 +51,7 @@ class SourceCoverage(Struct, frozen=True):
 
 def _percent(counts: Iterable[int]) -> float:
     known = list(counts)
-    return 100.0 * sum_of(count > 0 for count in known) / len(known) if known else 100.0
+    return 100.0 * sum(count > 0 for count in known) / len(known) if known else 100.0
 
 
 def reached(program: OriginalProgram, counts: bytes) -> frozenset[int]:

@@ -10,7 +10,6 @@ from itertools import pairwise
 from statistics import median
 from typing import NamedTuple
 
-from robosmi.typed import sum_of
 from robosmi.verify.simulation import PinTrace
 
 FEWEST = 4
@@ -239,7 +238,7 @@ def _steady_until(periods: list[float], first: int) -> int:
             usual = 0.9 * usual + 0.1 * periods[number]
         else:
             ahead = periods[number + 1 : number + 1 + _AHEAD]
-            if sum_of(_near(period, usual) for period in ahead) * 2 < len(ahead):
+            if sum(_near(period, usual) for period in ahead) * 2 < len(ahead):
                 return number
         number += 1
     return number

@@ -12,7 +12,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from copy import copy
 
-from robosmi.typed import paired
 from robosmi.verify.activity import LINE, ActivityEvent
 from robosmi.verify.alignment import aligned
 from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, SAME, ChannelComparison, FirstDifference
@@ -43,7 +42,7 @@ def compare_rests(channel: str, runs: Sequence[Sequence[Rest]], target: Sequence
             if rest.barely:
                 continue
             break
-        row = [rest, *(each[pairs[number]] for each, pairs in paired(others, found))]
+        row = [rest, *(each[pairs[number]] for each, pairs in zip(others, found, strict=True))]
         followed = copy(goals)
         expected = followed.of(nominal[first : number + 1], [each.place for each in row])
         if not _in_time(row) or not any(_one_rest(each) for each in expected):  # these are not the same rests
@@ -94,6 +93,8 @@ def _told(channel: str, rests: tuple[Rest, Rest], expected: Expected, kind: Rest
     does = f"turns by {{:.1f}} {kind.unit} until it rests"
     if not expected.moved:
         does = f"rests {{:.1f}} {kind.unit} from where it began"
-    source, target = (ActivityEvent(1000 * rest.at_ms, LINE, (does.format(place),)) for rest, place in paired(rests, places))
+    source, target = (
+        ActivityEvent(1000 * rest.at_ms, LINE, (does.format(place),)) for rest, place in zip(rests, places, strict=True)
+    )
     message = f"{target.value[0]}, instead of {places[0]:.1f} (between {least:.1f} and {most:.1f} are the same)"
     return FirstDifference(rests[0].at_ms, channel, message, source, target)

@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from robosmi.data_text import Json
-from robosmi.typed import side_by_side
 from robosmi.verify.activity import LINE, READING, ActivityEvent
 from robosmi.verify.alignment import aligned, alike, shape_of
 
@@ -71,7 +70,7 @@ def first_wrong_line(
     """
     runs = [source, *varied]
     rows = []
-    for row in side_by_side([*runs, target], strict=False):
+    for row in zip(*[*runs, target], strict=False):
         if any(event.kind not in (LINE, READING) for event in row) or len({shape_of(event) for event in row}) > 1:
             break
         rows.append(row)

@@ -13,7 +13,6 @@ from glob import glob
 from pathlib import Path
 
 from robosmi.inputs import flags
-from robosmi.typed import dynamic_attribute
 
 _POLL_S = 0.05
 
@@ -54,7 +53,7 @@ def touch(port: str, baud: int) -> None:
     handle = os.open(port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
     try:
         settings = termios.tcgetattr(handle)
-        settings[4] = settings[5] = dynamic_attribute(termios, f"B{baud}")  # input and output speed
+        settings[4] = settings[5] = getattr(termios, f"B{baud}")  # input and output speed
         settings[2] |= termios.HUPCL
         termios.tcsetattr(handle, termios.TCSANOW, settings)
         with suppress(OSError):  # a port without such a line

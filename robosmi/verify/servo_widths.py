@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from statistics import median
 from typing import NamedTuple
 
-from robosmi.typed import sum_of
 from robosmi.verify.pulses import Pulse
 
 EQUAL_US = 8.0
@@ -128,7 +127,7 @@ def _held(pulses: Sequence[Pulse], widths: Sequence[float], piece: _Piece, into:
             outer -= 1
         inner = next(number for number, width in enumerate(own, piece.first) if abs(width - middle) <= EQUAL_US / 2)
         vague_us = pulses[inner].begin - pulses[outer].begin
-    still = sum_of(abs(width - middle) <= _STILL_US for width in own) >= _STILL * len(own)
+    still = sum(abs(width - middle) <= _STILL_US for width in own) >= _STILL * len(own)
     barely = bool(into or out) and (len(own) < _LONG or not still)
     return ServoWidth(pulses[piece.first].begin, middle, len(own), vague_us, barely)
 

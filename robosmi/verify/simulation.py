@@ -14,17 +14,16 @@ import signal
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
 from msgspec import Struct
-from msgspec.structs import asdict
+from msgspec.structs import asdict, replace
 
 from robosmi.data_text import Json, as_table, json_of, json_written
 from robosmi.errors import EngineCrashError, InternalError, MissingToolError, UsageError, VerificationError
 from robosmi.plugins import content, registry
-from robosmi.typed import kept, replaced
 from robosmi.verify.processes import ending_with_us
 from robosmi.verify.processor_time import HANGS
 
@@ -156,7 +155,7 @@ class PinTrace(Struct, frozen=True, dict=True):
         """The trace as if the run had ended at a time."""
         if self.simulated_us <= at_us:
             return self
-        return replaced(
+        return replace(
             self,
             simulated_us=at_us,
             rests_until_us=0.0,
@@ -305,7 +304,7 @@ def _environment() -> dict[str, str]:
     return os.environ | {"PYTHONPATH": os.pathsep.join([_root(), *filter(None, [os.environ.get("PYTHONPATH")])])}
 
 
-@kept
+@cache
 def _root() -> str:
     import robosmi
 

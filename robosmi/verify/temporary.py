@@ -16,6 +16,7 @@ import shutil
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from functools import cache
 from pathlib import Path
 from secrets import token_hex
 from time import time
@@ -24,7 +25,6 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.file_locks import LOCKS, lock_now, unlock
 from robosmi.inputs import flags
-from robosmi.typed import attribute_of, kept
 
 MAKE_SPACE = "make space there, or let TMPDIR name a folder with more"
 """What to do if the folder for temporary files is full."""
@@ -77,8 +77,8 @@ def temporary_folder(what: str) -> Iterator[str]:
 
 def _is_about(error: OSError, folder: Path) -> bool:
     """Whether an error is about a file in a temporary folder: by its name, else (a write has none) by the space that is left."""
-    if (name := attribute_of(error, "filename", str)) is not None:
-        return Path(name).is_relative_to(folder)
+    if isinstance(error.filename, str):
+        return Path(error.filename).is_relative_to(folder)
     return shutil.disk_usage(folder.parent).free < _LEAST_SPACE
 
 
@@ -100,7 +100,7 @@ def _remove_what_is_left() -> None:
             _remove(path)
 
 
-@kept
+@cache
 def _sweep_once(process: int) -> None:
     sweep(Path(tempfile.gettempdir()))
 

@@ -9,11 +9,12 @@ from __future__ import annotations
 import time
 from pathlib import Path, PurePosixPath
 
+from msgspec.structs import replace
+
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, UsageError
 from robosmi.plugins import content
 from robosmi.trust import acting
-from robosmi.typed import replaced
 from robosmi.verify.board_check import board_findings
 from robosmi.verify.boards import Board, load_boards
 from robosmi.verify.build import Build
@@ -61,13 +62,13 @@ def _compiled(place: Path, board: str | None, keep: Path | None, project: Path |
     if report.ok and not report.fits:
         bigger = [b for b in boards if b.flash_bytes > chosen.flash_bytes or b.ram_bytes > chosen.ram_bytes]
         others = (_build(sketch, other, toolchain, installed, index, None) for other in bigger)
-        report = replaced(report, fits_on=next((other.board for other in others if other.ok and other.fits), None))
-        report = replaced(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
+        report = replace(report, fits_on=next((other.board for other in others if other.ok and other.fits), None))
+        report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
     if (made_for := _other_board(sketch, chosen, boards, toolchain)) is not None:
-        report = replaced(report, diagnostics=(made_for, *report.diagnostics))
-    report = replaced(report, diagnostics=(*board_findings(chosen, toolchain, installed), *report.diagnostics))
+        report = replace(report, diagnostics=(made_for, *report.diagnostics))
+    report = replace(report, diagnostics=(*board_findings(chosen, toolchain, installed), *report.diagnostics))
     diagnostics = tuple(_with_offers(finding, toolchain, project) for finding in report.diagnostics)
-    return replaced(report, diagnostics=diagnostics, seconds=time.perf_counter() - started)
+    return replace(report, diagnostics=diagnostics, seconds=time.perf_counter() - started)
 
 
 def _other_board(sketch: Sketch, chosen: Board, boards: list[Board], toolchain: Toolchain) -> Finding | None:
@@ -100,7 +101,7 @@ def _with_offers(finding: Finding, toolchain: Toolchain, project: Path | None) -
     if not names:
         return finding
     fix = f"{finding.fix}; libraries that offer it: {', '.join(repr(name) for name in names)}"
-    return replaced(finding, fix=fix, evidence={**finding.evidence, "libraries": names})
+    return replace(finding, fix=fix, evidence={**finding.evidence, "libraries": names})
 
 
 def _too_big(report: CompileReport, sketch: Sketch) -> Finding:

@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 from robosmi.errors import PlatformDataError
-from robosmi.typed import matches
 from robosmi.verify.tables import DataTable, find_files
 
 USES = ("sketch", "library", "core")
@@ -178,7 +177,7 @@ def fill(texts: Iterable[str], values: Mapping[str, str], lists: Mapping[str, It
         if lists and text[:1] == "{" and text[1:-1] in lists:
             result += lists[text[1:-1]]
         else:
-            unknown = [name for name in matches(r"\{(\w+)\}", text) if name not in values]
+            unknown = [name for name in re.findall(r"\{(\w+)\}", text) if name not in values]
             if unknown:
                 raise PlatformDataError(f"nothing is known for '{{{unknown[0]}}}' in '{text}'", fix="mend the toolchain's data")
             result.append(re.sub(r"\{(\w+)\}", lambda name: values[name[1]], text))

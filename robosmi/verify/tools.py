@@ -7,6 +7,7 @@ Processes for building are started here. What to start is data (`toolchain_data`
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 from collections.abc import Iterable, Mapping, Sequence
@@ -18,7 +19,6 @@ from typing import IO, NamedTuple
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, VerificationError
-from robosmi.typed import distinct, matches
 from robosmi.verify.machine_faults import check_machine
 from robosmi.verify.processes import ending_with_us
 from robosmi.verify.temporary import temporary_folder
@@ -134,13 +134,13 @@ def tool_version(path: str, arguments: Sequence[str], environment: Mapping[str, 
     """The version that a program tells (the last number with dots of the first line that is not blank), or `unknown`."""
     said = run([path, *arguments], environment=environment)
     first = next((line for line in (said.stdout or said.stderr).splitlines() if line.strip()), "")
-    numbers = matches(r"\d+(?:\.\d+)+", first)
+    numbers = re.findall(r"\d+(?:\.\d+)+", first)
     return numbers[-1] if numbers else "unknown"
 
 
 def install_fix(toolchain: Toolchain, packages: Iterable[str]) -> str:
     """How packages are installed."""
-    return toolchain.install.replace("{packages}", " ".join(distinct(packages)))
+    return toolchain.install.replace("{packages}", " ".join(dict.fromkeys(packages)))
 
 
 def environment(toolchain: Toolchain) -> dict[str, str]:

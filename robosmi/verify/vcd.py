@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from robosmi.typed import distinct
 from robosmi.verify.simulation import PinTrace
 
 _LEVELS = {0: "0", 1: "1", "z": "z", "p": "1"}
@@ -30,12 +29,12 @@ def vcd_text(traces: Mapping[str, PinTrace], comment: str = "") -> str:
     for scope, trace in traces.items():
         head.append(f"$scope module {_name(scope)} $end")
         last = max(last, round(trace.simulated_us * 1000))
-        for pin in distinct(change.pin for change in trace.changes):
+        for pin in dict.fromkeys(change.pin for change in trace.changes):
             wire = next(names)
             head.append(f"$var wire 1 {wire} {_name(pin)} $end")
             changes.append((0, f"z{wire}"))
             changes += [(round(at * 1000), f"{_LEVELS[level]}{wire}") for at, level in trace.levels(pin)]
-        for pin in distinct(wave.pin for wave in trace.waves):
+        for pin in dict.fromkeys(wave.pin for wave in trace.waves):
             hz, duty = next(names), next(names)
             head += [f"$var real 64 {hz} {_name(pin)}_hz $end", f"$var real 64 {duty} {_name(pin)}_duty $end"]
             for wave in (w for w in trace.waves if w.pin == pin):

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct, field
 
-from robosmi.typed import distinct, sum_of
 from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, SAME, ChannelComparison, FirstDifference
 from robosmi.verify.missed_places import places_told
 from robosmi.verify.original_calls import LibraryCall
@@ -161,7 +160,7 @@ class Verdict(Struct):
     @property
     def simulated_s(self) -> float:
         """The total simulated time, in seconds, that was compared in all scenarios."""
-        return sum_of(s.simulated_ms for s in self.scenarios) / 1000
+        return sum(s.simulated_ms for s in self.scenarios) / 1000
 
     @property
     def first_difference(self) -> tuple[ScenarioVerdict, FirstDifference] | None:
@@ -179,7 +178,7 @@ class Verdict(Struct):
                 found.setdefault(channel.channel, []).append(channel)
         until_ms = _rounded(min((s.until_ms for s in self.scenarios if s.channels and s.until_ms is not None), default=None))
         return [
-            {"name": name, "status": _worst(each), "events": sum_of(c.events for c in each), "until_ms": until_ms}
+            {"name": name, "status": _worst(each), "events": sum(c.events for c in each), "until_ms": until_ms}
             for name, each in found.items()
         ]
 
@@ -261,7 +260,7 @@ class Verdict(Struct):
 
     def all_reasons(self) -> list[str]:
         """The reasons, without duplicates, why scenarios could not be decided."""
-        return distinct([*self.reasons, *(s.reason for s in self.scenarios if s.reason)])
+        return list(dict.fromkeys([*self.reasons, *(s.reason for s in self.scenarios if s.reason)]))
 
     def lines(self, verbose: bool = False) -> list[str]:
         """The lines of the report for a person.

@@ -14,7 +14,6 @@ from typing import Any
 from robosmi.data_text import as_number, as_table, json_of, json_written
 from robosmi.errors import RobosmiError
 from robosmi.plugins import content
-from robosmi.typed import class_name
 from robosmi.verify.processor_time import bound_own
 from robosmi.verify.simulation import DeviceUse, Engine, Job, PinTrace
 
@@ -31,7 +30,7 @@ def answer(question: dict[str, Any]) -> dict[str, Any]:
     try:
         trace: PinTrace = engine.run(job)
     except RobosmiError as error:
-        return {"error": class_name(error), "message": error.message, "fix": error.fix}
+        return {"error": type(error).__name__, "message": error.message, "fix": error.fix}
     return {
         "engine": trace.engine,
         "state": trace.state,

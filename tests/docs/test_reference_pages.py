@@ -12,7 +12,6 @@ import pytest
 from robosmi.cli.main import COMMANDS, build_parser
 from robosmi.data_text import Json
 from robosmi.plugins import registry
-from robosmi.typed import attribute_of
 from tests.running import run
 from tests.tools import require_tools
 
@@ -29,7 +28,9 @@ _NO_VARIABLES = {"ROBOSMI_STAND_IN"}
 
 def parts(parser: argparse.ArgumentParser) -> dict[str, argparse.ArgumentParser]:
     """The commands of a parser, or the parts of a command, by their names; none where it has no parts."""
-    named = [attribute_of(action, "choices", dict) or {} for action in parser._actions if not action.option_strings]
+    named = [
+        action.choices if isinstance(action.choices, dict) else {} for action in parser._actions if not action.option_strings
+    ]
     return {str(name): part for one in named for name, part in one.items() if isinstance(part, argparse.ArgumentParser)}
 
 

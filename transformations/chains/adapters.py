@@ -33,7 +33,6 @@ from robosmi.transformations.m2t.task_list import RELATIONS
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE
 from robosmi.transformations.queries.written_bodies import Body, bodies
-from robosmi.typed import distinct, matches
 
 _INCLUDE = re.compile(r"^#include\s+(<[^>]+>|\"[^\"]+\")", re.MULTILINE)
 
@@ -330,9 +329,13 @@ def _with_piece(path: Path, before: str, use: migration.AdapterUse, body: Body, 
     pieces = list(plan.target.adapters) if plan.target is not None else []
     needs = {f"{p.sourceHeader}/{p.name}" for p in pieces if str(p.targetName or p.name) in words and p.name != use.name}
     head += [f"{MARK}   needs: {' '.join(sorted(needs))}"] if needs else []
-    given = matches(_INCLUDE, text[: text.find(body.text)])
+    given = _INCLUDE.findall(text[: text.find(body.text)])
     shipped = {str(header) for piece in pieces for header in piece.includes}
-    own = [header for header in distinct(given) if header not in shipped and header.startswith("<") and "Arduino.h" not in header]
+    own = [
+        header
+        for header in dict.fromkeys(given)
+        if header not in shipped and header.startswith("<") and "Arduino.h" not in header
+    ]
     head += [f"{MARK}   include: {' '.join(own)}"] if own else []
     head += [f"{MARK}   pin: {pin}" for pin in _pins(use, body, plan)]
     head += [f"{MARK}   fidelity: written by hand for {plan.name}"]

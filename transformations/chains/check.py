@@ -29,7 +29,6 @@ from robosmi.transformations.chains.readers import is_drawing
 from robosmi.transformations.chains.reading import read_drawing
 from robosmi.transformations.constraints.electrical_plan import wired
 from robosmi.transformations.constraints.places import in_file
-from robosmi.typed import distinct, first_of, sum_of
 
 
 class Checked:
@@ -86,7 +85,7 @@ def _checked(file: Path, metamodels: Sequence[Path]) -> Checked:
         done.sound = "" if odd else f"{file}: nothing is wrong with this metamodel ({made.classes} classes)"
     if file.suffix != ".xmi":
         return _validated(done, [open_model(file)])
-    root = first_of(read_current(file, built_in(), inside=Path(os.path.realpath(file)).parent).values())
+    root = next(iter(read_current(file, built_in(), inside=Path(os.path.realpath(file)).parent).values()))
     if isinstance(root, migration.MigrationPlan) and root.circuit is not None:
         wired(root)  # the board is the plan's, not the repository's
     models = [EmfModel(root, name=file.stem)]
@@ -105,7 +104,7 @@ def _validated(done: Checked, models: Sequence[Model]) -> Checked:
         sets = [constraints_of(name) for name in _metamodels(model) if name in registry().names(KIND)]
         for one in sets:
             done.findings += in_file(one.run(model, *_referred(model, models)).findings(), _path(model))
-        counted = sum_of(len(c.constraints) for one in sets for module in one.modules() for c in module.contexts)
+        counted = sum(len(c.constraints) for one in sets for module in one.modules() for c in module.contexts)
         done.models.append({"model": model.name, "elements": len(list(model.all_contents())), "constraints": counted})
     return done
 
@@ -125,4 +124,4 @@ def _referred(model: Model, models: Sequence[Model]) -> list[Model]:
 
 def _metamodels(model: Model) -> list[str]:
     """The names of a model's metamodels; empty for a technology without metamodels."""
-    return distinct(kind.partition("::")[0] for kind, _ in model.types() if "::" in kind)
+    return list(dict.fromkeys(kind.partition("::")[0] for kind, _ in model.types() if "::" in kind))

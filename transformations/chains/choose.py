@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from msgspec import field
-from msgspec.structs import asdict
+from msgspec.structs import asdict, replace
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError, UsageError, did_you_mean
@@ -42,7 +42,6 @@ from robosmi.transformations.m2m.port_binding import bind_by_hand
 from robosmi.transformations.queries.answers import answer
 from robosmi.transformations.queries.choices import NO_LIBRARY, Choice, choices_json, the_choice
 from robosmi.transformations.queries.plan import open_choices
-from robosmi.typed import replaced
 
 ROLE = "role:"
 """Prefix of the identity of a choice about a component's role."""
@@ -218,7 +217,7 @@ def _roles(folder: Path, answers: Mapping[str, str], *, seen: str | None, dry_ru
         roles = {name: role for name, role in {**known.roles, **entries_now}.items() if role is not None}
         files, arguments = run
         made = migrate(
-            files, folder, project=replaced(known, roles=roles), outside=lambda: change.files, dry_run=dry_run, **arguments
+            files, folder, project=replace(known, roles=roles), outside=lambda: change.files, dry_run=dry_run, **arguments
         )
     chosen = dict(answers)
     return Chosen(**asdict(made), chosen=chosen, project=project, settings=known, command=command_for(folder, chosen))
@@ -290,7 +289,7 @@ def _project_change(models: MigrationModels, chosen: Mapping[str, str], folder: 
     tables = {"bind": settings.bind, "libraries": settings.libraries}
     others = [f'{key} = "{tables[t][key]}"' for t, values in entries.items() for key in values if key in tables[t]]
     if change.stays and others:
-        return replaced(change, stays=f"{change.stays}, and says {', '.join(others)}, which counts when you migrate again")
+        return replace(change, stays=f"{change.stays}, and says {', '.join(others)}, which counts when you migrate again")
     return change
 
 

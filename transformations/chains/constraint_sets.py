@@ -11,7 +11,6 @@ from robosmi.model import EmfModel
 from robosmi.plugins import registry
 from robosmi.query.erl import place_of
 from robosmi.transformations.constraints.places import in_file
-from robosmi.typed import class_name
 from robosmi.validate import EVL
 
 KIND = "constraints"
@@ -93,7 +92,7 @@ def _refuse_faults(offered: Sequence[tuple[EVL, str]]) -> None:
     known: set[int] = set()
     for made, owner in sorted(every, key=lambda each: each[1] != ""):  # what is built in comes first
         if not isinstance(made, EVL):
-            raise RuleError(f"the constraints of {owner} are a {class_name(made)}", fix="offer an EVL (robosmi.validate)")
+            raise RuleError(f"the constraints of {owner} are a {type(made).__name__}", fix="offer an EVL (robosmi.validate)")
         own = [c for c in made.declared() if id(c) not in known]
         if owner and (clash := next((c for c in own if c.id in taken), None)) is not None:
             other = "a rule of robosmi" if taken[clash.id] == "robosmi" else f"one of {taken[clash.id]}"

@@ -20,7 +20,6 @@ from robosmi.transformations.chains.reading import HEADERS_ONLY, NO_BOARD, Drawi
 from robosmi.transformations.constraints.electrical import electrical_findings
 from robosmi.transformations.queries.circuit import boards, hardware_report, of_board, pin_label, the_board
 from robosmi.transformations.queries.connector_names import told_name, told_names
-from robosmi.typed import paired
 
 if TYPE_CHECKING:
     from robosmi.transformations.knowledge.target_platform import TargetFacts
@@ -79,7 +78,7 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
     """The lines of a table for a terminal, with columns as wide as necessary; the last column is not padded."""
     cells = [[" ".join(cell.split()) for cell in row] for row in (head, *rows)]
     widths = [min(max(len(row[column]) for row in cells), 48) for column in range(len(head))]
-    return [("  " + "  ".join(cell.ljust(width) for cell, width in paired(row, widths))).rstrip() for row in cells]
+    return [("  " + "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True))).rstrip() for row in cells]
 
 
 def _title(component: hw.Component) -> str:

@@ -18,7 +18,6 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.queries.source_text import INCLUDED
-from robosmi.typed import sum_of
 
 OUTSIDE = "RS113"
 """The rule for a header that is taken from outside of the program's folders."""
@@ -71,7 +70,7 @@ def from_outside(headers: Iterable[Path], folders: Iterable[Path]) -> list[Findi
 
 def _written(functions: Collection[str], defined: Collection[str]) -> bool:
     """Whether most of a header's functions are defined in the program."""
-    return 2 * sum_of(name in defined for name in functions) > len(functions)
+    return 2 * sum(name in defined for name in functions) > len(functions)
 
 
 def _defined(paths: Sequence[Path]) -> set[str]:

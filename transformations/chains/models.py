@@ -22,7 +22,6 @@ from robosmi.model.files import digest, within
 from robosmi.model.metamodels import built_in
 from robosmi.model.xmi_places import XmiPlaces
 from robosmi.model.xmi_writer import to_xmi
-from robosmi.typed import class_name
 
 PLAN, CODE, HARDWARE, PLATFORM = "plan.xmi", "code.xmi", "hardware.xmi", "platform.xmi"
 FOLDER = "models"
@@ -108,7 +107,7 @@ def load_models(path: Path) -> MigrationModels:
     roots = {file.name: root for file, root in found.items() if file.parent == folder}
     plan = roots.get(path.name)
     if not isinstance(plan, migration.MigrationPlan):
-        kind = class_name(plan)
+        kind = type(plan).__name__
         raise SourceError(
             f"this model is a {kind}, not a migration plan", location=Location(str(path)), fix="give the plan.xmi of a migration"
         )

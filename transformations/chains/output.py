@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi.data_text import Json
 from robosmi.diagnostics import Finding, Location, Severity
@@ -48,7 +49,6 @@ from robosmi.transformations.m2t.program_files import BENCH, ProgramGeneration
 from robosmi.transformations.m2t.terminal_text import terminal_lines
 from robosmi.transformations.queries.plan import open_choices, plan_json, said, target_of
 from robosmi.transformations.queries.work import work_json
-from robosmi.typed import replaced
 
 KINDS = {
     **dict.fromkeys((".ino", ".cpp", ".c"), "sketch"),
@@ -314,7 +314,7 @@ def _trace_texts(plan: migration.MigrationPlan, made: Generation, files: Mapping
     links = [
         link
         for file in made.files
-        for link in replaced(file, after=read(files[file.name], errors="surrogateescape").text).links()
+        for link in replace(file, after=read(files[file.name], errors="surrogateescape").text).links()
         if link.part
     ]
     texts = list(plan.trace.texts)

@@ -28,7 +28,6 @@ from robosmi.transformations.queries.adapter_needs import AdapterPieces
 from robosmi.transformations.queries.analysis import UNKNOWN
 from robosmi.transformations.queries.port_pins import UNBOUND
 from robosmi.transformations.queries.signature_text import taken_apart
-from robosmi.typed import distinct
 
 _UNKNOWN = re.compile(r"['‘](\w+)['’] (?:was not declared|undeclared)|implicit declaration of function ['‘](\w+)['’]")
 _MISSING_HEADER = "RS803"
@@ -90,7 +89,7 @@ def unread_adapters(settings: Project, folders: Iterable[Path]) -> list[Finding]
     """
     without_project = settings.path is None
     found = []
-    for folder in distinct(folders):
+    for folder in dict.fromkeys(folders):
         for name in (OWN, *_OTHER_NAMES) if without_project else _OTHER_NAMES:
             paths = adapter_paths(folder / name) if (folder / name).is_dir() else []
             if any(MARK.encode() in inputs.read_bytes(path, inputs.DATA) for path in paths):

@@ -23,7 +23,6 @@ from robosmi.project import default_text
 from robosmi.transformations.knowledge.api_data import HeaderContent, PlatformSettings
 from robosmi.transformations.knowledge.platform_api import ApiIndex, forget_platforms
 from robosmi.transformations.t2m.platform_headers import read_headers
-from robosmi.typed import distinct, sum_of
 
 _NAME = re.compile(r"[A-Za-z][\w-]{0,63}")
 _KINDS = ("functions", "macros", "vars", "consts", "types", "registers")
@@ -88,7 +87,7 @@ def import_platform(
         "skipped": [{"path": path, "why": why} for path, why in sorted(found.skipped.items())],
         "missing": found.missing,
         "written": names,
-        "totals": {kind: sum_of(each[kind] for each in counts) for kind in _KINDS},
+        "totals": {kind: sum(each[kind] for each in counts) for kind in _KINDS},
         "known": len(headers),
     }
     return PlatformImport(target, result, _findings(found.skipped, found.missing), names)
@@ -147,7 +146,7 @@ def _headers(path: Path) -> dict[str, HeaderContent]:
 def _settings(name: str, base: ApiIndex, defines: Sequence[str]) -> str:
     """The text of `platform.toml`: the settings of another platform under the new name."""
     parser = base.settings["parser"].copy()
-    parser["defines"] = distinct([*parser.get("defines", []), *defines])
+    parser["defines"] = list(dict.fromkeys([*parser.get("defines", []), *defines]))
     settings: PlatformSettings = {
         **base.settings,
         "name": name,

@@ -26,7 +26,6 @@ from robosmi.transformations.queries.double_definitions import double_definition
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE
 from robosmi.transformations.t2m.c_source.side_file import ENDING, SideProject, project_beside, read_side
 from robosmi.transformations.t2m.c_source.sources import source_files
-from robosmi.typed import distinct
 
 
 class ProgramFiles(Struct, frozen=True):
@@ -81,8 +80,8 @@ def program_files(
         include_dirs = [*include_dirs, *(Path(each) for each in side.include_dirs)]
         defines = [*defines, *side.defines]
     sources = source_files(given, [str(d) for d in include_dirs], defines)
-    folders = [Path(d) for d in distinct(d for source in sources for d in source.include_dirs)]
-    macros = distinct(d for source in sources for d in source.defines)
+    folders = [Path(d) for d in dict.fromkeys(d for source in sources for d in source.include_dirs)]
+    macros = list(dict.fromkeys(d for source in sources for d in source.defines))
     paths = [Path(source.path) for source in sources]
     reached = with_headers(paths, folders, api)
     outside = from_outside(reached[len(paths) :], [*named, *(path.parent for path in paths)])

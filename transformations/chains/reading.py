@@ -18,7 +18,6 @@ from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.described_circuit import describe
 from robosmi.transformations.m2m.connector_mapping import map_connectors
 from robosmi.transformations.queries.circuit import boards
-from robosmi.typed import paired
 
 M = TypeVar("M")
 HEADERS_ONLY, NO_BOARD = "RS219", "RS229"
@@ -40,7 +39,7 @@ def read_program(
     check_source_platform(platform_name)
     seen: set[str] = set()
     readers = [reader_for(path, "program reader", "c_source") for path in paths]
-    for path, reader in paired(paths, readers):
+    for path, reader in zip(paths, readers, strict=True):
         if os.path.realpath(path) in seen:
             raise UsageError(f"'{path}' is given twice", fix="give each source file once")
         seen.add(os.path.realpath(path))

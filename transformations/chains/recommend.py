@@ -21,7 +21,6 @@ from robosmi.transformations.chains.reading import read_drawing
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2m.library_choice import component_query
 from robosmi.transformations.queries.circuit import boards, the_board
-from robosmi.typed import paired
 
 
 class Recommendations(Struct, frozen=True):
@@ -40,7 +39,7 @@ class Recommendations(Struct, frozen=True):
         from robosmi.report.notebook import bar, quoted, table  # for notebooks only
 
         rows = []
-        for query, answer in paired(self.queries, self.answers):
+        for query, answer in zip(self.queries, self.answers, strict=True):
             best = max((c.score for c in answer.candidates), default=0.0)
             shown = answer.candidates[: 5 if answer.decision != "none" else 0]
             named = [f"{quoted(c.library)}{bar(c.score / best if best > 0 else 0)}{quoted('; '.join(c.reasons))}" for c in shown]
@@ -51,7 +50,7 @@ class Recommendations(Struct, frozen=True):
     def lines(self) -> list[str]:
         """What a person reads: the decision with its reason, and where a library is of use the best five, each with a reason."""
         lines: list[str] = []
-        for query, answer in paired(self.queries, self.answers):
+        for query, answer in zip(self.queries, self.answers, strict=True):
             sure = f" ({answer.confidence:.0%} sure)" if answer.confidence else ""
             why = f": {answer.reasons[0]}" if answer.reasons else ""
             lines.append(f"{query.label or query.title} ({query.title}): {answer.decision}{sure}{why}")

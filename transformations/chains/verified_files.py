@@ -8,12 +8,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from msgspec.structs import replace
+
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
 from robosmi.model.files import write_atomic
 from robosmi.model.runs import alone
 from robosmi.transformations.verification.scenario_verdicts import ComparedScenario
-from robosmi.typed import replaced
 from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.trace_picture import trace_svg
@@ -92,4 +93,4 @@ class VerifiedFiles:
 
 def _played(scenario: Scenario) -> str:
     """What happens in a scenario, whatever it is called."""
-    return replaced(scenario, name="").text()
+    return replace(scenario, name="").text()

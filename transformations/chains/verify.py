@@ -48,7 +48,6 @@ from robosmi.transformations.verification.scenario_verdicts import Case, compare
 from robosmi.transformations.verification.source_reached import cover
 from robosmi.transformations.verification.target_side import LIMIT_S, TargetSide
 from robosmi.trust import acting
-from robosmi.typed import sum_of
 from robosmi.verify.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.libraries import STAND_IN
@@ -307,5 +306,5 @@ def _cases(
 
 def _shown(verdict: Verdict) -> int:
     """The index of the scenario to show: the first with a difference, else the one with the most events."""
-    busiest = max(range(len(verdict.scenarios)), key=lambda n: sum_of(c.events for c in verdict.scenarios[n].channels))
+    busiest = max(range(len(verdict.scenarios)), key=lambda n: sum(c.events for c in verdict.scenarios[n].channels))
     return next((n for n, s in enumerate(verdict.scenarios) if s.verdict == DIFFERENT_VERDICT), busiest)

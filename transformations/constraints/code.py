@@ -9,7 +9,6 @@ from robosmi.diagnostics import Location, Severity
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind, root_of
 from robosmi.query.run import ext
-from robosmi.typed import class_name
 from robosmi.validate import EVL, Fail
 
 code = EVL()
@@ -38,7 +37,9 @@ def is_seen_outside(function: ccode.Function) -> bool:
 @located.constraint(id="RS711", location=place, advice="read the source again")
 def EndsBehindItsStart(x: ccode.Located) -> bool | Fail:
     """The end of an element is not before its start."""
-    return x.endOffset >= x.startOffset or Fail(f"{class_name(x)} ends at byte {x.endOffset}, before its start {x.startOffset}")
+    return x.endOffset >= x.startOffset or Fail(
+        f"{type(x).__name__} ends at byte {x.endOffset}, before its start {x.startOffset}"
+    )
 
 
 @calls.constraint(

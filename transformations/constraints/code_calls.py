@@ -12,7 +12,6 @@ from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.own_headers import unit_of
 from robosmi.transformations.queries.unreached import Unreached
 from robosmi.transformations.queries.unsaid_parameters import unsaid_pointers
-from robosmi.typed import distinct
 from robosmi.validate import Fail
 
 units = moved.context(ccode.SourceUnit)
@@ -22,7 +21,7 @@ units = moved.context(ccode.SourceUnit)
 def GivesItsArguments(unit: ccode.SourceUnit) -> bool | Fail:
     """No function is called with fewer arguments than it has parameters; the value of a missing one is undefined in C."""
     found = [*_short_calls(unit), *_short_calls_of_pointers(unit)]
-    said = ", ".join(distinct(f"'{name}'" for _, name in found))
+    said = ", ".join(dict.fromkeys(f"'{name}'" for _, name in found))
     return not found or together(
         f"calls give fewer arguments than {said} takes: the source leaves open what is found there, and it is 0 on the target",
         [call for call, _ in found],
@@ -62,7 +61,7 @@ def GetsThere(unit: ccode.SourceUnit) -> bool | Fail:
     unreached = Unreached(the_move().program.units)
     found = [(row, before) for row, before in unreached.statements(unit) if not isinstance(before, ccode.Loop)]
     called = (call.callee for _, before in found for call in all_of_kind(before, ccode.Call) if call.callee is not None)
-    names = distinct(f"'{function.name}'" for function in called if id(function) in unreached.endless)
+    names = list(dict.fromkeys(f"'{function.name}'" for function in called if id(function) in unreached.endless))
     return not found or together(
         f"nothing gets here, on the source neither: {' and '.join(names)} never return{'s' * (len(names) == 1)}",
         [row for row, _ in found],

@@ -13,7 +13,6 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.constraints.code_move import Move, is_narrower, moved, place, the_move
 from robosmi.transformations.queries.expression_type import element_type, type_of
-from robosmi.typed import paired
 from robosmi.validate import Fail
 
 _CONVERSION = re.compile(r"%[-+ #0']*(\*|\d+)?(?:\.(\*|-?\d+)?)?(hh|h|ll|l|j|z|t|L)?([a-zA-Z%\[])")
@@ -37,7 +36,7 @@ def NamesWhatIsPassed(call: ccode.Call) -> bool | Fail:
         return True
     text, values = given
     wrong = []
-    for (letters, wanted), value in paired(_conversions(m, text), values, strict=False):
+    for (letters, wanted), value in zip(_conversions(m, text), values, strict=False):
         bits = _bits(m, value)
         if wanted and bits and bits != wanted:
             wrong.append(f"{letters} takes {wanted} bits, but is given {bits}")

@@ -13,7 +13,6 @@ from robosmi.transformations.constraints.code_move import Move, move, moved, pla
 from robosmi.transformations.queries.expression_type import expectations, of_use, parse
 from robosmi.transformations.queries.signature_text import function_type
 from robosmi.transformations.queries.type_sizes import TypeSizes
-from robosmi.typed import distinct, paired
 from robosmi.validate import Fail
 
 _LONG_DOUBLE = "long double"
@@ -33,7 +32,7 @@ def KeepsTheNumber(unit: ccode.SourceUnit) -> bool | Fail:
     """No number is stored in a pointer or an enumeration that is too narrow for it on the target."""
     m = the_move()
     found = [*_in_pointers(m, unit), *_in_enumerations(m, unit)]
-    said = ", ".join(distinct(f"{value} in {what}" for _, value, what in found))
+    said = ", ".join(dict.fromkeys(f"{value} in {what}" for _, value, what in found))
     return not found or together(
         f"numbers are kept where the target has {m.there.pointer_bits} bits with a sign, and they do not fit: {said}",
         [element for element, _, _ in found],
@@ -73,7 +72,7 @@ def KeepsItsPrecision(unit: ccode.SourceUnit) -> bool | Fail:
     """No long double is declared or measured that has fewer digits on the target."""
     m = the_move()
     uses = (use for use in m.view(unit).of_kind(ccode.TypeUse) if _is_long_double(use) and not use.pointerDepth)
-    found = distinct(one for use in uses if isinstance(one := use.eContainer(), ccode.Located))
+    found = list(dict.fromkeys(one for use in uses if isinstance(one := use.eContainer(), ccode.Located)))
     here, there = _long_double(m)
     return not found or together(f"long double has {there} bytes on the target, not {here}: numbers keep fewer digits", found)
 
@@ -97,7 +96,7 @@ def _is_long_double(use: ccode.TypeUse) -> bool:
 def TakesTheNumber(unit: ccode.SourceUnit) -> bool | Fail:
     """No number is passed to a function of the target's own library whose parameter is too narrow for it."""
     found = list(_handed(the_move(), unit))
-    said = ", ".join(distinct(f"{value} to {name}" for _, value, name in found))
+    said = ", ".join(dict.fromkeys(f"{value} to {name}" for _, value, name in found))
     return not found or together(
         f"numbers are handed to functions of the standard library that take {the_move().there.int_bits} bits on the target, "
         f"and are cut: {said}",
@@ -120,7 +119,7 @@ def _handed(m: Move, unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Located, in
             continue
         kinds = [parse(p) for p in function_type(view.api.signature(name, entry)).parameters]
         for call in (*function.calls, *function.made):
-            for argument, kind in paired(call.arguments, kinds, strict=False):
+            for argument, kind in zip(call.arguments, kinds, strict=False):
                 number = m.there.number(kind.base) if kind is not None and not kind.depth else None
                 if number is None or number.real or number.fixed or number.bits > m.there.int_bits:
                     continue

@@ -17,7 +17,6 @@ from robosmi.transformations.queries.expression_type import ARITHMETIC
 from robosmi.transformations.queries.initialisers import record_of
 from robosmi.transformations.queries.names import named_type
 from robosmi.transformations.queries.type_sizes import on_source, on_target
-from robosmi.typed import distinct
 from robosmi.validate import Fail
 
 SMALL = 65536
@@ -83,7 +82,7 @@ def KeepsItsLayout(unit: ccode.SourceUnit) -> bool | Fail:
     some = [each for each, record in found.values() if id(record) in sizes]
     if not some:
         return True
-    told = distinct(sizes[id(record)] for _, record in found.values() if id(record) in sizes)
+    told = list(dict.fromkeys(sizes[id(record)] for _, record in found.values() if id(record) in sizes))
     return together(f"what takes structures as bytes finds others on the target: {'; '.join(told)}", some)
 
 

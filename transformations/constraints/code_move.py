@@ -31,7 +31,6 @@ from robosmi.transformations.queries.plan import keeps_main
 from robosmi.transformations.queries.port_masks import PortMasks
 from robosmi.transformations.queries.signature_text import function_type
 from robosmi.transformations.queries.values import Values
-from robosmi.typed import distinct
 from robosmi.validate import EVL, Fail, Unsatisfied
 
 if TYPE_CHECKING:
@@ -248,7 +247,7 @@ def together(message: str, elements: Sequence[ccode.Located]) -> Fail:
 
 def in_lines(elements: Iterable[ccode.Located]) -> str:
     """The line numbers of elements as text, without duplicates and at most eight of them."""
-    lines = distinct(int(e.line) for e in elements)
+    lines = list(dict.fromkeys(int(e.line) for e in elements))
     shown = ", ".join(str(each) for each in lines[:8]) + (" ..." if len(lines) > 8 else "")
     return f"line{'s' * (len(lines) > 1)} {shown}"
 

@@ -16,7 +16,6 @@ from robosmi.transformations.queries.pin_uses import PinUse, made_uses_of, negat
 from robosmi.transformations.queries.pointers import pointed_functions
 from robosmi.transformations.queries.register_bits import register_bits
 from robosmi.transformations.queries.waiting_calls import kept_raw, ports_of_runs_bound
-from robosmi.typed import distinct
 from robosmi.validate import Fail
 
 _SHOWN = 4
@@ -52,7 +51,7 @@ def PortsAreKnown(u: ccode.SourceUnit) -> bool | Fail:
     if ports_of_runs_bound(the_move().plan):
         return True
     found = list(_unknown(u))
-    names = ", ".join(distinct(name for name, _ in found))
+    names = ", ".join(dict.fromkeys(name for name, _ in found))
     places = [element for _, element in found]
     return not found or Fail(
         f"only the running program knows which ports {names} are given ({in_lines(places)})", places=tuple(places)
@@ -86,7 +85,7 @@ def PortsOfMacrosAreLookedUp(u: ccode.SourceUnit) -> bool | Fail:
     """A port that a macro passes to a platform function has a place in the text where its pin can be looked up."""
     calls = [c for flow in the_move().plan.portFlows if kept_raw(flow) for c in flow.calls]
     here = [c for c in calls if ancestor_of_kind(c, ccode.SourceUnit) is u]
-    names = ", ".join(distinct(f"'{call.calleeName}'" for call in here))
+    names = ", ".join(dict.fromkeys(f"'{call.calleeName}'" for call in here))
     wrong = f"macros give {names} a port in a text that is more than a port, so that nothing can look it up"
     return not here or Fail(f"{wrong}: they are given no pin ({in_lines(here)})", places=tuple(here))
 
@@ -100,6 +99,6 @@ def PointersTellNumbersApart(u: ccode.SourceUnit) -> bool | Fail:
     m = the_move()
     platform, own = pointed_functions(m.views)
     here = [reference for reference, view in platform if view.unit is u] if own else []
-    names = ", ".join(distinct(f"'{reference.name}'" for reference in here))
+    names = ", ".join(dict.fromkeys(f"'{reference.name}'" for reference in here))
     wrong = f"{names} may be called through a pointer with numbers of the source, which are other pins on the target"
     return not here or Fail(f"{wrong} ({in_lines(here)})", places=tuple(here))

@@ -11,7 +11,6 @@ from robosmi.metamodels import hardware
 from robosmi.transformations.constraints.electrical_supply import wiring_of
 from robosmi.transformations.constraints.places import drawing, fault
 from robosmi.transformations.queries.electrical import Role, Wiring, listed, who
-from robosmi.typed import distinct
 from robosmi.validate import EVL, Fail
 
 loads = EVL()
@@ -30,7 +29,7 @@ def CurrentIsLimited(c: hardware.Component) -> bool | Fail:
     w = wiring_of(c)
     ends = [(connector, net, _gives_current(w, c, net)) for connector, net in w.nets(c)]
     common = [end for end in ends if w.means(end[0], "common")]
-    if len(distinct(net for _, net, _ in ends)) > 2 or common:
+    if len({net for _, net, _ in ends}) > 2 or common:
         others = [end for end in ends if end not in common]
         bare = any(stiff for *_, stiff in common) and any(stiff and not net.rail for _, net, stiff in others)
     else:

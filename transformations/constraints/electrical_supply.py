@@ -12,7 +12,6 @@ from robosmi.transformations.constraints.places import drawing, fault
 from robosmi.transformations.queries.circuit_walk import behind
 from robosmi.transformations.queries.connector_names import told_name
 from robosmi.transformations.queries.electrical import Kind, Role, Wiring, listed, stated_volts, who, wiring
-from robosmi.typed import distinct, sum_of
 from robosmi.validate import EVL, Fail
 
 supply = EVL()
@@ -78,7 +77,7 @@ def _source_volts(component: hardware.Component, connector: hardware.Connector) 
     """The voltage at a supply's connector: from a board's pin label, or a battery's or symbol's property; None if unknown."""
     if component.role is Role.Board:
         return stated_volts(connector.name)
-    if sum_of(c.kind is Kind.supply for c in component.connectors) > 1:
+    if sum(c.kind is Kind.supply for c in component.connectors) > 1:
         return None  # what goes in and what comes out
     volts = next((p.value for p in component.properties if p.name.lower() == "voltage"), "")
     return stated_volts(volts if volts[-1:].lower() == "v" else f"{volts}V")
@@ -117,7 +116,7 @@ def GroundsAreJoined(c: hardware.Component) -> bool | Fail:
     """A component shares the ground of the board whose pins it is wired to."""
     w = wiring_of(c)
     own = [net for connector, net in w.nets(c) if connector.kind is Kind.ground and w.is_wired(c, net)]
-    for board in distinct(p.board for p in w.board_pins(c)) if own else ():
+    for board in dict.fromkeys(p.board for p in w.board_pins(c)) if own else ():
         theirs = {net for connector, net in w.nets(board) if connector.kind is Kind.ground}
         known = any(connector.kind is Kind.ground for connector in board.connectors)
         if known and theirs.isdisjoint(own) and not any(_leads_to(w, net, theirs) or (w.volts(net) or 0) > 0 for net in own):
@@ -153,13 +152,13 @@ def IsTheRightWayRound(c: hardware.Component) -> bool | Fail:
 def BoardCanSupplyThem(b: hardware.Component) -> bool | Fail:
     """The devices supplied by a board need no more current than it can deliver."""
     w = wiring_of(b)
-    for net in distinct(n for connector, n in w.nets(b) if connector.kind is Kind.supply):
+    for net in dict.fromkeys(n for connector, n in w.nets(b) if connector.kind is Kind.supply):
         volts = w.volts(net)
         most = w.supply_ma(volts) if volts and w.fed_by_board(net) is b else None
         loads = dict(_loads(w, net)) if most is not None else {}
-        if most is not None and sum_of(loads.values()) > most:
+        if most is not None and sum(loads.values()) > most:
             names = listed([f"'{who(c)}'" for c in loads])
-            total = sum_of(loads.values())
+            total = sum(loads.values())
             message = f"{names} may take {total} mA from the {volts:g} V of '{who(b)}', which gives about {most} mA"
             return fault(b, message, needed_ma=total, given_ma=most)
     return True

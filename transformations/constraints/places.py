@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from msgspec.structs import replace
+
 from robosmi.diagnostics import Finding, Location
 from robosmi.metamodels import hardware
-from robosmi.typed import replaced
 from robosmi.validate import Fail
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ def fault(component: hardware.Component, message: str, **evidence: Held) -> Fail
 def in_file(found: list[Finding], path: str) -> list[Finding]:
     """Findings, those whose constraint gives no place with the file that their element is drawn or written in."""
     here = Location(path) if path else None
-    return [finding if finding.location is not None else replaced(finding, location=here) for finding in found]
+    return [finding if finding.location is not None else replace(finding, location=here) for finding in found]
 
 
 def worst_first(found: list[Finding]) -> list[Finding]:

@@ -21,7 +21,6 @@ from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.transformations.queries.waiting_calls import unwired_needs
-from robosmi.typed import distinct
 from robosmi.validate import EVL, Fail
 
 ports = EVL()
@@ -290,4 +289,4 @@ def _on_pin(c: migration.Connection) -> list[str]:
     same = [other for other in plan_of(c).connections if other.pin is not None and other.pin is c.pin]
     if same[:1] != [c] or any(other.signal is migration.Signal.bus for other in same):
         return []
-    return distinct(str(o.component.title) for o in same if o.component is not None)
+    return list(dict.fromkeys(str(o.component.title) for o in same if o.component is not None))

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.lexer import Token, closing, tokens
-from robosmi.typed import matches
 
 if TYPE_CHECKING:
     from robosmi.transformations.knowledge.adapter_files import AdapterPiece
@@ -41,12 +40,12 @@ def check_piece(piece: AdapterPiece, lines: Lines, text_line: int) -> None:
 
     def wrong(key: str, value: str, message: str, fix: str) -> PlatformDataError:
         line = lines.get((key, value)) or next(
-            (at for (k, v), at in lines.items() if k == key and value in matches(_WORD, v)), None
+            (at for (k, v), at in lines.items() if k == key and value in _WORD.findall(v)), None
         )
         return PlatformDataError(message, location=Location(piece.location.path, line or piece.location.line), fix=fix)
 
     _brackets(piece, found, text_line)
-    words = {word for kind, *_, text in found if kind in ("name", "directive") for word in matches(_WORD, text)}
+    words = {word for kind, *_, text in found if kind in ("name", "directive") for word in _WORD.findall(text)}
     name = piece.target_name or piece.name
     if piece.kind != "helper" and name not in words:
         raise wrong("name", piece.target_name, f"the text of '{piece.name}' has no '{name}'", "write it, or correct the name")

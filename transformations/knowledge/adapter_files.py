@@ -18,7 +18,6 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapter_ranges import ArgumentRange, argument_range
-from robosmi.typed import dynamic_attribute
 
 MARK = "//#"
 NOT_SERVED = "unsupported"
@@ -318,7 +317,7 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
         )  # fmt: skip
     if key in _LISTS:
         attribute = _ATTRIBUTES.get(key, key)
-        known: list[str] = dynamic_attribute(piece, attribute)
+        known: list[str] = getattr(piece, attribute)
         known += [value] if key == "library" else value.split()
     elif key in ("for", "setup", "limit"):
         {"for": piece.signatures, "setup": piece.setup, "limit": piece.limits}[key].append(value)

@@ -16,7 +16,6 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapter_data import adapter_paths, load
 from robosmi.transformations.knowledge.adapter_files import MARK, AdapterFile, AdapterPiece
-from robosmi.typed import distinct
 
 BUILT_IN = "built-in"
 OWN = "adapters"
@@ -78,7 +77,7 @@ class AdapterIndex:
 
     def own_headers(self) -> list[str]:
         """The headers for which a person keeps adapter files."""
-        return distinct(header for folder in self.folders if folder in self.own for header, _ in self._listed(folder))
+        return list(dict.fromkeys(header for folder in self.folders if folder in self.own for header, _ in self._listed(folder)))
 
     def own_adapter(self, function: str) -> AdapterPiece | None:
         """The adapter that a person keeps for a function, of whatever header; None if there is none.

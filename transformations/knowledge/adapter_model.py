@@ -6,7 +6,6 @@ from robosmi.metamodels import platform
 from robosmi.model.strict import enum_literal
 from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 from robosmi.transformations.knowledge.platform_model import DIRECTIONS
-from robosmi.typed import dynamic_attribute
 
 KINDS = {
     "adapter": "adaptedFunction", "constant": "constant", "register": "register", "variable": "variable", "type": "dataType",
@@ -20,7 +19,7 @@ _SAME = (
 
 def adapter_element(piece: AdapterPiece) -> platform.Adapter:
     """Make a new element from a piece, without its references to the pieces it needs."""
-    said = {name: value for name in _SAME if (value := dynamic_attribute(piece, name))}
+    said = {name: value for name in _SAME if (value := getattr(piece, name))}
     return platform.Adapter(
         name=piece.name,
         pieceKind=enum_literal(platform.PieceKind, KINDS[piece.kind]),

@@ -13,7 +13,6 @@ from pathlib import Path
 
 from robosmi.metamodels import platform
 from robosmi.transformations.knowledge.board_models import board_file, mapping_file, table_of
-from robosmi.typed import matches
 from robosmi.verify.boards import Claim
 from robosmi.verify.tables import DataTable, find_files
 
@@ -60,7 +59,7 @@ def _claims(toolchain: DataTable, mapping: platform.BoardMapping, pins: Path | N
             if entry.text("of") not in abilities:
                 continue
             own = facts | {"timer_channel": facts["timer_channel"] or entry.text("none", "")}
-            if any(not own[key] for key in matches(r"\{(\w+)\}", entry.text("ask") + entry.text("answer"))):
+            if any(not own[key] for key in re.findall(r"\{(\w+)\}", entry.text("ask") + entry.text("answer"))):
                 continue
             of_mapping, key = entry.flag("of_platform", False), entry.text("key")
             beside = f"{key} =" if of_mapping or key == "led" else f'label = "{pin.label}"'

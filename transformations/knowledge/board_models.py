@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Sequence
+from functools import cache
 from pathlib import Path
 
 from robosmi import inputs
@@ -20,7 +21,6 @@ from robosmi.project import read_data
 from robosmi.resources import folders
 from robosmi.transformations.knowledge.board_ports import check_names, check_ports
 from robosmi.transformations.knowledge.data_keys import OF_MICROCONTROLLERS, TAKES
-from robosmi.typed import kept
 from robosmi.verify.tables import DataTable
 
 KIND = "platform_repo"
@@ -363,7 +363,7 @@ def drawing_files(project: Path | None = None) -> Iterator[Path]:
                 yield from (p for p in listed if _HAS_PINS.search(text_of(p)) or _IS_DRAWN.search(text_of(p)))
 
 
-@kept
+@cache
 def _listed(folder: str, changed: int) -> tuple[Path, ...]:  # `changed` keys the cache: a file more or less is noticed
     return tuple(sorted(Path(folder).glob("*.toml")))
 
@@ -377,7 +377,7 @@ def text_of(path: Path) -> str:
     return _text(str(path), path.stat().st_mtime_ns)
 
 
-@kept
+@cache
 def _text(path: str, changed: int) -> str:
     try:
         return inputs.read_text(path, inputs.SETTINGS)
@@ -394,6 +394,6 @@ def table_of(path: Path) -> DataTable:
     return _table(str(path), path.stat().st_mtime_ns)
 
 
-@kept
+@cache
 def _table(path: str, changed: int) -> DataTable:
     return DataTable(Path(path), read_data(Path(path)))

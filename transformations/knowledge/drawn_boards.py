@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 
 from msgspec import Struct
 
 from robosmi.errors import did_you_mean
 from robosmi.transformations.knowledge.board_models import board_file, check_drawn, drawing_files, only_draws, table_of, text_of
-from robosmi.typed import kept
 from robosmi.verify.tables import DataTable
 
 PIN_TABLE = "pin table"
@@ -60,7 +60,7 @@ def drawn_board(part_id: str, tool: str, project: Path | None = None) -> DrawnBo
     return None
 
 
-@kept
+@cache
 def _plain(text: str) -> str:
     """A name in normal form for comparison, since persons who describe a board copy it by hand."""
     return "".join(text.split()).lower()

@@ -7,10 +7,12 @@ drawing.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi import inputs
 from robosmi.data_text import Json, as_list, as_number, as_table, as_text, as_texts, as_whole, line_of_key, line_of_value
@@ -21,7 +23,6 @@ from robosmi.resources import folders
 from robosmi.transformations.knowledge.board_models import ABILITIES
 from robosmi.transformations.knowledge.part_names import Phrases, read_toml
 from robosmi.transformations.knowledge.wildcards import Wildcards, fits
-from robosmi.typed import distinct, kept, replaced
 
 FILE = "parts/electrical.toml"
 """Path of the table in a data folder; the head of the file explains the keys."""
@@ -152,18 +153,18 @@ class Electrical:
             return None
         told = next((p.value for p in component.properties if p.name == REST), "")
         if told in _WORDS["rest"]:
-            return replaced(found, rest=told)
+            return replace(found, rest=told)
         if not found.rest_when:
             return found
         name, value, rest = found.rest_when
         has_it = any(p.name == name and p.value.strip().lower() == value for p in component.properties)
-        return replaced(found, rest=rest) if has_it else found
+        return replace(found, rest=rest) if has_it else found
 
     def meanings(self, name: str) -> tuple[str, ...]:
         """The meanings of a connector's name (`sda`, `output`; the keys of `[names]`), without duplicates."""
         word = " ".join(name.lower().split())
         found = (key for file in self._files for key, names in file.names.items() if word in names)
-        return tuple(distinct(found))
+        return tuple(dict.fromkeys(found))
 
     @property
     def supply_limits(self) -> list[tuple[float, int]]:
@@ -195,7 +196,7 @@ def rests_beyond_names(components: Iterable[hardware.Component]) -> dict[str, st
     return found
 
 
-@kept
+@cache
 def _read(files: tuple[tuple[str, int], ...]) -> Electrical:
     return Electrical(tuple(ElectricalFacts(read_toml(path), path) for path, _ in files))
 

@@ -10,8 +10,7 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Sequence
-
-from robosmi.typed import kept, matches
+from functools import cache
 
 Token = tuple[str, int, int, str]
 """(kind, start, end, text); the kinds are name, number, string, char, punct, comment, directive. A character is one byte."""
@@ -128,7 +127,7 @@ def tokens(data: bytes, limit: int = sys.maxsize) -> list[Token]:
     found: list[Token] = []
     end = 0
     fresh = True  # only at the start of a line does a hash open a directive
-    for piece in matches(_PIECES, text):  # they leave nothing out, so their lengths give their places
+    for piece in _PIECES.findall(text):  # they leave nothing out, so their lengths give their places
         start, end = end, end + len(piece)
         first = piece[0]
         kind = _second_look(piece) if first in _SECOND_LOOK else _KINDS.get(first, "punct")
@@ -148,7 +147,7 @@ def tokens(data: bytes, limit: int = sys.maxsize) -> list[Token]:
     return found
 
 
-@kept
+@cache
 def _pieces_of_a_line() -> re.Pattern[str]:  # few programs have a hash within a line, and compiling takes milliseconds
     return re.compile(f"{_BEFORE}|{_BEHIND}", re.DOTALL | re.ASCII)
 
@@ -156,7 +155,7 @@ def _pieces_of_a_line() -> re.Pattern[str]:  # few programs have a hash within a
 def _in_line(text: str, place: int) -> list[Token]:
     """The tokens from a `#` inside a line to the line's end."""
     found: list[Token] = []
-    for piece in matches(_pieces_of_a_line(), text):
+    for piece in _pieces_of_a_line().findall(text):
         first = piece[0]
         kind = _second_look(piece) if first in _SECOND_LOOK else _KINDS.get(first, "punct")
         if kind != "space":

@@ -23,7 +23,6 @@ from robosmi.recommend.index import Library, LibraryIndex
 from robosmi.recommend.ranking import Choices, Ranker, Recommendation
 from robosmi.transformations.knowledge.device_knowledge import device_knowledge, refuse_unknown_usual
 from robosmi.transformations.knowledge.target_platform import target_facts
-from robosmi.typed import distinct
 
 if TYPE_CHECKING:
     from robosmi.recommend.library_api import LibraryApi
@@ -213,7 +212,7 @@ def libraries_by_header(file: str, platform: str | None = None, project: Path | 
 def _offering(index: LibraryIndex, file: str) -> tuple[Library, ...]:
     found = [(header, index.library(header.library)) for header in index.headers_named(file)]
     found.sort(key=lambda pair: (not pair[0].main, not index.named[pair[0].id], -pair[1].copies, pair[1].id))
-    return tuple(distinct(library for _, library in found))
+    return tuple(dict.fromkeys(library for _, library in found))
 
 
 def _with_dependencies(index: LibraryIndex, start: Library) -> LibraryFacts:

@@ -8,6 +8,7 @@ lose PWM with a timer is data of the board.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -19,7 +20,6 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.metamodels import platform
 from robosmi.project import read_data
-from robosmi.typed import remembered
 
 _KEYS = frozenset(("names", "timers", "pins", "buses", "mcus", "when"))
 _LISTS = ("names", "timers", "pins", "buses", "mcus")
@@ -93,7 +93,7 @@ def bus_pins(board: platform.Board, buses: Iterable[str]) -> list[str]:
     return [labels[port] for bus in buses for port in known.get(bus, ()) if port in labels]
 
 
-@remembered(4)
+@lru_cache(maxsize=4)
 def _read(path: Path, mtime_ns: int) -> Mapping[str, list[_Entry]]:
     found: dict[str, list[_Entry]] = {}
     for entry in as_list(read_data(path).get("library", ())):

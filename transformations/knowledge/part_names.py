@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from pathlib import Path
 
 from msgspec import Struct
@@ -18,7 +19,6 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
 from robosmi.transformations.knowledge.wildcards import fits
-from robosmi.typed import kept, matches
 from robosmi.verify.tables import DataTable
 
 _LISTS = ("supply", "ground", "idle", "polarity", "control", "bus", "write", "read", "read_chip", "write_chip")
@@ -43,7 +43,7 @@ class Phrases:
         self._whole: dict[str, list[int]] = {}
         self._begin: dict[str, list[int]] = {}
         for phrase, number in phrases:
-            words = " ".join(matches(_WORD, phrase.lower()))
+            words = " ".join(_WORD.findall(phrase.lower()))
             (self._begin if phrase.endswith("*") else self._whole).setdefault(words, []).append(number)
 
     def found(self, text: str) -> Iterator[tuple[int, str]]:
@@ -60,7 +60,7 @@ class Phrases:
 
 
 def _runs(text: str) -> Iterator[str]:
-    words = matches(_WORD, text[:_LONGEST_TEXT].lower())
+    words = _WORD.findall(text[:_LONGEST_TEXT].lower())
     for first in range(len(words)):
         for last in range(first + 1, min(first + _LONGEST, len(words)) + 1):
             yield " ".join(words[first:last])
@@ -225,7 +225,7 @@ def parse_toml(text: str, path: str, first_line: int) -> dict[str, Json]:
         raise PlatformDataError(f"not valid TOML: {cause}", location=place, fix="mend the entry") from error
 
 
-@kept
+@cache
 def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
     table = DataTable(Path(path), read_toml(path))
     either, boards, drawn = (table.table(key, needed=False) for key in ("either", "boards", "drawn"))

@@ -10,11 +10,12 @@ import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
+from msgspec.structs import replace
+
 from robosmi.transformations.knowledge.part import Part
 from robosmi.transformations.knowledge.part_names import PartNames, Phrases, names
 from robosmi.transformations.knowledge.role_rules import ByTool, RoleRule, RoleRules, curated_entries, role_rules
 from robosmi.transformations.knowledge.wildcards import fits
-from robosmi.typed import replaced
 
 _REMARK = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
 _SYMBOL_CONNECTORS = 2  # of a symbol of a supply; a part with more is one that has a supply
@@ -99,11 +100,11 @@ def _curated(part: Part, project: Path | None) -> Part | None:
     entry = entries.get((part.tool, part.id)) or entries.get(("", part.id))
     if entry is None:
         return None
-    return replaced(part, role=entry["role"], driver=bool(entry.get("driver", False)), evidence=f"curated: {entry['why']}")
+    return replace(part, role=entry["role"], driver=bool(entry.get("driver", False)), evidence=f"curated: {entry['why']}")
 
 
 def _with(part: Part, rule: RoleRule, clue: str) -> Part:
-    return replaced(part, role=rule["role"], driver=bool(rule.get("driver", False)), evidence=f"{clue}: {rule['why']}")
+    return replace(part, role=rule["role"], driver=bool(rule.get("driver", False)), evidence=f"{clue}: {rule['why']}")
 
 
 def _clues(part: Part, known: RoleRules, lists: PartNames) -> Iterator[tuple[int, str]]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,7 +20,6 @@ from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.resources import folders
 from robosmi.transformations.knowledge.part import KINDS, ROLES, Part, PartConnector
 from robosmi.transformations.knowledge.part_names import connector_kind, names, parse_toml
-from robosmi.typed import kept
 
 if TYPE_CHECKING:
     from robosmi.transformations.knowledge.parts_store import PartsFile
@@ -98,14 +98,14 @@ def _files(project: Path | None) -> Iterator[Path]:
         yield from sorted(parts.glob("*.sqlite"))
 
 
-@kept
+@cache
 def _opened(path: Path, changed: int) -> PartsFile:  # `changed` keys the cache: a file that is imported anew is opened anew
     from robosmi.transformations.knowledge.parts_store import PartsFile
 
     return PartsFile(path)
 
 
-@kept
+@cache
 def _chunks(path: Path, changed: int) -> tuple[tuple[int, str], ...]:
     """The file cut before each `[[part]]`: line number and text, which is TOML by itself."""
     try:
@@ -133,7 +133,7 @@ def _no_part(path: Path, number: int, line: str) -> PlatformDataError:
     )  # fmt: skip
 
 
-@kept
+@cache
 def _table(path: str, line: int, chunk: str) -> dict[str, Json]:
     parsed = parse_toml(chunk, path, line)
     table = as_table(as_list(parsed["part"])[0])
@@ -170,7 +170,7 @@ def _connector(entry: Json) -> PartConnector:
     return PartConnector(as_text(said["id"]), as_text(said.get("name", "")), as_text(said.get("kind", "unknown")))
 
 
-@kept
+@cache
 def _entry(path: str, line: int, chunk: str, part_id: str, tool: str) -> Part | None:
     table = _table(path, line, chunk)
     if part_id not in _ids(table, tool):

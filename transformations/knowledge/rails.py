@@ -12,8 +12,6 @@ from collections.abc import Sequence
 
 from msgspec import Struct
 
-from robosmi.typed import distinct
-
 
 class Terminal(Struct, frozen=True):
     """A connector as the rules see it: its component's identity, title, role (none where it only steers a supply) and stated
@@ -49,9 +47,9 @@ def rail(terminals: Sequence[Terminal]) -> Rail | None:
     board = [t for t in powered if t.role == "Board"]
     supplies = [t for t in terminals if t.role == "Power"]
     named = [t for t in powered if t.role not in ("Board", "Power")]
-    reasons = distinct(f"{t.name or t.connector} of {_who(t)}" for t in (*board, *supplies))
+    reasons = list(dict.fromkeys(f"{t.name or t.connector} of {_who(t)}" for t in (*board, *supplies)))
     if not reasons and len({t.component for t in named}) > 1:
-        reasons = distinct(f"{t.name} of {_who(t)}" for t in named)
+        reasons = list(dict.fromkeys(f"{t.name} of {_who(t)}" for t in named))
     if not reasons:
         return None
     more = f" and {len(reasons) - _SHOWN} more" if len(reasons) > _SHOWN else ""

@@ -7,6 +7,7 @@ precedes the built-in rules. Keys are checked here; `part_roles` finds the rule 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from typing import TypedDict
 
@@ -20,7 +21,6 @@ from robosmi.plugins import registry
 from robosmi.resources import built_in, folders
 from robosmi.transformations.knowledge.part import ROLES
 from robosmi.transformations.knowledge.part_names import Phrases, read_toml
-from robosmi.typed import kept
 
 _FLAGS = ("driver", "first", "weak", "tags")
 _LISTS = ("words", "not", "named")
@@ -97,7 +97,7 @@ def _files(name: str, project: Path | None) -> Iterator[Path]:
     return (path for folder in folders("platform_repo", project) if (path := folder / "parts" / name).is_file())
 
 
-@kept
+@cache
 def _rules(path: str, changed: int) -> RoleRules:
     rules = _entries(path, "rule", _RULE_KEYS)
     words = [(word, number) for number, rule in enumerate(rules) for word in rule.get("words", [])]
@@ -113,7 +113,7 @@ def _rules(path: str, changed: int) -> RoleRules:
     )
 
 
-@kept
+@cache
 def _curated(path: str, changed: int) -> dict[tuple[str, str], RoleRule]:
     return {key: entry for entry in _entries(path, "part", _CURATED_KEYS) for key in _by_tool(entry.get("ids", []))}
 

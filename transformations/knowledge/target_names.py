@@ -15,7 +15,6 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.metamodels import platform
 from robosmi.transformations.knowledge.board_models import KIND
-from robosmi.typed import dynamic_attribute
 
 KINDS = ("declared", "macros", "same", "absent", "keywords")
 """Functions, variables and types; macros; names with the same meaning; missing standard functions; keywords."""
@@ -30,7 +29,7 @@ class TargetNames:
 
     def __init__(self, names: platform.ReservedNames | None) -> None:
         def of(kind: str) -> frozenset[str]:
-            return frozenset(dynamic_attribute(names, kind)) if names is not None else frozenset()
+            return frozenset(getattr(names, kind)) if names is not None else frozenset()
 
         self.declared, self.macros, self.same, self.absent, self.keywords = (of(kind) for kind in KINDS)
         self.statements: frozenset[str] = frozenset()
@@ -66,8 +65,8 @@ def add_names_of(mcu: str, folder: str, names: platform.ReservedNames, project: 
     paths = (each / folder / "names" / f"{mcu}.json" for each in resources.folders(KIND, project))
     path = next((path for path in paths if path.is_file()), None)
     for kind, more in (_read_names(path, ("declared", "macros")) if path is not None else {}).items():
-        known = set(dynamic_attribute(names, kind))
-        dynamic_attribute(names, kind).extend([name for name in more if name not in known])
+        known = set(getattr(names, kind))
+        getattr(names, kind).extend([name for name in more if name not in known])
 
 
 def _read_names(path: Path, kinds: Collection[str]) -> dict[str, list[str]]:

@@ -31,7 +31,6 @@ from robosmi.transformations.knowledge.board_models import (
 )
 from robosmi.transformations.knowledge.data_keys import OF_SOURCES, OF_TARGETS, TARGET
 from robosmi.transformations.knowledge.target_names import KINDS, TargetNames, add_names_of, reserved_names
-from robosmi.typed import dynamic_attribute
 from robosmi.verify.tables import DataTable
 
 STRUCTURES = {"setup/loop": platform.EntryStructure.setupLoop, "main": platform.EntryStructure.mainFunction}
@@ -377,9 +376,7 @@ def target_repository(
     made.libraries.clear()
     made.libraries.extend(libraries)
     if facts.shared is not None:
-        made.names = platform.ReservedNames(
-            **{kind: [n for n in dynamic_attribute(facts.shared, kind) if n in words] for kind in KINDS}
-        )
+        made.names = platform.ReservedNames(**{kind: [n for n in getattr(facts.shared, kind) if n in words] for kind in KINDS})
     chip = board.microcontroller
     return platform.PlatformRepository(
         platforms=[source, made],

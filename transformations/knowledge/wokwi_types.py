@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 
 from msgspec import Struct
@@ -19,7 +20,6 @@ from robosmi.transformations.knowledge.part import Part
 from robosmi.transformations.knowledge.part_names import Phrases
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
 from robosmi.transformations.knowledge.wildcards import fits
-from robosmi.typed import kept
 from robosmi.verify.tables import DataTable
 
 TOOL = "wokwi"
@@ -226,7 +226,7 @@ def _all(project: Path | None) -> Iterator[_Entry]:
             yield from _entries(path, path.stat().st_mtime_ns)
 
 
-@kept
+@cache
 def _entries(path: Path, changed: int) -> tuple[_Entry, ...]:  # `changed` keys the cache
     return tuple(_entry(table) for table in DataTable.read(path).tables("type"))
 

@@ -23,7 +23,6 @@ from robosmi.transformations.queries.adapter_needs import AdapterPieces
 from robosmi.transformations.queries.adapter_signature import spelling
 from robosmi.transformations.queries.plan_adapters import closure, emitted
 from robosmi.transformations.queries.signature_text import parameter_type, taken_apart
-from robosmi.typed import distinct
 
 Status = migration.AdapterStatus
 _LONG = re.compile(r"(?<!long )\blong(?! long)(?: int)?\b")
@@ -178,7 +177,7 @@ class AdapterChoice:
         closures = {other: self.api.closure((other,)) for other in self.index.headers}
         above = [other for other, below_it in closures.items() if header in below_it]
         above.sort(key=lambda other: len(closures[other]))  # the nearest ones first; those of further ones need not be read
-        return distinct((header, *same, *below, *(other for other in above if other not in declared)))
+        return list(dict.fromkeys((header, *same, *below, *(other for other in above if other not in declared))))
 
     def _conflict(self, pieces: Iterable[AdapterPiece]) -> str:
         """The message about an interrupt that a piece needs and another function's adapter has; empty if there is none."""

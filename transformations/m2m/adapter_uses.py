@@ -10,6 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
+from msgspec.structs import replace
+
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.target_names import TargetNames
@@ -18,7 +20,6 @@ from robosmi.transformations.m2m.signatures import Signature, for_target
 from robosmi.transformations.queries.code import CalledFunction, CodeView
 from robosmi.transformations.queries.own_headers import included
 from robosmi.transformations.queries.signature_text import declare, nothing, parameter_type, type_names
-from robosmi.typed import distinct, matches, replaced
 
 Source = migration.SignatureSource
 _RESERVED = re.compile(r"__(?!builtin_)|_[A-Z]")
@@ -50,7 +51,7 @@ def called_functions(
                 continue
             known = found.get(function.name)
             if known is None:
-                found[function.name] = replaced(function, calls=list(function.calls))  # the views keep theirs
+                found[function.name] = replace(function, calls=list(function.calls))  # the views keep theirs
             else:
                 known.calls += [c for c in function.calls if c not in known.calls]
                 known.callee = known.callee or function.callee
@@ -63,7 +64,7 @@ def called_functions(
 def _handed_on(view: CodeView) -> set[str]:
     """The names that a unit uses as values, and those called in bodies of its macros."""
     named = {str(r.name) for r in view.of_kind(ccode.NameReference)}
-    return named.union(*(matches(_CALLED, str(macro.body or "")) for macro in view.unit.macros))
+    return named.union(*(_CALLED.findall(str(macro.body or "")) for macro in view.unit.macros))
 
 
 _CALLED = re.compile(r"([A-Za-z_]\w*)\s*\(")
@@ -203,7 +204,7 @@ def target_type(spelling: str, own: Mapping[str, ccode.Declaration], language: s
     empty = nothing(spelling)
     if empty == "{}" and language == PLAIN_C:
         empty = f"({spelling}){{0}}"
-    named = distinct(word for word in type_names(spelling) if word in own)
+    named = list(dict.fromkeys(word for word in type_names(spelling) if word in own))
     return migration.TargetType(spelling=spelling, emptyValue=empty, declarations=[own[word] for word in named])
 
 

@@ -17,7 +17,6 @@ from robosmi.transformations.m2m.text_change import Change
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.tokens import name_tokens
-from robosmi.typed import matches
 
 RULE = "named-literal"
 """The rule of `edit_rules` that gives a literal a named object."""
@@ -51,7 +50,7 @@ def _kept(cast: ccode.Cast, data: bytes) -> ccode.Expression | None:
 
 def size_of(cast: ccode.Cast) -> str:
     """The number of elements, as text, of a literal that is a one-dimensional array; empty for any other literal."""
-    sizes = matches(r"\[(\d+)\]", (cast.target.canonical or "") if cast.target is not None and cast.target.arrayDims else "")
+    sizes = re.findall(r"\[(\d+)\]", (cast.target.canonical or "") if cast.target is not None and cast.target.arrayDims else "")
     return sizes[0] if len(sizes) == 1 else ""
 
 

@@ -26,7 +26,6 @@ from robosmi.transformations.queries.main_function import Division
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.transformations.queries.source_text import SourceText
 from robosmi.transformations.queries.stack_depth import CORE_INTERRUPT, IDLE, interrupt_bytes, measured_stacks
-from robosmi.typed import distinct, paired
 
 SPARE = 1.25
 """Safety factor on the estimated stack size of a coroutine."""
@@ -74,7 +73,7 @@ def concurrency(
         ],
     )
     divided = {id(d.loop) for d in divisions if d.loop is not None}
-    for view, text in paired(views, texts):
+    for view, text in zip(views, texts, strict=True):
         made.changes.extend(yields(view, text, waiting, divided))
     made.loopGivesWay = any(
         gives_way(each, waiting) for view in views if (each := main_loop(view)) is not None and id(each) in divided
@@ -85,4 +84,4 @@ def concurrency(
 def _functions(views: Sequence[CodeView], starts: Sequence[CogStart]) -> list[ccode.Function]:
     """The program's functions that are started on other cores, without duplicates."""
     own = {str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition}
-    return [own[name] for name in distinct(s.function for s in starts) if name in own]
+    return [own[name] for name in dict.fromkeys(s.function for s in starts) if name in own]

@@ -23,7 +23,6 @@ from robosmi.transformations.knowledge.part_names import PartNames, name_directi
 from robosmi.transformations.queries.circuit_walk import ReachedComponent, either_side, natural_key, pins_of, walk
 from robosmi.transformations.queries.connector_names import told_name
 from robosmi.transformations.queries.joined_inside import tied_inside
-from robosmi.typed import distinct, paired
 
 Role = hardware.Role
 
@@ -100,7 +99,7 @@ def map_connectors(
             connectors=one.reached.connectors,
             via=one.reached.via,
         )
-        for one, name in paired(mapped, called)
+        for one, name in zip(mapped, called, strict=True)
     ]
     return connections, state.findings
 
@@ -156,7 +155,7 @@ def _map_board(board: hardware.Component, target: platform.Board | None, state: 
         pins = dict(sorted(pins.items(), key=lambda item: known_pins.get(item[0], (len(known_pins), None))[0]))
     _report_joined(board, pins, state)
     for place, (label, connectors) in enumerate(pins.items()):
-        nets = distinct(c.net for c in connectors if c.net is not None)
+        nets = list(dict.fromkeys(c.net for c in connectors if c.net is not None))
         for net in nets:
             _report_net(board, label, net, state)
         pin = known_pins[label][1] if label in known_pins else None

@@ -15,7 +15,6 @@ from robosmi.transformations.m2m.shared_names import linkage
 from robosmi.transformations.m2m.text_change import Change
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.source_text import SourceText
-from robosmi.typed import matches
 
 RULE = "decided-condition"
 _BRANCHES = ("if", "ifdef", "ifndef", "elif", "elifdef", "elifndef")
@@ -70,7 +69,7 @@ def _words(condition: str, bodies: dict[str, str]) -> list[str]:
     """The names in a condition, including those in the bodies of the program's macros that it uses."""
     pending, seen = [condition], dict[str, None]()
     while pending:
-        for word in matches(_WORD, pending.pop()):
+        for word in _WORD.findall(pending.pop()):
             if word not in seen and word != "defined":
                 seen[word] = None
                 if word in bodies:

@@ -19,7 +19,6 @@ from robosmi.transformations.queries.expression_type import FunctionType, type_o
 from robosmi.transformations.queries.initialisers import members_given, record_of
 from robosmi.transformations.queries.tokens import name_tokens
 from robosmi.transformations.queries.unsaid_parameters import parameters_of
-from robosmi.typed import first_of
 
 _EMPTY = re.compile(rb"\(\s*\)\s*\Z")
 
@@ -55,7 +54,7 @@ def empty_types(view: CodeView, data: bytes) -> Iterator[EmptyType]:
     for typedef in empty:
         taken = {parameters_of(function)[1] for function in kept.get(str(typedef.name), ())}
         if taken - {""} or (typedef.name in called and not taken):
-            yield EmptyType(typedef, first_of(taken) if len(taken) == 1 else None)
+            yield EmptyType(typedef, next(iter(taken)) if len(taken) == 1 else None)
 
 
 def said_parameters(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:

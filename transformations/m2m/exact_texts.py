@@ -17,7 +17,6 @@ from robosmi.transformations.m2m.text_change import Change
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType, ValueType, of_use
 from robosmi.transformations.queries.initialisers import says_where, value_in
-from robosmi.typed import matches
 
 _PIECE = re.compile(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)
 _CHARACTER = re.compile(r"\\(?:x[0-9a-fA-F]+|[0-7]{1,3}|.)|[^\\]", re.DOTALL)
@@ -48,7 +47,7 @@ def without_zero(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Expression
 
 def _sizes(use: ccode.TypeUse) -> list[str]:
     """The sizes of an array as written, including those of a typedef that it uses."""
-    made = matches(_SIZE, str(use.arrayDims or ""))
+    made = _SIZE.findall(str(use.arrayDims or ""))
     named = use.declaration.aliased if isinstance(use.declaration, ccode.Typedef) else None
     return made + (_sizes(named) if named is not None else [])
 
@@ -115,8 +114,8 @@ def _known(size: str, constants: Mapping[str, int]) -> int | None:
 def characters(literal: str) -> list[str]:
     """The bytes of a C string literal as written, without the final zero byte; adjacent literals count as one."""
     made: list[str] = []
-    for piece in matches(_PIECE, literal.replace("\\\n", "")):
-        for each in matches(_CHARACTER, piece):
+    for piece in _PIECE.findall(literal.replace("\\\n", "")):
+        for each in _CHARACTER.findall(piece):
             plain = len(each.encode(errors="surrogateescape")) == 1 or each.startswith("\\")
             made += [each] if plain else [f"\\x{byte:02x}" for byte in each.encode(errors="surrogateescape")]
     return made

@@ -23,7 +23,6 @@ from robosmi.transformations.m2m.list_values import (
 from robosmi.transformations.m2m.text_change import Change
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType, ValueType, element_type, of_use
-from robosmi.typed import matches
 
 RULE = "excess-values"
 _SIZE = re.compile(r"\[([^\]]*)\]")
@@ -49,7 +48,7 @@ def places(variable: ccode.Variable, data: bytes) -> list[tuple[int, int, str]]:
     start = int(first.startOffset)
     found = [(kind, begin + start, end + start, text) for kind, begin, end, text in tokens(data[start : first.endOffset])]
     words = [word for word in found if word[0] not in ("comment", "directive")]
-    sizes = matches(_SIZE, str(use.arrayDims or ""))
+    sizes = _SIZE.findall(str(use.arrayDims or ""))
     try:
         return _excess(words, of_use(use), sizes, constants_of(variable) if any(sizes) else {})
     except UnknownList:
@@ -83,7 +82,7 @@ def _excess(
     for number, each in enumerate(values):
         if number < room and braced[number]:
             member = fields[number].valueType if fields else None
-            dimensions = matches(_SIZE, str(member.arrayDims or "")) if member is not None else sizes[1:]
+            dimensions = _SIZE.findall(str(member.arrayDims or "")) if member is not None else sizes[1:]
             made += _excess(each.value, of_use(member) if fields else inner, dimensions, constants)
     if room < len(values) and (array or fields or kind.arithmetic):
         begin = values[room - 1].value[-1][2] if room > 0 else words[0][2]

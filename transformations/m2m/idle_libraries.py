@@ -6,7 +6,6 @@ from robosmi.metamodels import ccode, hardware, migration
 from robosmi.transformations.m2m.library_choice import NO_LIBRARY
 from robosmi.transformations.m2m.plan_checks import port_calls
 from robosmi.transformations.queries.plan_adapters import closure
-from robosmi.typed import distinct
 
 _READY = (migration.AdapterStatus.filled, migration.AdapterStatus.care)
 
@@ -26,7 +25,7 @@ def close_idle_choices(plan: migration.MigrationPlan) -> None:
             continue
         names = {str(name) for piece in closure(pieces) for name in piece.libraries}
         if names.isdisjoint(str(library.name) for library in choice.candidates):
-            functions = ", ".join(distinct(str(call.calleeName) for call in calls))
+            functions = ", ".join(dict.fromkeys(str(call.calleeName) for call in calls))
             choice.chosenBy, choice.open, choice.choice = migration.ChosenBy.rule, False, NO_LIBRARY
             choice.evidence.append(f"what the program does here needs none: {functions}")
 

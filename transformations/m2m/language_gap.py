@@ -38,7 +38,6 @@ from robosmi.transformations.queries.numbers import COMPARISONS
 from robosmi.transformations.queries.own_headers import included, own_macro
 from robosmi.transformations.queries.plan import RUN_IN_SETUP
 from robosmi.transformations.queries.signature_text import function_type
-from robosmi.typed import matches
 
 
 def changes(view: CodeView, data: bytes, functions: Mapping[str, FunctionType], *, cplusplus: bool = True) -> list[Change]:
@@ -181,7 +180,7 @@ def _tags(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) ->
 
 def _type_names(use: ccode.TypeUse) -> list[str]:
     """The names in a type, without the tags of records and enumerations."""
-    words = matches(r"[A-Za-z_]\w*", use.spelling)
+    words = re.findall(r"[A-Za-z_]\w*", use.spelling)
     return [word for before, word in itertools.pairwise(["", *words]) if before not in ("struct", "union", "enum")]
 
 

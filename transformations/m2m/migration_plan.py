@@ -32,7 +32,6 @@ from robosmi.transformations.queries.binding_edits import TRACED
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.ports import ProgramPorts
 from robosmi.transformations.queries.source_text import words_of
-from robosmi.typed import distinct
 
 
 class LibrariesSaid(Struct, frozen=True):
@@ -174,7 +173,7 @@ def put_together(
     for widening in d.widened.widenings:
         trace.link("widths", "code", [widening.element], [widening])
     words = words_of(d.files[unit.path] for unit in d.program.units)
-    for name in distinct(library for piece in d.dependence.pieces for library in piece.libraries):
+    for name in dict.fromkeys(library for piece in d.dependence.pieces for library in piece.libraries):
         d.libraries.get(name)
     repository = target_repository(d.target, d.dependence.source, d.board, list(d.libraries.elements.values()), words)
     target = d.target.model.platform

@@ -19,7 +19,6 @@ from robosmi.transformations.queries.expression_type import FunctionType, declar
 from robosmi.transformations.queries.main_program import exits
 from robosmi.transformations.queries.signature_text import declared_parameters, nothing
 from robosmi.transformations.queries.tokens import name_tokens
-from robosmi.typed import matches
 
 _QUALIFIERS = re.compile(r"(?:\b(?:static|const|volatile|extern|register|auto|inline)\b|\s)*")
 
@@ -222,7 +221,7 @@ def sizes_of_parameters(view: CodeView, data: bytes, functions: Mapping[str, Fun
         function = ancestor_of_kind(parameter, ccode.Function)
         first = (sizes or "").partition("]")[0].strip("[ ")
         names = {p.name for p in function.parameters} if function is not None else set()
-        if names & set(matches(r"[A-Za-z_]\w*", first)) or first.startswith("*") or _SIZE_WORDS.match(first):
+        if names & set(re.findall(r"[A-Za-z_]\w*", first)) or first.startswith("*") or _SIZE_WORDS.match(first):
             yield Change(parameter, "open-size", "", "C++ wants a constant there")
 
 

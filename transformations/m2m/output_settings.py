@@ -11,7 +11,6 @@ from collections.abc import Mapping, Sequence
 from robosmi.errors import SourceError, did_you_mean
 from robosmi.metamodels import migration
 from robosmi.project import ServoTrim
-from robosmi.typed import distinct
 
 
 def set_rest_levels(connections: Sequence[migration.Connection]) -> None:
@@ -51,7 +50,7 @@ def set_servo_trims(
             known = [c.component.title for c in connections if c.component is not None and c.signal is migration.Signal.write]
             known += [str(b.name) for b in bindings]
             what = "is driven by no pin" if found else f"is no component, role or port here{did_you_mean(name, known)}"
-            offered = ", ".join(f"'{each}'" for each in distinct(known)) or "none is driven"
+            offered = ", ".join(f"'{each}'" for each in dict.fromkeys(known)) or "none is driven"
             raise SourceError(f"[servos] '{name}' {what}", location=trim.place, fix=f"use one of: {offered}")
         if other := next((told[id(c)] for c in driven if id(c) in told), ""):
             what = f"[servos] '{name}' is the servo that '{other}' tells of"

@@ -23,7 +23,6 @@ from robosmi.transformations.queries.own_headers import included
 from robosmi.transformations.queries.record_members import members
 from robosmi.transformations.queries.signature_text import declare, type_names
 from robosmi.transformations.queries.tokens import names_in
-from robosmi.typed import matches
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _NO_TYPES = ARITHMETIC | {
@@ -102,7 +101,7 @@ def standard_values(views: Sequence[CodeView], target: TargetFacts) -> Iterable[
             if isinstance(reference.target, ccode.ExternalSymbol):
                 uses.setdefault(str(reference.name), []).append(reference)
         for macro in view.own_macros.values():
-            uses |= {word: uses.get(word, []) for word in matches(_WORD, str(macro.body or ""))}
+            uses |= {word: uses.get(word, []) for word in _WORD.findall(str(macro.body or ""))}
         for name, references in uses.items():
             entry = view.resolve(name) if name not in own else None
             if entry is not None and entry.kind != "function" and entry.header in target.standard_headers:
@@ -288,7 +287,7 @@ def _inner_first(types: Iterable[migration.SymbolUse]) -> list[migration.SymbolU
 
     def place(name: str) -> None:
         if (each := left.pop(name, None)) is not None:
-            for word in matches(_WORD, str(each.placeholder or "")):
+            for word in _WORD.findall(str(each.placeholder or "")):
                 place(word)
             ordered.append(each)
 
@@ -344,5 +343,5 @@ def _type(
 
 def _member_name(declarator: str) -> str:
     """The name in a member's declarator, as `record_members` writes it."""
-    words: list[str] = matches(r"[A-Za-z_]\w*", declarator.partition(")")[0].partition("[")[0])
+    words: list[str] = re.findall(r"[A-Za-z_]\w*", declarator.partition(")")[0].partition("[")[0])
     return words[-1] if words else ""

@@ -16,7 +16,6 @@ from robosmi.transformations.queries.connector_names import wire_name
 from robosmi.transformations.queries.idle_ports import is_idle
 from robosmi.transformations.queries.plan_adapters import closure, setup_statements
 from robosmi.transformations.queries.port_pins import of_own_serial_port
-from robosmi.typed import distinct
 
 RULE = "RS340"
 """The id of the rule under which checks are reported."""
@@ -42,7 +41,9 @@ def plan_checks(plan: migration.MigrationPlan) -> list[migration.PlanTask]:
 
 def _console(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
     if bauds := _bauds(plan):
-        others = distinct(str(c.calleeName) for b in plan.portBindings if of_own_serial_port(b) for c in port_calls(plan, b))
+        others = list(
+            dict.fromkeys(str(c.calleeName) for b in plan.portBindings if of_own_serial_port(b) for c in port_calls(plan, b))
+        )
         rate = f"{bauds[0]} baud" + (f" (or what {', '.join(others)} asks for)" if others else "")
         message = f"open the 'serial monitor' at {rate}, and see that the program's texts come"
         yield migration.PlanTask(rule=RULE, severity=migration.SeverityLevel.info, message=message)
@@ -83,7 +84,7 @@ def _bare_pins(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
 def _check(
     plan: migration.MigrationPlan, what: str, ports: list[migration.PortBinding], elements: list[Element]
 ) -> migration.PlanTask:
-    names = ", ".join(distinct(str(b.name) for b in ports))
+    names = ", ".join(dict.fromkeys(str(b.name) for b in ports))
     first = next((b.element for b in ports if b.element is not None), None)
     unit = ancestor_of_kind(first, ccode.SourceUnit) if first is not None else None
     return migration.PlanTask(
@@ -101,7 +102,7 @@ def _expected(plan: migration.MigrationPlan, ports: list[migration.PortBinding])
     said, way = _SEEN.get(role, _OTHERWISE) if role is not None else _OTHERWISE
     ways = {str(use.name): {p.direction for p in use.function.parameters} for use in plan.adapterUses if use.function is not None}
     fitting = [call for call in calls if way in ways.get(str(call.calleeName), ())] or calls
-    names = distinct(str(call.calleeName) for call in fitting)
+    names = list(dict.fromkeys(str(call.calleeName) for call in fitting))
     if not names:
         return "see that it does what the program asks"
     shown = ", ".join(names[:_MOST]) + (" ..." if len(names) > _MOST else "")

@@ -53,7 +53,6 @@ from robosmi.transformations.queries.main_function import Division, divide, main
 from robosmi.transformations.queries.piece_names import declared_names, library_names
 from robosmi.transformations.queries.program_model import ProgramModel
 from robosmi.transformations.queries.source_text import SourceText, is_header, words_of
-from robosmi.typed import matches, paired, sum_of
 
 T = TypeVar("T")
 _WORD = re.compile(r"\b[A-Za-z_]\w*")
@@ -190,7 +189,7 @@ def _symbols(
     known = _resolved(there, api, used, [i.header for v in views for i in v.unit.includes])
     wanted = wanted_types(views, functions)
     attributes = set(api.settings["parser"].get("attribute_macros", []))
-    several = sum_of(not is_header(v.unit) for v in views) > 1
+    several = sum(not is_header(v.unit) for v in views) > 1
     sizes = size_names(views)
     values = []
     for place, (name, uses) in enumerate(used.items()):
@@ -241,7 +240,7 @@ def _beside_adapters(names: TargetNames, views: Sequence[CodeView], result: Depe
     own -= served | {""}
     declared, macros = declared_names(result.pieces, own)
     declared |= library_names(result.pieces, index, own)
-    within = {word for piece in result.pieces for statement in piece.setup for word in matches(_WORD, str(statement))}
+    within = {word for piece in result.pieces for statement in piece.setup for word in _WORD.findall(str(statement))}
     return names.beside(declared, macros | {str(helper.name) for helper in result.helpers}, frozenset(within))
 
 
@@ -311,7 +310,7 @@ def _change_unit_texts(
                 verdict.action, verdict.choice = migration.Action.unsupported, migration.Action.unsupported.name
     texts = [SourceText(view.unit, sources[view.unit.path], ()) for view in views]
     for disposition in result.dispositions:
-        rules = paired(disposition.rules, disposition.reasons)
+        rules = zip(disposition.rules, disposition.reasons, strict=True)
         word = disposition.goesOnIn
         change_texts(disposition, wanted.get(disposition) or [(rule, word, reason) for rule, reason in rules], texts)
     verdicts = {d.element: d for d in result.dispositions if isinstance(d.element, ccode.Variable)}

@@ -12,7 +12,6 @@ from collections.abc import Mapping, Sequence
 
 from robosmi.metamodels import migration
 from robosmi.transformations.m2m.port_evidence import Fit, Seat, fit, may_meet
-from robosmi.typed import sum_of
 
 NAME_CONFIDENCE = 0.9
 """Confidence of a binding by name alone, or by a role that fits one free component only."""
@@ -83,7 +82,7 @@ def _only(
 ) -> bool:
     """Whether a port is usually on such a component, and neither of them could be matched with any other that is left."""
     component = free[k].component
-    if not may_meet(seats[i], free[k]) or sum_of(c.component is component for c in free) > 1:
+    if not may_meet(seats[i], free[k]) or sum(c.component is component for c in free) > 1:
         return False
     rivals = [(a, b) for a, b in fits if (a == i) != (b == k)]
     return not any(may_meet(seats[a], free[b]) is not False for a, b in rivals)

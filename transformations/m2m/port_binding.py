@@ -25,7 +25,6 @@ from robosmi.transformations.queries.port_pins import NOT_WIRED
 from robosmi.transformations.queries.ports import Port, ProgramPorts, convention_of
 from robosmi.transformations.queries.split_wires import wires_of
 from robosmi.transformations.queries.value_flows import PinArgument
-from robosmi.typed import first_of, paired
 
 _SIGNALS = {"in": "read", "out": "write"}
 _ANOTHER_PROGRAM = "take it out there, or give each program a folder of its own with its project file"
@@ -82,25 +81,25 @@ def bind_ports(
     for layer in said:
         pins.update(_layer(layer, ports, found, api))
     bindings = [_binding(port, source) for port in ports]
-    for port, binding in paired(ports, bindings):
+    for port, binding in zip(ports, bindings, strict=True):
         if port.name in pins:
             with placed(pins[port.name].place):
                 _take(binding, pins[port.name].name, connections, board)
             explain(binding, (stored or {}).get(port.name))
-    for port, binding in paired(ports, bindings):
+    for port, binding in zip(ports, bindings, strict=True):
         if binding.open:
             _on_board(port, binding, api, connections, board, {id(b.pin) for b in bindings if b.pin is not None})
     taken = {id(b.connection) for b in bindings if b.connection is not None} | {id(b.pin) for b in bindings if b.pin is not None}
     free = [c for c in connections if id(c) not in taken and (c.pin is None or id(c.pin) not in taken)]
-    for port, binding in paired(ports, bindings):
+    for port, binding in zip(ports, bindings, strict=True):
         _split(port, binding, connections, split)
     heard = {id(b.answer) for b in bindings if b.answer is not None}
     free = [c for c in free if id(c) not in heard]
-    seats = [_seat(p, b, found, api, split) for p, b in paired(ports, bindings) if b.open]
+    seats = [_seat(p, b, found, api, split) for p, b in zip(ports, bindings, strict=True) if b.open]
     for seat in seats:
         seat.binding.role = seat.role
     assign(seats, free, limit, complete=not found.anything)
-    for port, binding in paired(ports, bindings):
+    for port, binding in zip(ports, bindings, strict=True):
         if not binding.open:
             _split(port, binding, connections, split)
             seat = _seat(port, binding, found, api, split)
@@ -294,7 +293,7 @@ def _on_board(
 def signal_of(port: Port) -> str:
     """The direction in which the program uses a port: read, write, or bus for both."""
     directions = port.directions
-    return _SIGNALS[first_of(directions)] if len(directions) == 1 and directions <= set(_SIGNALS) else "bus"
+    return _SIGNALS[next(iter(directions))] if len(directions) == 1 and directions <= set(_SIGNALS) else "bus"
 
 
 def _words(port: Port, api: ApiIndex) -> list[str]:
@@ -310,7 +309,7 @@ def _arguments(port: Port, found: ProgramPorts) -> list[PinArgument]:
     return [
         argument
         for each in found.flows
-        for argument, known in paired(each.flow.arguments, each.values)
+        for argument, known in zip(each.flow.arguments, each.values, strict=True)
         if port.pin is not None and port.pin in {value.number for value in known}
     ]
 

@@ -24,7 +24,6 @@ from robosmi.transformations.queries.component_kinds import (
     said,
 )
 from robosmi.transformations.queries.port_pins import measures
-from robosmi.typed import sum_of
 
 _NUMBERED = re.compile(r"(r|row|c|col|column)[ _]?(\d+)\Z", re.IGNORECASE)
 _ELEMENT = re.compile(r"(row|col)[a-z]*\[(\d+)\]\Z", re.IGNORECASE)
@@ -152,7 +151,7 @@ def _goes_together(seat: Seat, connection: migration.Connection, known: PortWord
     component = connection.component
     every = _purposes(connector_words(c.name for c in component.connectors), known) if component is not None else set()
     asked = {frozenset(_purposes(connector_words([name]), known)) for name in seat.siblings} - {frozenset()}
-    return sum_of(bool(purposes & every) for purposes in asked) > 1
+    return sum(bool(purposes & every) for purposes in asked) > 1
 
 
 def _numbers(connection: migration.Connection) -> tuple[str, int] | None:

@@ -15,7 +15,6 @@ from robosmi.transformations.queries.port_pins import text_in_place
 from robosmi.transformations.queries.ports import FlowPorts, ProgramPorts
 from robosmi.transformations.queries.value_flows import PinArgument, PortPlace
 from robosmi.transformations.queries.values import Value
-from robosmi.typed import distinct, paired
 
 RULE = "port"
 """Id of the rule that replaces a port's number by a pin."""
@@ -56,7 +55,7 @@ def port_changes(
         else:
             changes = []
             looked: set[tuple[str, int, int]] = set()
-            for argument, known in paired(each.flow.arguments, each.values):
+            for argument, known in zip(each.flow.arguments, each.values, strict=True):
                 changes += shut.pop(id(argument.call), []) if argument.unplaced else []
                 at = (str(argument.unit.path), argument.start, argument.end)
                 if _asks(argument, known) and at not in looked:
@@ -77,7 +76,7 @@ def looked_up(ports: ProgramPorts) -> list[str]:
         "port" if argument.parameter.number is None else "ports"
         for each in ports.flows
         if not each.moved
-        for argument, known in paired(each.flow.arguments, each.values)
+        for argument, known in zip(each.flow.arguments, each.values, strict=True)
         if _asks(argument, known)
     ]
     return sorted(set(asked))
@@ -87,7 +86,7 @@ def _flow(
     each: FlowPorts, changes: list[migration.TextChange], numbers: Mapping[int, migration.PortBinding]
 ) -> migration.PortFlow:
     first = each.flow.arguments[0]
-    names = distinct(p.name for p in each.flow.places if p.name)[:3]
+    names = list(dict.fromkeys(p.name for p in each.flow.places if p.name))[:3]
     why = each.flow.kept[:_REASONS] if not each.moved else ["its numbers go to pins of platform functions only"]
     return migration.PortFlow(
         name=", ".join(names) or f"{first.function} {_where(first)}",

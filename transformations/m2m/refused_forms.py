@@ -25,7 +25,6 @@ from robosmi.transformations.m2m.void_arithmetic import in_macros
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import of_use, type_of
 from robosmi.transformations.queries.tokens import name_tokens
-from robosmi.typed import matches
 
 Form = tuple[int, str, str]
 """Offset of the first byte, message, suggested fix."""
@@ -159,10 +158,10 @@ def _rows_of_parameters(view: CodeView, data: bytes) -> Iterator[Form]:
     for parameter in view.of_kind(ccode.Parameter):
         function = ancestor_of_kind(parameter, ccode.Function)
         text = data[parameter.startOffset : parameter.endOffset]
-        sizes = [size.decode("latin-1") for size in matches(_SIZES, text)]
+        sizes = [size.decode("latin-1") for size in _SIZES.findall(text)]
         names = {p.name for p in function.parameters if p.name} if function is not None else set()
         rows = sizes if b"(*" in text.replace(b" ", b"") else sizes[1:]
-        if any(row.strip() == "*" or not names.isdisjoint(matches(_NAME, row)) for row in rows):
+        if any(row.strip() == "*" or not names.isdisjoint(_NAME.findall(row)) for row in rows):
             message = "the rows of an array are as long as a parameter says, which C++ does not have"
             yield int(parameter.startOffset), message, "write the length as a constant, or take a plain pointer and calculate"
     for variable in view.of_kind(ccode.Variable):

@@ -14,7 +14,6 @@ from msgspec import Struct
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.queries.port_pins import NO_PIN, UNBOUND
 from robosmi.transformations.queries.value_flows import PinArgument
-from robosmi.typed import distinct
 
 
 class _Use(Struct, frozen=True):
@@ -52,7 +51,7 @@ def _outermost(unit: ccode.SourceUnit, call: ccode.Call) -> _Use:
 
 def _around(use: _Use, given: list[PinArgument], data: bytes) -> Iterator[migration.TextChange]:
     """Put the directives on lines of their own before and after the use; before it they replace the indentation if possible."""
-    functions = distinct(each.function for each in given)
+    functions = list(dict.fromkeys(each.function for each in given))
     before = "".join(f"{_directive(name, [each for each in given if each.function == name])}\n" for name in functions)
     after = "".join(f"\n#undef {name}" for name in functions)
     line = data.rfind(b"\n", 0, use.start) + 1

@@ -13,7 +13,6 @@ from collections.abc import Collection, Mapping, Sequence
 from msgspec import Struct
 
 from robosmi.transformations.queries.signature_text import declare
-from robosmi.typed import matches
 
 _QUALIFIERS = re.compile(r"\b(const|volatile|register|restrict|extern|static|inline)\b")
 
@@ -43,7 +42,7 @@ class Signature(Struct, frozen=True):
         Args:
             reserved: names that no parameter may have.
         """
-        taken: set[str] = {word for spelling, _ in self.parameters for word in matches(_WORDS, spelling)}
+        taken: set[str] = {word for spelling, _ in self.parameters for word in _WORDS.findall(spelling)}
         named: list[tuple[str, str]] = []
         for number, (spelling, name) in enumerate(self.parameters, 1):
             if spelling.strip() == "void" and not name:

@@ -17,7 +17,6 @@ from robosmi.transformations.m2m.width_wants import NAME, ORDER, READ, SHIFT, TE
 from robosmi.transformations.queries.macro_definitions import TextPlace
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number
 from robosmi.transformations.queries.typed import NumberKind, TypedExpression
-from robosmi.typed import in_threes, paired
 
 _ARITHMETIC = frozenset(["+", "-", "*", "/", "%", "&", "|", "^"])
 _TRUTH = Number(8, False)
@@ -126,7 +125,7 @@ class Walk(Struct):
             self._format(node, arguments, numbers)
         elif node.origin != "standard":
             first = node.fixed if node.fixed >= 0 else len(arguments)  # of what the parameters do not name
-            for argument, number in paired(arguments[first:], numbers[first:]):
+            for argument, number in zip(arguments[first:], numbers[first:], strict=True):
                 passed = argument.converted.number
                 if passed is not None and not passed.real and self._promoted(number) != passed:
                     self.widen(argument, passed)
@@ -146,7 +145,7 @@ class Walk(Struct):
             self.wants.append(Want(TEXT, text, text="?"))
             return
         offsets = []
-        given = in_threes(conversions(text.text, reads), arguments[node.fixed :], numbers[node.fixed :], strict=False)
+        given = zip(conversions(text.text, reads), arguments[node.fixed :], numbers[node.fixed :], strict=False)
         for conversion, argument, number in given:
             length, letter, offset = conversion
             if reads:
@@ -239,7 +238,7 @@ class Walk(Struct):
         left, right = (number if number is not None else self.there.integer for _, number in operands)
         if self._computes(wanted, left, right):
             return
-        able = [operand for operand, other in paired(operands, (right, left)) if self._computes(wanted, wanted, other)]
+        able = [operand for operand, other in zip(operands, (right, left), strict=True) if self._computes(wanted, wanted, other)]
         if able:
             self.widen(min(able, key=lambda o: self._reluctance(o[0], o[1], wanted))[0], wanted)
         else:

@@ -27,7 +27,6 @@ from robosmi.transformations.queries.macro_definitions import TextPlace
 from robosmi.transformations.queries.numbers import Machine
 from robosmi.transformations.queries.typed import TypedExpression, deep_calls
 from robosmi.transformations.queries.width_types import retyped, retyped_words
-from robosmi.typed import distinct, matches
 
 TYPE = "type"
 """The rule of a change of a declared type."""
@@ -180,7 +179,7 @@ def text_findings(widened: Widened, units: Sequence[ccode.SourceUnit], texts: Ma
 
 def _as_text(macro: ccode.Macro) -> frozenset[int]:
     """The indices of a macro's parameters that its body stringifies."""
-    words = set(matches(r"(?<!#)#\s*([A-Za-z_]\w*)", str(macro.body or ""))) if macro.functionLike else set()
+    words = set(re.findall(r"(?<!#)#\s*([A-Za-z_]\w*)", str(macro.body or ""))) if macro.functionLike else set()
     return frozenset(number for number, name in enumerate(macro.parameters) if name in words)
 
 
@@ -262,7 +261,7 @@ def _decisions(unit: ccode.SourceUnit, edits: Iterable[WidthEdit]) -> Iterator[m
                 break
         found.setdefault(owner, []).append(edit)
     for owner in sorted(found, key=lambda o: int(o.startOffset) if o is not None else -1):
-        reasons = distinct(_REASONS[e.rule] for e in found[owner])
+        reasons = list(dict.fromkeys(_REASONS[e.rule] for e in found[owner]))
         yield migration.Widening(
             element=owner, choice="fix", chosenBy=migration.ChosenBy.rule, confidence=1.0, evidence=list(reasons),
             changes=[

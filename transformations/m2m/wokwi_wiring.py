@@ -18,7 +18,6 @@ from robosmi.transformations.knowledge.drawn_boards import PIN_TABLE
 from robosmi.transformations.knowledge.wokwi_diagram import DrawnPart, NotDrawn, WokwiWiring
 from robosmi.transformations.knowledge.wokwi_types import WokwiBoard, WokwiPart, boards_of_wokwi, wokwi_board, wokwi_part
 from robosmi.transformations.queries.connector_names import told_name
-from robosmi.typed import distinct
 
 _GROUND, _SUPPLY = "GND", "5V"
 
@@ -108,13 +107,13 @@ class _Wiring:
         pins = [_label(n) for n in self.plan.connections if n.component is component or component in n.via]
         bridged = component.role is hardware.Role.Passive and any(component in n.via for n in self.plan.connections)
         if bridged:
-            nets = distinct(id(c.net) for c in component.connectors if c.net is not None and not c.net.rail)
+            nets = list(dict.fromkeys(id(c.net) for c in component.connectors if c.net is not None and not c.net.rail))
             for other in nets[1:]:
                 self.same[self._root(other)] = self._root(nets[0])
             why += "; a wire stands in its place"
         title = component.title or component.partTitle or f"#{component.elementId}"
         part = component.partTitle or component.partId
-        self.result.not_drawn.append(NotDrawn(title, component.elementId, part, tuple(distinct(pins)), why))
+        self.result.not_drawn.append(NotDrawn(title, component.elementId, part, tuple(dict.fromkeys(pins)), why))
 
     # ---- wires
 
@@ -123,7 +122,7 @@ class _Wiring:
         for net in self.circuit.nets:
             groups.setdefault(self._root(id(net)), []).append(net)
         for nets in groups.values():
-            ends = distinct(end for net in nets for c in net.connectors if (end := self._end(c)) is not None)
+            ends = list(dict.fromkeys(end for net in nets for c in net.connectors if (end := self._end(c)) is not None))
             if (tied := self._tied(nets)) is not None and tied not in ends:
                 ends.append(tied)
             ends.sort(key=lambda end: not end.startswith(f"{self.names[self.board]}:"))

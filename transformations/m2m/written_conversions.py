@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
+from msgspec.structs import replace
+
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.text_change import Change
@@ -17,7 +19,6 @@ from robosmi.transformations.queries.expression_type import (
     expectations,
     type_of,
 )
-from robosmi.typed import replaced
 
 _EMPTY = re.compile(r"\(\s*\)\s*$")
 NULLS = re.compile(rb"NULL|\(?\s*0[xX]?0*[uUlL]*\s*\)?")
@@ -29,7 +30,7 @@ def conversions(view: CodeView, data: bytes, functions: Mapping[str, FunctionTyp
     for value, place in expectations(view, functions):
         wanted = place
         if id(value) in said:
-            wanted = replaced(place, spelling=_EMPTY.sub(f"({said[id(value)]})", place.spelling))
+            wanted = replace(place, spelling=_EMPTY.sub(f"({said[id(value)]})", place.spelling))
         text = data[value.startOffset : value.endOffset]
         null = NULLS.fullmatch(text) and (wanted.depth or wanted.function)
         if text and not null and not _in_macro(value) and (reason := _conversion(value, wanted, functions)):

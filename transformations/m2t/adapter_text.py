@@ -8,7 +8,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 
 from robosmi.metamodels import platform
-from robosmi.typed import distinct, paired
 
 WIDTH = 125
 INTERRUPTS = "ADAPTERS_INTERRUPTS"
@@ -33,7 +32,7 @@ def adapter_text(
     """
     lines = [f"#include {header}" for header in includes(pieces)]
     lines += declarations(pieces, pins, unbound, numbers)
-    for piece, above in paired(pieces, (None, *pieces), strict=False):
+    for piece, above in zip(pieces, (None, *pieces), strict=False):
         lines += [""] * apart(piece, above) + [f"// {line}" for line in comment(piece)] + [str(piece.text)]
     return "\n".join(lines) + "\n"
 
@@ -47,7 +46,7 @@ def apart(piece: platform.Adapter, above: platform.Adapter | None) -> bool:
 
 def includes(pieces: Iterable[platform.Adapter]) -> list[str]:
     """The headers of the target that pieces need, each once."""
-    return distinct(str(header) for piece in pieces for header in piece.includes)
+    return list(dict.fromkeys(str(header) for piece in pieces for header in piece.includes))
 
 
 def declarations(

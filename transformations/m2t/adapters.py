@@ -22,7 +22,6 @@ from robosmi.transformations.queries.plan_adapters import emitted
 from robosmi.transformations.queries.port_pins import UNBOUND, port_literals
 from robosmi.transformations.queries.source_text import is_header
 from robosmi.transformations.queries.split_wires import answering_pin, asking_pin
-from robosmi.typed import distinct, paired, sum_of
 
 
 class Adapter(Struct, frozen=True):
@@ -105,7 +104,7 @@ def adapter_pieces(plan: migration.MigrationPlan) -> dict[str, Any]:
         ],
         "pieces": [
             PieceText(piece, users.get(piece, []), apart(piece, above), comment(piece), written(_text(piece, changed)))
-            for piece, above in paired(pieces, (None, *pieces), strict=False)
+            for piece, above in zip(pieces, (None, *pieces), strict=False)
         ],
     }
 
@@ -131,7 +130,7 @@ def _text(piece: platform.Adapter, changed: Collection[str]) -> str:
 
 def several_units(plan: migration.MigrationPlan) -> bool:
     """Whether several files of the program are compiled, each of which includes the adapters."""
-    return plan.program is not None and sum_of(not is_header(unit) for unit in plan.program.units) > 1
+    return plan.program is not None and sum(not is_header(unit) for unit in plan.program.units) > 1
 
 
 def handles_interrupts(plan: migration.MigrationPlan, unit: ccode.SourceUnit) -> bool:
@@ -181,7 +180,7 @@ def _split_wires(plan: migration.MigrationPlan, pieces: Iterable[platform.Adapte
     ]
     if not pairs or not any(piece.name == SPLIT_WIRES for piece in pieces):
         return []
-    rows = [f"  {{{pin_literal(asked)}, {pin_literal(heard)}}}," for asked, heard in distinct(pairs)]
+    rows = [f"  {{{pin_literal(asked)}, {pin_literal(heard)}}}," for asked, heard in dict.fromkeys(pairs)]
     about = "// Components with a wire for each direction: the pin that asks, and the one that answers"
     kinds = "uint8_t asks, answers;"
     return ["", about, "#define SPLIT_WIRES", f"static const struct {{ {kinds} }} split_wires[] = {{", *rows, "};"]

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from msgspec.structs import replace
+
 from robosmi.generate import Generation
 from robosmi.metamodels import migration
 from robosmi.transformations.m2t.program_files import ProgramTemplates, program_files
 from robosmi.transformations.m2t.sketch_project import project
-from robosmi.typed import replaced
 
 _TEMPLATES = ProgramTemplates(
     "arduino/sketch.ino.j2",
@@ -35,4 +36,4 @@ def generate(plan: migration.MigrationPlan, sources: Mapping[str, bytes]) -> Gen
         RuleError: a template is wrong.
     """
     shown = project(plan)
-    return program_files(plan, sources, replaced(_TEMPLATES, more=_MORE if shown["platformio"] else {}), shown)
+    return program_files(plan, sources, replace(_TEMPLATES, more=_MORE if shown["platformio"] else {}), shown)

@@ -13,8 +13,6 @@ from math import sqrt
 
 from msgspec import Struct
 
-from robosmi.typed import sum_of
-
 _ROW, _HEAD, _GAP, _MARGIN, _MARK, _FOOT = 18, 40, 22, 20, 15, 16
 _CHANNEL, _BEND, _APART = 150, 60, 50
 _LANE, _LANES, _FIRST_LANE, _NEXT_LANE = 36, 6, 14, 5
@@ -114,7 +112,7 @@ def placed(boxes: Sequence[Box], links: Sequence[DrawnLink], below: Sequence[str
         inside.setdefault(boxes[link.one.box].group, []).append(link)
     sizes = {group: _columns(boxes, mine, inside.get(group, ())) for group, mine in groups.items()}
     limit = max((height for _, height in sizes.values()), default=0.0)
-    limit = max(limit, sqrt(sum_of((width + _APART) * (height + _GAP) for width, height in sizes.values())))
+    limit = max(limit, sqrt(sum((width + _APART) * (height + _GAP) for width, height in sizes.values())))
     left, top, widest, bottom = float(_MARGIN), float(_MARGIN), 0.0, float(_MARGIN)
     for group, (width, height) in sizes.items():
         if top > _MARGIN and top + height > limit + _MARGIN:
@@ -143,18 +141,18 @@ def _columns(boxes: Sequence[Box], mine: Sequence[Box], links: Sequence[DrawnLin
                 rightwards.setdefault(boxes[one.box].column, []).append((one, other))
     left = bottom = 0.0
     first, strip = min(columns), 0
-    area = sum_of((_width(box) + _CHANNEL) * (_height(box) + _GAP) for box in mine)
+    area = sum((_width(box) + _CHANNEL) * (_height(box) + _GAP) for box in mine)
     limit = max(_LEAST_LIMIT, sqrt(area), *(_height(box) for box in mine))
     for column, here in sorted(columns.items()):
-        here.sort(key=lambda box: (sum_of(near[box.number]) / len(near[box.number]) if box.number in near else 1e9, box.number))
-        folded = sum_of(_height(box) + _GAP for box in here) > limit
+        here.sort(key=lambda box: (sum(near[box.number]) / len(near[box.number]) if box.number in near else 1e9, box.number))
+        folded = sum(_height(box) + _GAP for box in here) > limit
         top, stood = 0.0, list[Box]()
         for box in here:
             height = _height(box)
             if folded and stood and top + height > limit:
                 left, strip, top, stood = _end_strip(stood, left), strip + 1, 0.0, []
             if column > first + 1 and not folded and box.number in near:  # level with what it hangs on
-                top = max(top, sum_of(near[box.number]) / len(near[box.number]) - height / 2)
+                top = max(top, sum(near[box.number]) / len(near[box.number]) - height / 2)
             box.x, box.y, box.height, box.strip = left, top, height, strip
             stood.append(box)
             for row in box.rows:
@@ -205,7 +203,7 @@ def text_width(text: str, size: float = _FONT, bold: bool = False) -> float:
         size: font size in pixels.
         bold: whether it is bold.
     """
-    units = sum_of(
+    units = sum(
         0.45 if c in _NARROW else 1.0 if c in _WIDE or ord(c) >= _IDEOGRAPHS else 0.7 if not c.islower() else 0.64 for c in text
     )
     return units * size * (1.1 if bold else 1.0)

@@ -13,7 +13,6 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import hardware
-from robosmi.typed import distinct, matches
 
 _ELEMENT = re.compile(r"//@(components|nets)\.(\d+)")
 _QUOTED = re.compile(r"'([^']+)'")
@@ -60,7 +59,7 @@ def marks(circuit: hardware.Circuit, findings: Iterable[Finding]) -> Marks:
         if net is not None:
             for connector in net.connectors:
                 made.connectors.setdefault(connector, mark)
-            about = about or distinct(c.component for c in net.connectors if c.component is not None)
+            about = about or list(dict.fromkeys(c.component for c in net.connectors if c.component is not None))
         for component in about:
             mine = made.components.setdefault(component, [])
             if mark not in mine:
@@ -81,7 +80,7 @@ def _components(
         return [circuit.components[int(found[2])]]
     if (component := by_identity.get(str(finding.evidence.get("model_index", "")))) is not None:
         return [component]
-    quoted = [by_title.get(title, []) for title in matches(_QUOTED, finding.message)]
+    quoted = [by_title.get(title, []) for title in _QUOTED.findall(finding.message)]
     return [components[0] for components in quoted if len(components) == 1]
 
 

@@ -22,7 +22,6 @@ from robosmi.transformations.m2t.circuit_layout import HEAD, Box, DrawnLink, Dra
 from robosmi.transformations.m2t.circuit_marks import Mark, Marks, marks
 from robosmi.transformations.queries.circuit_walk import natural_key, pins_of
 from robosmi.transformations.queries.connector_names import told_name
-from robosmi.typed import distinct
 
 _FILLS = {
     "Board": "#cfe3f5", "Input": "#d9f0d3", "Output": "#fde3c8", "Both": "#e9dcf2", "Passive": "#eeeeee", "Power": "#f8d0d0",
@@ -105,7 +104,7 @@ class _Drawing:
             self.result.below += wrap(f"not connected: {', '.join(loose)}", _FOOT_LETTERS)
         drawn = {id(component) for component in (*shown, *symbols)}
         whole = [*self.marks.whole, *(m for c, found in self.marks.components.items() if id(c) not in drawn for m in found)]
-        for mark in distinct(whole):
+        for mark in dict.fromkeys(whole):
             self.result.below += wrap(f"{mark.rule}: {_short(mark.message, 3 * _FOOT_LETTERS)}", _FOOT_LETTERS)
         return self.result
 
@@ -177,7 +176,7 @@ class _Drawing:
         for net in self.circuit.nets:
             if net.rail:
                 continue
-            ends = distinct(self.rows[c] for c in net.connectors if c in self.rows)
+            ends = list(dict.fromkeys(self.rows[c] for c in net.connectors if c in self.rows))
             ends.sort(key=lambda place: (boxes[place.box].column, place.box, place.row))
             for other in ends[1:]:
                 names = " - ".join(f"{boxes[end.box].title} {boxes[end.box].rows[end.row].text}" for end in (ends[0], other))
@@ -198,7 +197,7 @@ class _Drawing:
                 row.tag_colour = link.colour
         for (box_number, row_number), names in partners.items():
             row = boxes[box_number].rows[row_number]
-            row.tag = _short(", ".join(distinct(names)), _LETTERS) if not row.tag else row.tag
+            row.tag = _short(", ".join(dict.fromkeys(names)), _LETTERS) if not row.tag else row.tag
         self.result.links = [
             DrawnLink(Place(one, HEAD), Place(other, HEAD), "#777777", "; ".join(link.text for link in links), len(links))
             for (one, other), links in pairs.items()

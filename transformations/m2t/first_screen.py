@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
@@ -18,7 +19,6 @@ from robosmi.transformations.queries.plan import called
 from robosmi.transformations.queries.verdicts import EFFORTS, Construct, constructs
 from robosmi.transformations.queries.waiting_calls import NO_SUPPORT, NOT_WIRED_CALL, TO_WRITE, WAITS, WITH_CARE
 from robosmi.transformations.queries.work import Work
-from robosmi.typed import paired, replaced, sum_of
 
 LINES = 40
 """Greatest number of lines of the first screen."""
@@ -129,19 +129,19 @@ def first_screen(
     )
     needs = known.needs if known is not None else board_needs(plan)
     short = tuple(shortages(needs))
-    room = _shared([len(each.first) for each in lists], sum_of(_SHARES) - taken - 2 * bool(short))
+    room = _shared([len(each.first) for each in lists], sum(_SHARES) - taken - 2 * bool(short))
     return FirstScreen(
-        works(plan, work), needs_in_words(needs), short, *(_cut(each, lines) for each, lines in paired(lists, room))
+        works(plan, work), needs_in_words(needs), short, *(_cut(each, lines) for each, lines in zip(lists, room, strict=True))
     )
 
 
 def _shared(wanted: Sequence[int], lines: int) -> list[int]:
     """The number of lines for each list: its share, and what the others leave."""
-    given = [min(want, share) for want, share in paired(wanted, _SHARES)]
-    while sum_of(given) < min(lines, sum_of(wanted)):
+    given = [min(want, share) for want, share in zip(wanted, _SHARES, strict=True)]
+    while sum(given) < min(lines, sum(wanted)):
         hungry = [n for n, want in enumerate(wanted) if given[n] < want]
         given[hungry[0]] += 1
-    while sum_of(given) > lines:
+    while sum(given) > lines:
         given[given.index(max(given))] -= 1
     return given
 
@@ -152,7 +152,7 @@ def _cut(whole: Listed, lines: int) -> Listed:
     at = max(lines - 1, 0)  # a line says how many follow
     while at and not whole.first[at - 1].rule:
         at -= 1  # nothing stands under a reason that was the last line
-    return replaced(whole, first=whole.first[:at], rest=whole.first[at:])
+    return replace(whole, first=whole.first[:at], rest=whole.first[at:])
 
 
 # ---- sums in words
@@ -200,13 +200,13 @@ def written(work: Work) -> str:
         if group.title:
             by += [f"{len(open_)} of {group.title}, which the target cannot serve"] * bool(open_)
         else:
-            by += [f"{count} {effort}" for effort in EFFORTS if (count := sum_of(task.effort == effort for task in open_))]
+            by += [f"{count} {effort}" for effort in EFFORTS if (count := sum(task.effort == effort for task in open_))]
     return f"{len(left)} of {len(work.write)} left: {', '.join(by)}"
 
 
 def checked(work: Work) -> str:
     """A phrase on how much is to be checked."""
-    done = sum_of(task.done for task in work.check)
+    done = sum(task.done for task in work.check)
     return f"{done} of {len(work.check)} done" if work.check else "no pin is bound yet" if work.decide else "nothing"
 
 
@@ -268,7 +268,7 @@ def _bodies(work: Work) -> Iterable[Item]:
         if group.title:
             yield Item(f"{group.title} cannot be served: {group.reason}")
         for task in group.tasks:
-            yield replaced(_task(work.plan, task, short=True), effort="") if group.title else _task(work.plan, task)
+            yield replace(_task(work.plan, task, short=True), effort="") if group.title else _task(work.plan, task)
 
 
 def _checks(work: Work) -> Iterable[Item]:

@@ -21,7 +21,6 @@ from robosmi.transformations.queries.plan import RUN_IN_SETUP
 from robosmi.transformations.queries.plan_adapters import rest_levels, setup_statements
 from robosmi.transformations.queries.source_text import Piece, SourceText, reindent
 from robosmi.transformations.queries.text_changes import decision_of
-from robosmi.typed import distinct, paired
 
 if TYPE_CHECKING:
     from robosmi.model.driver import Item
@@ -176,7 +175,7 @@ def _early_calls(plan: migration.MigrationPlan) -> list[str]:
     """Calls of the functions that run before main on the source, in text order."""
     early = (d.element for d in plan.dispositions if RUN_IN_SETUP in d.rules)
     found = sorted((f for f in early if isinstance(f, ccode.Function)), key=lambda f: int(f.startOffset))
-    return [f"{name}();  // it runs before main\n" for name in distinct(str(f.name) for f in found)]
+    return [f"{name}();  // it runs before main\n" for name in dict.fromkeys(str(f.name) for f in found)]
 
 
 def _idle(connection: migration.Connection) -> str:
@@ -231,7 +230,7 @@ def _function(
     texts = _indented(pieces, source)
     if texts:
         texts[0], texts[-1] = texts[0].lstrip("\n"), texts[-1].rstrip("\n") + "\n"
-    for piece, text in paired(pieces, texts):
+    for piece, text in zip(pieces, texts, strict=True):
         if text.strip():
             yield MainPart(text if text.endswith("\n") else text + "\n", "code", "retained statement", _elements(piece))
         elif text:

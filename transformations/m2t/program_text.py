@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from msgspec.structs import replace
+
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.adapters import adapters, handles_interrupts
@@ -22,7 +24,6 @@ from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceTe
 from robosmi.transformations.queries.text_changes import decision_of
 from robosmi.transformations.queries.verdicts import IN_PLACE
 from robosmi.transformations.queries.width_types import retyped
-from robosmi.typed import replaced
 
 
 def file_name(unit: ccode.SourceUnit, plan: migration.MigrationPlan) -> str:
@@ -224,7 +225,7 @@ def _called_in(adapter: migration.AdapterUse, unit: ccode.SourceUnit) -> bool:
 def _stripped(pieces: Iterator[Piece]) -> Iterator[Piece]:
     """The pieces, the first one without leading blanks."""
     for number, piece in enumerate(pieces):
-        yield piece if number else replaced(piece, text=piece.text.lstrip(" \t"))
+        yield piece if number else replace(piece, text=piece.text.lstrip(" \t"))
 
 
 def _used_before(function: ccode.Function, unit: ccode.SourceUnit, prototypes: Sequence[ccode.Function]) -> bool:

@@ -9,7 +9,6 @@ from typing import Any
 
 from robosmi.metamodels import migration
 from robosmi.transformations.queries.plan_adapters import emitted
-from robosmi.typed import distinct
 
 
 def project(plan: migration.MigrationPlan) -> dict[str, Any]:
@@ -25,7 +24,7 @@ def project(plan: migration.MigrationPlan) -> dict[str, Any]:
     used = {str(name) for piece in emitted(plan) for name in piece.libraries}
     included = [c.chosen for c in plan.libraryChoices if c.chosen is not None and c.included]
     chosen = [*included, *(library for library in plan.target.libraries if library.name in used and library not in included)]
-    names = distinct(name for library in chosen for name in (library.name, *library.depends))
+    names = list(dict.fromkeys(name for library in chosen for name in (library.name, *library.depends)))
     return {
         "board": full_name,
         "platform": core,

@@ -18,7 +18,6 @@ from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.plan import called, header_name
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.verdicts import CARE, Construct, verdict_counts
-from robosmi.typed import distinct, sum_of
 
 RELATIONS = {"oneToOne": "1:1", "oneToMany": "1:n", "manyToOne": "n:1", "semantic": "semantic"}
 """Kind of an adapter -> its notation in the paper (3.4)."""
@@ -36,7 +35,7 @@ def report(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: C
     judged = known.judged
     verdicts = [f for f in plan.findings if f.rule in VERDICT_RULES]
     of_macros = MacroCalls(plan)
-    taken = sum_of(4 if f.rule in DRAWN_RULES else 2 for f in verdicts)
+    taken = sum(4 if f.rule in DRAWN_RULES else 2 for f in verdicts)
     screen = first_screen(plan, sources, taken, known)
     return {
         "name": plan.name,
@@ -68,14 +67,14 @@ def _kept_numbers(plan: migration.MigrationPlan) -> list[dict[str, str]]:
     """The flows of port numbers that stay unchanged in the text, each once."""
     flows = [flow for flow in plan.portFlows if flow.choice == "source"]
     rows = [(str(f.name), ", ".join(b.name for b in f.bindings) or "any", "; ".join(f.evidence)) for f in flows]
-    return [{"name": name, "ports": ports, "why": why} for name, ports, why in distinct(rows)]
+    return [{"name": name, "ports": ports, "why": why} for name, ports, why in dict.fromkeys(rows)]
 
 
 def _sections(screen: FirstScreen) -> list[dict[str, Any]]:
     """The lists of the first screen, followed by their lines that did not fit."""
     lists = [each for each in (screen.decide, screen.write, screen.check) if each.first or each.rest]
     begun = [
-        {"title": each.title, "hint": each.hint, "lines": each.first, "more": sum_of(bool(item.rule) for item in each.rest)}
+        {"title": each.title, "hint": each.hint, "lines": each.first, "more": sum(bool(item.rule) for item in each.rest)}
         for each in lists
     ]
     rest = [{"title": f"{each.title}, continued", "hint": "", "lines": each.rest, "more": 0} for each in lists if each.rest]
@@ -145,7 +144,7 @@ def _port(binding: migration.PortBinding) -> dict[str, str]:
     return {
         "name": binding.name,
         "pin": f"P{binding.sourcePin}" if binding.sourcePin >= 0 else "",
-        "names": ", ".join(n for n in distinct([binding.name, *binding.names]) if n != f"P{binding.sourcePin}"),
+        "names": ", ".join(n for n in dict.fromkeys([binding.name, *binding.names]) if n != f"P{binding.sourcePin}"),
         "component": binding.connection.component.title if binding.connection and binding.connection.component else "",
         "target": _target(binding),
         "what": binding.what,

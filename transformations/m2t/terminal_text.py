@@ -7,7 +7,6 @@ from pathlib import Path
 
 from robosmi.metamodels import migration
 from robosmi.transformations.m2t.first_screen import Counted, Item, Listed, first_screen
-from robosmi.typed import sum_of
 
 _INDENT = "  "
 
@@ -58,7 +57,7 @@ def _list(word: str, listed: Listed) -> list[str]:
         return lines
     lines += [f"{_INDENT * 2}{_item(item)}" for item in listed.first]
     if listed.rest:
-        lines.append(f"{_INDENT * 2}and {sum_of(bool(item.rule) for item in listed.rest)} more")
+        lines.append(f"{_INDENT * 2}and {sum(bool(item.rule) for item in listed.rest)} more")
     if listed.hint and listed.first:
         lines.append(f"{_INDENT * 2}{listed.hint}")
     return lines

@@ -10,7 +10,6 @@ import re
 from collections.abc import Iterator, Mapping
 
 from robosmi.metamodels import ccode, migration, platform
-from robosmi.typed import matches
 
 _UNUSED = re.compile(r"\(void\)\s*\w+\s*;")
 _BEGINNING = (
@@ -83,7 +82,7 @@ def _parameters(text: str, name: str) -> list[bool]:
     )
     if found is None:
         return []
-    body = set(matches(r"\w+", _UNUSED.sub("", found["body"])))
+    body = set(re.findall(r"\w+", _UNUSED.sub("", found["body"])))
     depth, parts = 0, [""]
     for character in found["parameters"]:
         depth += (character == "(") - (character == ")")
@@ -91,4 +90,4 @@ def _parameters(text: str, name: str) -> list[bool]:
             parts.append("")
         else:
             parts[-1] += character
-    return [bool(body & set(matches(r"\w+", part))) for part in parts]
+    return [bool(body & set(re.findall(r"\w+", part))) for part in parts]

@@ -19,7 +19,6 @@ from robosmi.transformations.queries.memory import Memory, memory
 from robosmi.transformations.queries.plan import platform_of
 from robosmi.transformations.queries.plan_adapters import closure, emitted
 from robosmi.transformations.queries.split_wires import answering_pin
-from robosmi.typed import distinct, sum_of
 
 _MILLION = 1e6
 
@@ -129,7 +128,7 @@ def _pins(plan: migration.MigrationPlan) -> PinNeeds:
     used = [b for b in plan.portBindings if not is_idle(plan, b)]
     bound = {id(pin) for b in used for pin in (_pin(b), answering_pin(b)) if pin is not None}
     drawn = {id(c.pin) for c in plan.connections if c.pin is not None} - bound
-    wanted = sum_of(b.open for b in plan.portBindings)
+    wanted = sum(b.open for b in plan.portBindings)
     return PinNeeds(len(plan.board.pins) if plan.board is not None else 0, len(bound), len(drawn), wanted)
 
 
@@ -147,7 +146,7 @@ def _timers(plan: migration.MigrationPlan) -> Iterable[TimerNeeds]:
     pieces = emitted(plan)
     for timer in sorted({str(timer) for piece in pieces for timer in piece.timers}):
         takers.setdefault(timer, []).extend(_families(timer, pieces))
-    return (TimerNeeds(timer, tuple(distinct(takers[timer]))) for timer in sorted(takers))
+    return (TimerNeeds(timer, tuple(dict.fromkeys(takers[timer]))) for timer in sorted(takers))
 
 
 def _families(timer: str, pieces: list[platform.Adapter]) -> list[str]:
@@ -213,7 +212,7 @@ def needs_in_words(needs: BoardNeeds) -> str:
 def _time_in_words(time: Time) -> str:
     low, high = _seconds(time.low), _seconds(time.high)
     counted = f"{low} to {high}" if low != high else low
-    names = distinct(wait.what for wait in time.unbounded)
+    names = list(dict.fromkeys(wait.what for wait in time.unbounded))
     lines = sorted({wait.line for wait in time.unbounded})
     if not names:
         return f"waits {counted}" if time.high else "does not wait"

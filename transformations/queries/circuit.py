@@ -17,7 +17,6 @@ from robosmi.quoting import toml
 from robosmi.transformations.knowledge.part import GIVEN
 from robosmi.transformations.queries.circuit_walk import behind, either_side
 from robosmi.transformations.queries.connector_names import told_name
-from robosmi.typed import sum_of
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -40,7 +39,7 @@ def the_board(circuit: hardware.Circuit) -> hardware.Component:
     place = Location(circuit.path)
     if not found:
         unknown = Q(circuit.components).select(lambda c: c.role is hardware.Role.Unknown)
-        likely = max(unknown, key=lambda c: sum_of(wire.net is not None for wire in c.connectors), default=None)
+        likely = max(unknown, key=lambda c: sum(wire.net is not None for wire in c.connectors), default=None)
         hint = (
             f"; what '{likely.title}' (#{likely.elementId}, {likely.partTitle or likely.partId}) is nobody knows"
             if likely

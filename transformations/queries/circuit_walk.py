@@ -13,7 +13,6 @@ from msgspec import Struct
 
 from robosmi.metamodels import hardware
 from robosmi.transformations.knowledge.described_circuit import is_either_side, joins_by_bus_only
-from robosmi.typed import distinct
 
 Role = hardware.Role
 _SILENT = (Role.Board, Role.Power, Role.Decoration)
@@ -68,7 +67,7 @@ def behind(driver: hardware.Component) -> tuple[list[hardware.Component], list[h
 
     They are given for the whole device, not channel by channel, and have no mapping of their own.
     """
-    nets = distinct(c.net for c in driver.connectors if c.net is not None and not c.net.rail)
+    nets = list(dict.fromkeys(c.net for c in driver.connectors if c.net is not None and not c.net.rail))
     free = [net for net in nets if not any(c.component.role is Role.Board for c in net.connectors)]  # type: ignore[union-attr]
     signals = [c.net for board in _boards_of(driver) for c in board.connectors if c.pin and c.net is not None]
     reached = [r.component for r in walk(free, signals, driver) if not r.component.driver]

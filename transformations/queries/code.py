@@ -13,6 +13,7 @@ from functools import cached_property
 from typing import Any, TypeVar
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
@@ -24,7 +25,6 @@ from robosmi.transformations.queries.own_headers import all_includes
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.tokens import names_in
 from robosmi.transformations.queries.values import Values
-from robosmi.typed import matches, replaced
 
 T = TypeVar("T")
 _CALLED = re.compile(r"(?<![\w.#>])([A-Za-z_]\w*)\s*\(")
@@ -174,7 +174,7 @@ class CodeView:
         own = self._defined
         for macro in self.own_macros.values():
             parameters = set(macro.parameters)
-            for name in matches(_CALLED, _LITERALS.sub(" ", str(macro.body or ""))):
+            for name in _CALLED.findall(_LITERALS.sub(" ", str(macro.body or ""))):
                 if name not in own and name not in self.own_macros and name not in parameters:
                     entry = self.resolve(name)
                     if entry is not None and entry.callable:
@@ -300,9 +300,7 @@ def _merge(into: dict[str, CalledFunction], functions: Iterable[CalledFunction])
     for function in functions:
         known = into.get(function.name)
         if known is None:
-            into[function.name] = replaced(
-                function, calls=list(function.calls), made=list(function.made)
-            )  # the views keep theirs
+            into[function.name] = replace(function, calls=list(function.calls), made=list(function.made))  # the views keep theirs
         else:
             known.calls += function.calls
             known.made += function.made

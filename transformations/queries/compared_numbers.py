@@ -14,7 +14,6 @@ from robosmi.query import all_contents
 from robosmi.transformations.queries.numbers import COMPARISONS
 from robosmi.transformations.queries.place_names import named, names_within
 from robosmi.transformations.queries.values import Values
-from robosmi.typed import distinct
 
 
 def compared_numbers(program: ccode.Program, reads: Collection[str]) -> list[int]:
@@ -38,7 +37,7 @@ def compared_numbers(program: ccode.Program, reads: Collection[str]) -> list[int
             for constant in _compared(element, holders):
                 if not any(isinstance(each, ccode.CharacterLiteral) for each in (constant, *all_contents(constant))):
                     found += [value.number for value in values.of(constant) if value.number is not None]
-    return list(distinct(found))
+    return list(dict.fromkeys(found))
 
 
 def _given(element: Element, holders: set[str], reads: Collection[str]) -> Iterator[str]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence, Set
+from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
 
@@ -15,7 +16,6 @@ from msgspec import Struct
 from robosmi import resources
 from robosmi.metamodels import migration
 from robosmi.project import read_data
-from robosmi.typed import matches, remembered
 from robosmi.verify.tables import DataTable
 
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
@@ -73,7 +73,7 @@ def said(texts: Iterable[str]) -> set[str]:
 
 def connector_words(texts: Iterable[str]) -> set[str]:
     """The words of connector and parameter names in lower case, single letters too; also each word without `pin` around it."""
-    words = {word.lower() for text in texts for word in matches(_WORDS, str(text))}
+    words = {word.lower() for text in texts for word in _WORDS.findall(str(text))}
     return words | {inner for word in words if (inner := word.removeprefix("pin").removesuffix("pin"))}
 
 
@@ -112,7 +112,7 @@ def known_roles() -> PortWords:
     return _known_roles(path, path.stat().st_mtime_ns)
 
 
-@remembered(2)
+@lru_cache(maxsize=2)
 def _known_roles(path: Path, _: int) -> PortWords:
     data = DataTable(path, read_data(path))
     said, purposes = data.table("roles"), data.table("connectors")

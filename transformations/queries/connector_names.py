@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from robosmi.metamodels import hardware
-from robosmi.typed import distinct
 
 _POWERED = (hardware.ConnectorKind.supply, hardware.ConnectorKind.ground)
 
@@ -38,7 +37,7 @@ def told_names(connectors: Iterable[hardware.Connector]) -> list[str]:
 
 def wire_name(connectors: Iterable[hardware.Connector]) -> str:
     """What a person calls the wire to these connectors of a component: their names, or `a wire` where they have none."""
-    return " and ".join(filter(None, distinct(told_names(connectors)))) or "a wire"
+    return " and ".join(filter(None, dict.fromkeys(told_names(connectors)))) or "a wire"
 
 
 def _is_another(one: hardware.Connector, other: hardware.Connector) -> bool:

@@ -18,7 +18,6 @@ from robosmi.transformations.queries.cores import reached, written
 from robosmi.transformations.queries.main_program import main_function
 from robosmi.transformations.queries.plan_adapters import closure
 from robosmi.transformations.queries.values import Values
-from robosmi.typed import matches, sum_of
 
 MOST = 7
 """Cores besides the one of main."""
@@ -192,7 +191,7 @@ def _times(element: Element, ends: Collection[str], above: tuple[int, ...]) -> i
         loop = ancestor_of_kind(around, ccode.Loop) if around is not None else None
     if function is None or id(function) in above or function.name == "main":
         return min(count, MOST)
-    callers = sum_of(_times(call, ends, (*above, id(function))) for call in function.calls)
+    callers = sum(_times(call, ends, (*above, id(function))) for call in function.calls)
     return min(count * max(callers, 1), MOST)
 
 
@@ -253,7 +252,7 @@ def stack_bytes(function: ccode.Function, adapters: Mapping[str, int]) -> int:
 
 def local_bytes(elements: Iterable[Element]) -> int:
     """How many bytes the local variables among some elements take."""
-    return sum_of(_size(e) for e in elements if isinstance(e, ccode.Variable) and e.storage.name != "staticStorage")
+    return sum(_size(e) for e in elements if isinstance(e, ccode.Variable) and e.storage.name != "staticStorage")
 
 
 def _size(variable: ccode.Variable) -> int:
@@ -261,7 +260,7 @@ def _size(variable: ccode.Variable) -> int:
     if use is None:
         return _UNKNOWN
     count = 1
-    for size in matches(r"\[([^\]]*)\]", use.arrayDims or ""):
+    for size in re.findall(r"\[([^\]]*)\]", use.arrayDims or ""):
         count *= int(size) if size.strip().isdecimal() else _UNKNOWN
     if use.pointerDepth:
         return 2 * count

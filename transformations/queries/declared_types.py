@@ -11,7 +11,6 @@ from collections.abc import Iterable, Mapping
 from robosmi.metamodels import migration
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.queries.plan_adapters import emitted
-from robosmi.typed import matches
 
 _RECORD = re.compile(r"struct (?P<name>\w+) \{(?P<members>.*?)\} ?;", re.DOTALL)
 _OTHER_NAME = re.compile(r"typedef (?:struct )?(?P<type>\w+) (?P<name>\w+) ?;")
@@ -65,9 +64,9 @@ def _record(members: str, known: Mapping[str, int], pointer: int) -> int | None:
             one = pointer if "*" in declarator else _plain(member["type"], known)
             if one is None:
                 return None
-            for count in matches(_DIMENSION, declarator):
+            for count in _DIMENSION.findall(declarator):
                 one *= int(count)
-            if declarator.count("[") != len(matches(_DIMENSION, declarator)):
+            if declarator.count("[") != len(_DIMENSION.findall(declarator)):
                 return None
             total += one
     return total or _NOTHING

@@ -19,7 +19,6 @@ from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.described_circuit import describe, device_facts, joins_by_bus_only, supply_limit
 from robosmi.transformations.knowledge.drawn_boards import drawn_board
 from robosmi.transformations.knowledge.electrical_facts import DeviceFacts
-from robosmi.typed import distinct, first_of
 
 T = TypeVar("T")
 Role = hardware.Role
@@ -127,7 +126,9 @@ class Wiring:
 
     def pins_at(self, net: hardware.Net) -> list[tuple[hardware.Component, str]]:
         """The boards at a net, each with the label of its pin there."""
-        return self.once("pins", net, lambda: distinct((o, c.pin) for o, c in self.on(net) if o.role is Role.Board and c.pin))
+        return self.once(
+            "pins", net, lambda: list(dict.fromkeys((o, c.pin) for o, c in self.on(net) if o.role is Role.Board and c.pin))
+        )
 
     def is_gpio(self, board: hardware.Component, label: str) -> bool:
         """Whether a label is that of a pin of the microcontroller, not of a driver chip on the board."""
@@ -153,7 +154,7 @@ class Wiring:
         if component.role is not Role.Passive or component in self._joins:
             return None
         others = {other for _, other in self.nets(component)}
-        return first_of(others - {net}) if len(others) == 2 and net in others else None
+        return next(iter(others - {net})) if len(others) == 2 and net in others else None
 
     def sources(self, net: hardware.Net) -> list[tuple[hardware.Component, hardware.Connector]]:
         """The supply and ground connectors of boards and supplies at a net."""
@@ -165,7 +166,7 @@ class Wiring:
 
         def find() -> list[hardware.Net]:
             others = (self.across(owner, net) for owner, _ in self.on(net))
-            return distinct(other for other in others if other is not None)
+            return list(dict.fromkeys(other for other in others if other is not None))
 
         return self.once("beyond", net, find)
 
@@ -225,5 +226,5 @@ def who(component: hardware.Component) -> str:
 
 def listed(texts: list[str]) -> str:
     """Texts as one: `a`, `a and b`, `a, b and c`; each once."""
-    once = distinct(texts)
+    once = list(dict.fromkeys(texts))
     return once[0] if len(once) == 1 else f"{', '.join(once[:-1])} and {once[-1]}"

@@ -13,7 +13,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, tokens
 from robosmi.transformations.queries.macro_definitions import Definition, Frame, MacroToken, Path, TextPlace, definition_of
-from robosmi.typed import paired
 
 MOST_TOKENS = 400_000
 """Tokens of an expanded text; what would become longer is left as it is."""
@@ -222,7 +221,7 @@ class Expanded:
         self, macro: Definition, arguments: list[list[MacroToken]], prefix: Path, level: int, hidden: frozenset[str], offset: int
     ) -> list[MacroToken] | None:
         """A macro's body with its arguments substituted (ISO C 6.10.3.1 to 6.10.3.3); None if it becomes too long."""
-        given = dict(paired(macro.parameters or (), arguments))
+        given = dict(zip(macro.parameters or (), arguments, strict=True))
         out: list[MacroToken] = []
         body = macro.body
         number = 0

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
-from robosmi.typed import attribute_of
 
 _LEVELS = ["*/%", "+-", ("<<", ">>"), ("<", ">", "<=", ">="), ("==", "!="), "&", "^", "|", ("&&",), ("||",), ","]
 
@@ -48,7 +47,7 @@ def expression_text(element: Element | None) -> str:
         return f"sizeof({inner})"
     if isinstance(element, ccode.InitializerList):
         return "{" + ", ".join(expression_text(e) for e in element.elements) + "}"
-    return attribute_of(element, "text", str) or ""
+    return getattr(element, "text", "") or ""
 
 
 def _operand(element: Element | None, level: int, right: bool) -> str:

@@ -10,11 +10,11 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.code import CodeView
-from robosmi.typed import paired, replaced
 
 _QUALIFIERS = re.compile(
     r"\b(const|volatile|register|restrict|extern|static|struct|union|enum|__(?:const|volatile|restrict)(?:__)?)\b"
@@ -112,7 +112,7 @@ def of_use(use: ccode.TypeUse | None) -> ValueType | None:
         return None
     made = parse(use.spelling, "" if "[" in use.spelling else use.arrayDims or "")  # a cast spells its sizes itself
     if use.arrayDims and (found := _ROWS.fullmatch(f"{made.spelling.endswith('(*)') * '[]'}{use.arrayDims}")):
-        made = replaced(made, rows=found[1])
+        made = replace(made, rows=found[1])
     declaration = use.declaration
     if isinstance(declaration, ccode.Typedef):
         inner = of_use(declaration.aliased)
@@ -120,9 +120,9 @@ def of_use(use: ccode.TypeUse | None) -> ValueType | None:
             meant = inner.declaration or _unnamed(declaration)
             sizes = made.dimensions + (inner.dimensions if made.depth == made.dimensions else 0)
             if inner.array:  # an element of a named array has no name of its own
-                made = replaced(made, spelling=inner.spelling + "*" * made.depth, constant=made.constant or inner.constant)
-            return replaced(made, base=inner.base, depth=made.depth + inner.depth, dimensions=sizes, declaration=meant)
-    return replaced(made, declaration=declaration or nameless(use))
+                made = replace(made, spelling=inner.spelling + "*" * made.depth, constant=made.constant or inner.constant)
+            return replace(made, base=inner.base, depth=made.depth + inner.depth, dimensions=sizes, declaration=meant)
+    return replace(made, declaration=declaration or nameless(use))
 
 
 def nameless(use: ccode.TypeUse) -> ccode.Record | ccode.Enumeration | None:
@@ -164,7 +164,7 @@ def element_type(kind: ValueType | None) -> ValueType | None:
     if kind is None or kind.depth == 0 or kind.function:
         return None
     spelling, sizes = kind.spelling.removesuffix("*").strip(), max(kind.dimensions - 1, 0)
-    return replaced(kind, spelling=spelling, depth=kind.depth - 1, dimensions=sizes, rows="")
+    return replace(kind, spelling=spelling, depth=kind.depth - 1, dimensions=sizes, rows="")
 
 
 def type_of(expression: ccode.Expression | None, functions: Mapping[str, FunctionType]) -> ValueType | None:
@@ -189,7 +189,7 @@ def type_of(expression: ccode.Expression | None, functions: Mapping[str, Functio
         if expression.operator == "*":
             return element_type(inner)
         if expression.operator == "&" and inner is not None and not inner.array:
-            return replaced(inner, spelling=inner.spelling + (" *" if inner.depth == 0 else "*"), depth=inner.depth + 1)
+            return replace(inner, spelling=inner.spelling + (" *" if inner.depth == 0 else "*"), depth=inner.depth + 1)
     if isinstance(expression, ccode.Binary) and expression.operator in ("+", "-"):
         sides = [
             t for t in (type_of(expression.left, functions), type_of(expression.right, functions)) if t is not None and t.depth
@@ -206,7 +206,7 @@ def _member(expression: ccode.Member, functions: Mapping[str, FunctionType]) -> 
     found = next((of_use(f.valueType) for f in record.fields if f.name == expression.name), None)
     if found is None or owner is None or not found.array:  # an array is as constant and as changing as what it is in
         return found
-    return replaced(found, constant=found.constant or owner.constant, changing=found.changing or owner.changing)
+    return replace(found, constant=found.constant or owner.constant, changing=found.changing or owner.changing)
 
 
 def declared_with_others(variable: ccode.Variable) -> bool:
@@ -234,7 +234,7 @@ def expectations(view: CodeView, functions: Mapping[str, FunctionType]) -> Itera
             wanted = [t for t in (of_use(p.valueType) for p in call.callee.parameters) if t is not None]
         else:
             continue
-        for argument, kind in paired(call.arguments, wanted, strict=False):
+        for argument, kind in zip(call.arguments, wanted, strict=False):
             yield from _value(argument, kind)
 
 

@@ -12,7 +12,6 @@ from collections.abc import Mapping
 from robosmi.diagnostics import FlowStep, Location, TextEdit
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
-from robosmi.typed import matches
 
 _HEADERS = re.compile(r"\(<([^>]+)>\)")
 
@@ -79,7 +78,7 @@ def _included(use: ccode.Located, message: str, places: Mapping[str, str]) -> tu
         return ()
     first = min(unit.includes, key=lambda include: int(include.startOffset))
     start = Location(places.get(str(unit.path), str(unit.path)), first.line, 1, first.line, 1)
-    return (TextEdit(start, "".join(f"#include <{header}>\n" for header in matches(_HEADERS, message))),)
+    return (TextEdit(start, "".join(f"#include <{header}>\n" for header in _HEADERS.findall(message))),)
 
 
 def _place(element: ccode.Located, places: Mapping[str, str]) -> Location:

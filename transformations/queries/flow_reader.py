@@ -21,7 +21,6 @@ from robosmi.transformations.queries.number_names import holder_of
 from robosmi.transformations.queries.pin_uses import pin_number
 from robosmi.transformations.queries.pointers import gives_access, moved_pointer, pointed_functions, takes_number
 from robosmi.transformations.queries.value_flows import Flows, PinArgument, PortPlace
-from robosmi.typed import class_name, distinct, matches, paired, side_by_side
 
 _WRITTEN = re.compile(rb"[0-9']")
 """Matches what a number or character begins with that is written in the text itself, not made by a macro."""
@@ -81,7 +80,7 @@ class FlowReader:
             thing.eContainer(), (ccode.SourceUnit, ccode.Program)
         ):
             if thing.storage is not ccode.Storage.staticStorage:
-                return (class_name(thing), str(thing.name))
+                return (type(thing).__name__, str(thing.name))
         elif isinstance(thing, ccode.Parameter):
             function = thing.eContainer()
             if isinstance(function, ccode.Function):
@@ -173,7 +172,7 @@ class FlowReader:
         """Join the members at equal positions of two records between whose pointers a cast converts."""
         records = records_of_cast(cast)
         fields = [record.fields for record in records] if records is not None else []
-        for one, other in side_by_side(fields, strict=False):
+        for one, other in zip(*fields, strict=False):
             keys = [self._field(str(field.name), record_key(field.eContainer())) for field in (one, other)]
             self.flows.join(*keys)
 
@@ -274,7 +273,7 @@ class FlowReader:
             given = list(leaves(variable.initializer))
             for inner in given:
                 self._give(key, inner)
-            sizes = [int(n) for n in matches(_DIMENSION, str(use.arrayDims or ""))] if use is not None else []
+            sizes = [int(n) for n in _DIMENSION.findall(str(use.arrayDims or ""))] if use is not None else []
             count = 1
             for size in sizes:
                 count *= size
@@ -310,7 +309,7 @@ class FlowReader:
         arguments = list(call.arguments)
         own = self.functions.get(str(call.calleeName or "")) if call.callee is not None else None
         if own is not None:
-            for parameter, argument in paired(own.parameters, arguments, strict=False):
+            for parameter, argument in zip(own.parameters, arguments, strict=False):
                 self._give(self.key(parameter), argument)
             return
         if call.callee is None and call.calleeExpression is not None:
@@ -392,7 +391,7 @@ class FlowReader:
         found = [
             self._enumerator(e) if isinstance(e, ccode.EnumerationLiteral) else self.key(e) for e in self.elements_named(name)
         ]
-        return distinct(found)
+        return list(dict.fromkeys(found))
 
 
 def view_text(data: bytes, start: int, end: int) -> str:

@@ -16,7 +16,6 @@ from robosmi.model.strict import Element
 from robosmi.query import all_contents
 from robosmi.transformations.queries.folded_values import DEPTH, Answer, FoldedValues, Key, ReadProgram, State, join
 from robosmi.transformations.queries.live_code import identity
-from robosmi.typed import class_name, sum_of
 
 _NESTED = 5
 """Nesting of loops above which a loop is traversed once, with no values known at its head: nested rounds multiply."""
@@ -68,7 +67,7 @@ class FoldedCode(FoldedValues):
             self.whatever(statement, state)
             return state
         self.depth += 1
-        method = _STATEMENTS.get(class_name(statement))
+        method = _STATEMENTS.get(type(statement).__name__)
         self.see(statement)
         if method is None:
             self.whatever(statement, state)
@@ -190,8 +189,8 @@ class FoldedCode(FoldedValues):
         chosen = self.value(switch.selector, state)
         body = switch.body
         cases = list(body.statements) if isinstance(body, ccode.Block) else []
-        inner = sum_of(isinstance(e, (ccode.Case, ccode.Default)) for e in all_contents(switch))
-        if body is None or not cases or inner != sum_of(len(_labels(each)) for each in cases):
+        inner = sum(isinstance(e, (ccode.Case, ccode.Default)) for e in all_contents(switch))
+        if body is None or not cases or inner != sum(len(_labels(each)) for each in cases):
             self.whatever(switch, state)
             return state
         self.see(body)

@@ -15,7 +15,6 @@ from robosmi.query import all_contents
 from robosmi.transformations.queries.constant_text import calculate
 from robosmi.transformations.queries.live_code import beginnings, identity, is_global, leads_to, what_is_defined
 from robosmi.transformations.queries.values import Values
-from robosmi.typed import class_name, paired
 
 Key = int | str
 State = dict[Key, int | None]
@@ -124,7 +123,7 @@ class FoldedValues:
             return None
         self.depth += 1
         self.see(expression)
-        method = _EXPRESSIONS.get(class_name(expression))
+        method = _EXPRESSIONS.get(type(expression).__name__)
         result = method(self, expression, state) if method is not None else self._parts(expression, state)
         self.depth -= 1
         return result
@@ -265,7 +264,7 @@ class FoldedValues:
             self.value(call.calleeExpression, state)
         given = [self.value(argument, state) for argument in call.arguments]
         before = self.arguments.get(id(call), given)
-        self.arguments[id(call)] = [one if one == other else None for one, other in paired(before, given)]
+        self.arguments[id(call)] = [one if one == other else None for one, other in zip(before, given, strict=True)]
         if not self.harmless(call):
             for key in [key for key in state if self.in_memory(key)]:
                 del state[key]

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.queries.expression_type import nameless
-from robosmi.typed import paired
 
 _DIMENSION = re.compile(r"\[[^\]]*\]")
 _NAMES = 20
@@ -81,7 +80,7 @@ def members_given(
         return
     places = {str(member.name): place for place, member in enumerate(record.fields)}
     place = 0
-    for element, value in paired(initialiser.elements, inside):
+    for element, value in zip(initialiser.elements, inside, strict=True):
         left = element.left if isinstance(element, ccode.Assignment) and says_where(element) else None
         place = places.get(str(left.name), place) if isinstance(left, ccode.Member) else place
         member = record.fields[place] if place < len(record.fields) else None

@@ -8,8 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from robosmi.typed import sum_of
-
 
 class HandlerBytes(NamedTuple):
     """The stack that an interrupt handler takes.
@@ -34,5 +32,5 @@ def upon_each_other(handlers: Iterable[HandlerBytes]) -> int:
         handlers: of different interrupts; no handler interrupts itself.
     """
     sizes = list(handlers)
-    below = sum_of(each.open for each in sizes if each.open >= 0)
+    below = sum(each.open for each in sizes if each.open >= 0)
     return below + max((each.most - max(0, each.open) for each in sizes), default=0)

@@ -10,7 +10,6 @@ from collections.abc import Sequence
 
 from robosmi.metamodels import hardware
 from robosmi.transformations.queries.connector_names import told_name
-from robosmi.typed import distinct
 
 
 def tied_inside(pins: Sequence[hardware.Connector], net: hardware.Net) -> tuple[hardware.Component, list[str]] | None:
@@ -25,7 +24,7 @@ def tied_inside(pins: Sequence[hardware.Connector], net: hardware.Net) -> tuple[
     """
     switches = {
         component: [[c for c in bus.connectors if c.net is net] for bus in component.buses]
-        for component in distinct(c.component for c in net.connectors if c.component is not None)
+        for component in dict.fromkeys(c.component for c in net.connectors if c.component is not None)
         if component.role is hardware.Role.Input and component.buses
     }
     wires = [wire for wire in _wires(net) if len(wire.ends) > 1]

@@ -13,7 +13,6 @@ from msgspec import Struct
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.typed import class_name
 
 
 class LibraryUse(Struct, frozen=True):
@@ -34,7 +33,7 @@ class LibraryUse(Struct, frozen=True):
     @property
     def kind(self) -> str:
         """The kind of element, as the metamodel names it."""
-        return class_name(self.element)
+        return type(self.element).__name__
 
 
 class LibraryNames(Struct, frozen=True):

@@ -6,6 +6,7 @@ matter.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from robosmi.metamodels import ccode
@@ -13,7 +14,6 @@ from robosmi.model.strict import Element
 from robosmi.query import all_contents
 from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.unreached import Unreached
-from robosmi.typed import matches
 
 
 def live_in(units: Sequence[ccode.SourceUnit]) -> list[Element]:
@@ -84,4 +84,4 @@ def is_global(variable: ccode.Variable) -> bool:
 def in_macros(units: Iterable[ccode.SourceUnit]) -> set[str]:
     """The words in the bodies of used macros: the model does not have the uses of what they name."""
     macros = [macro for unit in units for macro in unit.macros]
-    return {word for macro in macros if macro.uses for word in matches(r"\w+", str(macro.body or ""))}
+    return {word for macro in macros if macro.uses for word in re.findall(r"\w+", str(macro.body or ""))}

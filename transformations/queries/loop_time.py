@@ -20,7 +20,6 @@ from robosmi.transformations.queries.constant_text import calculate
 from robosmi.transformations.queries.main_program import main_structure
 from robosmi.transformations.queries.pointed_calls import is_pointed, pointed_calls
 from robosmi.transformations.queries.values import Values
-from robosmi.typed import class_name, distinct, paired, sum_of
 
 TICKS_A_SECOND = "clock ticks a second"
 """The meaning of a symbol of the source platform that stands for its clock rate."""
@@ -162,7 +161,7 @@ class LoopTimes:
         body = switch.body
         statements = list(body.statements) if isinstance(body, ccode.Block) else [body] if body is not None else []
         labels = [at for at, each in enumerate(statements) if isinstance(each, _LABELS)]
-        if len(labels) < sum_of(_is_first_label(each) for each in _within_switch(switch.body)):  # into the midst of a loop
+        if len(labels) < sum(_is_first_label(each) for each in _within_switch(switch.body)):  # into the midst of a loop
             whole = self._inside(switch.body)
             return Time(0.0, whole.high, whole.unbounded)
         times = [self._sequence(statements[at:]) for at in labels]
@@ -240,7 +239,7 @@ class LoopTimes:
 
     def _platform_call(self, call: ccode.Call, function: platform.ApiFunction) -> Time:
         """The time that a platform function waits: what its argument says, else up to its longest time, else unbounded."""
-        for argument, parameter in paired(call.arguments, function.parameters, strict=False):
+        for argument, parameter in zip(call.arguments, function.parameters, strict=False):
             factor = _UNITS.get(parameter.meaning, 1.0 / TICKS if parameter.meaning is platform.Meaning.ticks else 0.0)
             if factor:
                 numbers = self._numbers(argument, ticks=parameter.meaning is platform.Meaning.ticks)
@@ -318,7 +317,7 @@ def _waits(function: platform.ApiFunction) -> bool:
 
 
 def _once(first: Iterable[Wait], second: Iterable[Wait]) -> tuple[Wait, ...]:
-    return tuple(distinct((*first, *second)))
+    return tuple(dict.fromkeys((*first, *second)))
 
 
 def _call_name(call: ccode.Call) -> str:
@@ -336,5 +335,5 @@ def _pointer_name(call: ccode.Call) -> str:
 
 
 def _name(loop: ccode.Loop) -> str:
-    kind = {"While": "while", "DoWhile": "do", "For": "for"}.get(class_name(loop), "loop")
+    kind = {"While": "while", "DoWhile": "do", "For": "for"}.get(type(loop).__name__, "loop")
     return f"the {kind} loop"

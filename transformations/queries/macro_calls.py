@@ -11,7 +11,6 @@ from robosmi.metamodels import ccode, migration
 from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.queries.pin_uses import pin_number
 from robosmi.transformations.queries.values import Values
-from robosmi.typed import paired
 
 
 class MacroCalls:
@@ -44,7 +43,7 @@ class MacroCalls:
         """The ports that such a call reaches; None if its arguments have values unknown here, or none of them is a port."""
         found: dict[int, migration.PortBinding] = {}
         parameters = [*use.function.parameters] if use.function is not None else []
-        given = [(a, int(p.span)) for a, p in paired(call.arguments, parameters, strict=False) if p.isPort]
+        given = [(a, int(p.span)) for a, p in zip(call.arguments, parameters, strict=False) if p.isPort]
         for argument, span in given:
             numbers = [value.number for value in self._values_at(argument).of(argument)]
             if None in numbers:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence, Set
+from functools import lru_cache
 from typing import Any
 
 from msgspec import Struct
@@ -24,7 +25,6 @@ from robosmi.transformations.queries.plan import platform_of
 from robosmi.transformations.queries.plan_adapters import closure, emitted, setup_statements
 from robosmi.transformations.queries.stack_depth import depth, unfollowed
 from robosmi.transformations.queries.type_sizes import on_target
-from robosmi.typed import matches, paired, remembered, sum_of
 
 _SERIAL = "Serial"
 """Name of the core library's part that drives the serial line."""
@@ -66,12 +66,12 @@ class Memory(Struct, frozen=True):
     @property
     def of_variables(self) -> int:
         """Bytes of the program's variables."""
-        return sum_of(each.bytes for each in self.variables)
+        return sum(each.bytes for each in self.variables)
 
     @property
     def of_adapters(self) -> int:
         """Bytes of adapters, core and libraries."""
-        return sum_of(each.bytes for each in self.adapters)
+        return sum(each.bytes for each in self.adapters)
 
     @property
     def total(self) -> int:
@@ -153,7 +153,7 @@ def _always_there(pieces: Sequence[platform.Adapter]) -> list[platform.Adapter]:
     """The pieces that are linked in any case: interrupt handlers with what they call, and global objects of libraries."""
     found = {id(piece): piece for piece in pieces if piece.vectors or (piece.libraries and piece.ramBytes)}
     waiting = list(found.values())
-    defined = [(piece, frozenset(matches(_DEFINED, str(piece.text)))) for piece in pieces] if waiting else []
+    defined = [(piece, frozenset(_DEFINED.findall(str(piece.text)))) for piece in pieces] if waiting else []
     while waiting:
         words = set(_words(str(waiting.pop().text)))
         for piece, names in defined:
@@ -167,8 +167,8 @@ def _adapters(plan: migration.MigrationPlan, live: Sequence[Element], pieces: Se
     words = [_words(str(piece.text)) for piece in pieces]
     alone = [_NUMBER.fullmatch(str(piece.text).strip()) for piece in pieces]
     own = [number[1] if number is not None else "" for number in alone]
-    changed = {name for each, declared in paired(words, own) for name in _changed(each) if name != declared}
-    for piece, declared in paired(pieces, own):
+    changed = {name for each, declared in zip(words, own, strict=True) for name in _changed(each) if name != declared}
+    for piece, declared in zip(pieces, own, strict=True):
         if piece.ramBytes and (not declared or declared in changed):
             yield Share(str(piece.name), int(piece.ramBytes))
     names = {word for each in words for word in each}
@@ -186,7 +186,7 @@ def _adapters(plan: migration.MigrationPlan, live: Sequence[Element], pieces: Se
     yield from taken.values()
 
 
-@remembered(512)  # each report asks it of the same pieces
+@lru_cache(maxsize=512)  # each report asks it of the same pieces
 def _words(text: str) -> tuple[str, ...]:
     """The tokens of a piece, comments left out."""
     return tuple(word for kind, *_, word in tokens(text.encode()) if kind != "comment")

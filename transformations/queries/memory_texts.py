@@ -6,6 +6,7 @@ On a processor with separate memories, a string that is read like a variable is 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import all_contents
@@ -13,7 +14,6 @@ from robosmi.transformations.knowledge.lexer import Token, tokens
 from robosmi.transformations.queries.compiled_code import CompiledCode, is_ignored, way
 from robosmi.transformations.queries.lasting_variables import lasting
 from robosmi.transformations.queries.type_sizes import TypeSizes, text_of, unescaped
-from robosmi.typed import paired, remembered, sum_of
 
 _COPIED = 3
 """Initial values of a local array with more bytes than this are copied from data memory; fewer are in the code."""
@@ -28,9 +28,9 @@ def bytes_of_texts(code: CompiledCode, pieces: Sequence[platform.Adapter]) -> in
         if isinstance(element, ccode.StringLiteral) and not _elsewhere(element, code.ignored):
             said.add(text_of(element))
     ends = sorted(each[::-1] for each in said)
-    pairs = paired(ends, [*ends[1:], None], strict=False)
+    pairs = zip(ends, [*ends[1:], None], strict=False)
     kept = [each for each, following in pairs if following is None or not following.startswith(each)]
-    return sum_of(len(each) + 1 for each in kept)
+    return sum(len(each) + 1 for each in kept)
 
 
 def _elsewhere(literal: ccode.StringLiteral, ignored: set[int]) -> bool:
@@ -65,7 +65,7 @@ def _constant(initializer: ccode.Expression) -> bool:
     return not any(isinstance(each, (ccode.NameReference, ccode.Call)) for each in all_contents(initializer))
 
 
-@remembered(512)  # each report asks it of the same pieces
+@lru_cache(maxsize=512)  # each report asks it of the same pieces
 def kept_texts(text: str) -> tuple[str, ...]:
     """The string literals of a piece that occupy data memory: not those placed in flash or read only by the compiler."""
     return tuple(_kept_texts(text)) if '"' in text else ()

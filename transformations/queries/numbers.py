@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from typing import Any
 
 from msgspec import Struct
 
 from robosmi.metamodels import ccode, platform
 from robosmi.transformations.queries.expression_type import FunctionType, ValueType, of_use, type_of
-from robosmi.typed import class_name, matches, remembered
 
 _FIXED = re.compile(r"(u?)int(?:_least|_fast)?(8|16|32|64)_t")
 _WORD = re.compile(r"[A-Za-z_]\w*")
@@ -93,7 +93,7 @@ class Machine(Struct, frozen=True):
         return Number(wide.bits, wide.signed)
 
 
-@remembered(512)
+@lru_cache(maxsize=512)
 def _number(machine: Machine, base: str) -> Number | None:
     fixed = _FIXED.fullmatch(base)
     if fixed:
@@ -155,7 +155,7 @@ class Numbers:
         return self._known[id(expression)]
 
     def _rule(self, expression: ccode.Expression | None) -> Number | None:
-        rule = _RULES.get(class_name(expression))
+        rule = _RULES.get(type(expression).__name__)
         return rule(self, expression) if rule is not None else self.typed(type_of(expression, self.functions))
 
     def _assigned(self, assignment: ccode.Assignment) -> Number | None:
@@ -230,7 +230,7 @@ class Numbers:
                 base = 16 if digits[:2].lower() == "0x" else 2 if digits[:2].lower() == "0b" else 8 if digits[0] == "0" else 10
                 value = int(digits, 10 if digits.strip("0") == "" else base)
                 found = self.machine.common(found, self.machine.constant(value, suffix.lower(), decimal=base == 10))
-            pending += matches(_WORD, _CONSTANT.sub(" ", text))
+            pending += _WORD.findall(_CONSTANT.sub(" ", text))
         return found
 
 

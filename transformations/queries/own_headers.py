@@ -7,7 +7,6 @@ from collections.abc import Iterable, Iterator
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.queries.source_text import header_file, is_header, meant_unit
-from robosmi.typed import distinct
 
 
 def file_of(include: ccode.Include) -> ccode.SourceUnit:
@@ -48,7 +47,7 @@ def all_includes(unit: ccode.SourceUnit) -> tuple[str, ...]:
     if program is None or not any(is_header(u) for u in program.units):
         return tuple(str(include.header) for include in unit.includes)
     around = [u for u in program.units if unit in included(u)] if is_header(unit) else []
-    return tuple(distinct(str(include.header) for include, _ in _met([unit, *around])))
+    return tuple(dict.fromkeys(str(include.header) for include, _ in _met([unit, *around])))
 
 
 def _met(units: Iterable[ccode.SourceUnit]) -> Iterator[tuple[ccode.Include, ccode.SourceUnit | None]]:

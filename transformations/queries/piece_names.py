@@ -10,7 +10,6 @@ from robosmi.errors import RobosmiError
 from robosmi.metamodels import platform
 from robosmi.transformations.knowledge.lexer import KEYWORDS, tokens
 from robosmi.transformations.knowledge.library_ranking import library_api
-from robosmi.typed import matches
 
 _WORDS = re.compile(r"[A-Za-z_]\w*")
 _DEFINED = re.compile(r"#\s*define\s+([A-Za-z_]\w*)")
@@ -30,7 +29,7 @@ def declared_names(pieces: Iterable[platform.Adapter], among: AbstractSet[str]) 
         declared.update(str(port.constant) for port in piece.ports)
         declared.update(str(table.name) for table in piece.tables)
         text = str(piece.text)
-        if among.isdisjoint(matches(_WORDS, text)):
+        if among.isdisjoint(_WORDS.findall(text)):
             continue
         depth = 0
         for kind, _, _, word in tokens(text.encode()):

@@ -15,7 +15,6 @@ from robosmi.transformations.queries.finding_flows import edits_of, has_flow, st
 from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.port_pins import NOT_WIRED
-from robosmi.typed import class_name, sum_of
 
 
 def target_of(plan: migration.MigrationPlan) -> platform.Target:
@@ -82,7 +81,7 @@ def call_sites(plan: migration.MigrationPlan) -> dict[str, Any]:
         count = len(adapter.calls) + len(of_macros.of(adapter))
         counts["total"] += count
         counts[state] += count
-    total = {key: sum_of(c[key] for c in by_header.values()) for key in ("total", "with_body", "todo")}
+    total = {key: sum(c[key] for c in by_header.values()) for key in ("total", "with_body", "todo")}
     return {**total, "by_header": by_header}
 
 
@@ -116,7 +115,7 @@ def open_choices(plan: migration.MigrationPlan) -> Q[migration.Decision]:
 
 def element_title(element: ccode.Located) -> str:
     """What an element is called in a report."""
-    kind = class_name(element)
+    kind = type(element).__name__
     if isinstance(element, ccode.Include):
         return f"#include {'<' if element.system else chr(34)}{element.header}{'>' if element.system else chr(34)}"
     name = element.name if isinstance(element, (ccode.Declaration, ccode.Macro)) else ""

@@ -8,7 +8,6 @@ from robosmi.metamodels import migration, platform
 from robosmi.transformations.knowledge.adapter_checks import parameters_of
 from robosmi.transformations.knowledge.api_facts import PinFacts, PinParameter
 from robosmi.transformations.knowledge.platform_model import DIRECTIONS
-from robosmi.typed import distinct
 
 _WORDS = {literal: word for word, literal in DIRECTIONS.items()}
 
@@ -38,7 +37,7 @@ def emitted(plan: migration.MigrationPlan) -> list[platform.Adapter]:
 
 def setup_statements(plan: migration.MigrationPlan) -> list[str]:
     """The statements that the pieces need at the start of the program, each once."""
-    return distinct(str(statement) for piece in emitted(plan) for statement in piece.setup)
+    return list(dict.fromkeys(str(statement) for piece in emitted(plan) for statement in piece.setup))
 
 
 def rest_levels(plan: migration.MigrationPlan) -> list[migration.Connection]:
@@ -49,7 +48,7 @@ def rest_levels(plan: migration.MigrationPlan) -> list[migration.Connection]:
 def limits(use: migration.AdapterUse) -> list[str]:
     """The limits of a use's adapter and of the pieces it depends on: what they do not do, as sentences."""
     pieces = closure([use.adapter]) if use.adapter is not None else []
-    return distinct(str(limit) for piece in reversed(pieces) for limit in piece.limits)
+    return list(dict.fromkeys(str(limit) for piece in reversed(pieces) for limit in piece.limits))
 
 
 class OwnFunctionPins:

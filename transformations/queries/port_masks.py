@@ -17,7 +17,6 @@ from robosmi.transformations.queries.constant_text import calculate
 from robosmi.transformations.queries.given_values import GivenValues
 from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.values import LIMIT, Value, Values
-from robosmi.typed import class_name
 
 WORD = 32
 """Bits of a register."""
@@ -80,7 +79,7 @@ class PortMasks:
         numbers = [value.number for value in self.values(expression)]
         if None not in numbers:
             return union(numbers)
-        rule = _RULES.get(class_name(expression))
+        rule = _RULES.get(type(expression).__name__)
         if rule is not None:
             return rule(self, expression)
         key = self._thing(expression)

@@ -22,7 +22,6 @@ from robosmi.transformations.queries.reached_values import ReachedValues
 from robosmi.transformations.queries.register_bits import register_bits
 from robosmi.transformations.queries.value_flows import Flow, PortPlace
 from robosmi.transformations.queries.values import Value, Values
-from robosmi.typed import paired
 
 
 class Port(Struct):
@@ -220,7 +219,7 @@ def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> None:
             port.names.insert(len(port.names) - 1, name)
 
     for each in through:
-        for argument, known in paired(each.flow.arguments, each.values):
+        for argument, known in zip(each.flow.arguments, each.values, strict=True):
             number = known[0].number if len(known) == 1 else None
             reached = found.get(number) if number is not None else None
             holder = _constant(argument.argument)

@@ -15,7 +15,6 @@ from robosmi.model.strict import Element
 from robosmi.transformations.queries.constant_text import calculate
 from robosmi.transformations.queries.numbers import COMPARISONS, Numbers
 from robosmi.transformations.queries.values import Values, passed_arguments
-from robosmi.typed import class_name
 
 DEEP = 40
 """Depth of names and operators to which the values of an expression are followed."""
@@ -70,7 +69,7 @@ class Ranges:
         return self._known[key]
 
     def _rule(self, expression: ccode.Expression | None) -> Range | None:
-        rule = _RULES.get(class_name(expression))
+        rule = _RULES.get(type(expression).__name__)
         found = rule(self, expression) if rule is not None else None
         if found is not None:
             return found

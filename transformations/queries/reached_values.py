@@ -11,7 +11,6 @@ from collections.abc import Iterator, Sequence
 from robosmi.metamodels import ccode
 from robosmi.model.strict import Element
 from robosmi.transformations.queries.values import LIMIT, RUNTIME, Value, Values, passed_arguments
-from robosmi.typed import paired
 
 _UP = {"<": -1, "<=": 0, ">": 0, ">=": -1, "!=": -1, "==": 0}
 """Comparison of a rising number with a bound -> how far above the bound the number may get."""
@@ -59,7 +58,7 @@ class ReachedValues(Values):
                 return [RUNTIME]
         own = [_own_step(expression, target) for expression in given]
         steps += [self._step_of(step[1], f"{step[0]}=") for step in own if step is not None]
-        found = [value for expression, step in paired(given, own) if step is None for value in self.of(expression)]
+        found = [value for expression, step in zip(given, own, strict=True) if step is None for value in self.of(expression)]
         if not steps:
             return found or [RUNTIME]
         numbers = [value.number for value in found]

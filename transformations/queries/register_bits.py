@@ -13,7 +13,6 @@ from robosmi.transformations.queries.expression_text import expression_text
 from robosmi.transformations.queries.own_headers import own_macro
 from robosmi.transformations.queries.pin_uses import PinUse
 from robosmi.transformations.queries.port_masks import WORD, PortMasks, union
-from robosmi.typed import paired
 
 _ALL = (1 << WORD) - 1
 """All bits of a register."""
@@ -44,7 +43,7 @@ def register_bits(view: CodeView, masks: PortMasks) -> list[PinUse]:
         name, arguments = str(call.calleeName or ""), list(call.arguments)
         own = call.callee is not None and call.callee.definition
         meanings = [] if own else list(view.api.meaning(name).get("parameters", []))
-        for argument in (a for a, meaning in paired(arguments, meanings, strict=False) if meaning == "mask"):
+        for argument in (a for a, meaning in zip(arguments, meanings, strict=False) if meaning == "mask"):
             _add(found, masks.bits(argument), call, name, "in")
     return sorted(found.values(), key=lambda u: (u.line, int(u.call.startOffset)))
 

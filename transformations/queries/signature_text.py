@@ -10,7 +10,6 @@ import re
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.queries.expression_type import ARITHMETIC, FunctionType
-from robosmi.typed import matches
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _TAGGED = frozenset({"struct", "union", "enum", "const", "volatile"})
@@ -60,9 +59,9 @@ def type_names(spelling: str) -> list[str]:
     ['void', 'struct', 'task', 'int']
     """
     head, _, rest = _DIMENSION.sub(" ", spelling).partition("(")
-    words = matches(_WORD, head)
+    words = _WORD.findall(head)
     for parameter in split(rest.rpartition("(")[2].rstrip(") ")):
-        own = matches(_WORD, parameter)
+        own = _WORD.findall(parameter)
         named = len(own) > 1 and own[-1] not in ARITHMETIC and own[-2] not in _TAGGED
         words += own[:-1] if named else own
     return words

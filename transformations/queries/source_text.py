@@ -15,7 +15,6 @@ from msgspec import Struct
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.queries.block_braces import ends_in_brace
 from robosmi.transformations.queries.text_changes import decision_of, effective
-from robosmi.typed import matches
 
 HEADERS = (".h", ".hh", ".hpp")
 ADAPTERS_FILE = "adapters.h"
@@ -222,7 +221,7 @@ _LINES = re.compile(r"[^\n]*\n|[^\n]+")  # a form feed ends no line of C, nor do
 def _lines(text: str, continued: bool = False) -> Iterator[tuple[str, bool]]:
     """The lines of a text, each with whether it has to stay as it is; `continued` if the first one continues a line."""
     directive = False
-    for line in matches(_LINES, text):
+    for line in _LINES.findall(text):
         if not continued:
             directive = line.lstrip().startswith("#")
         yield line, directive or continued
@@ -242,4 +241,4 @@ _WORD = re.compile(rb"[A-Za-z_]\w*")
 
 def words_of(texts: Iterable[bytes]) -> set[str]:
     """All that looks like a name in texts of a program, comments, strings and suffixes of numbers too."""
-    return {word.decode("ascii", errors="replace") for text in texts for word in matches(_WORD, text)}
+    return {word.decode("ascii", errors="replace") for text in texts for word in _WORD.findall(text)}

@@ -18,7 +18,6 @@ from robosmi.transformations.queries.cooperation import local_bytes, waits
 from robosmi.transformations.queries.interrupt_stack import HandlerBytes, upon_each_other
 from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.plan_adapters import closure, emitted
-from robosmi.typed import distinct
 
 START = 2
 """Bytes of stack at the start of main: its return address."""
@@ -112,7 +111,7 @@ def depth(plan: migration.MigrationPlan, code: CompiledCode, pieces: Iterable[pl
 def unfollowed(code: CompiledCode) -> tuple[int, ...]:
     """Lines of the calls through pointers whose functions are not known, which `depth` therefore does not contain."""
     calls = [each for each in code.elements if isinstance(each, ccode.Call) and not code.pointed.get(id(each), [each])]
-    return tuple(distinct(int(call.line) for call in calls))
+    return tuple(dict.fromkeys(int(call.line) for call in calls))
 
 
 def _bytes(piece: platform.Adapter, places: int) -> int:

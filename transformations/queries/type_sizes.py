@@ -12,7 +12,6 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.transformations.queries.declared_types import declared_types
 from robosmi.transformations.queries.initialisers import record_of
 from robosmi.transformations.queries.plan import platform_of
-from robosmi.typed import matches
 
 _DIMENSION = re.compile(r"\[([^\[\]]*)\]")
 _QUALIFIERS = re.compile(r"\b(?:const|volatile|register|restrict|extern|static|struct|union|enum|_Bool)\b")
@@ -61,7 +60,7 @@ class TypeSizes:
             return None
         count = 1
         canonical = str(use.canonical or use.spelling or "")
-        for size in matches(_DIMENSION, canonical):
+        for size in _DIMENSION.findall(canonical):
             if not size.strip().isdecimal():
                 return None
             count *= int(size)
@@ -141,7 +140,7 @@ def text_of(literal: ccode.StringLiteral) -> str:
 
 def unescaped(text: str) -> str:
     """The contents of the quoted strings in a text, joined, each escape sequence as one character."""
-    return "".join(_ESCAPE.sub(lambda found: _character(found[0]), part) for part in matches(_TEXT, text))
+    return "".join(_ESCAPE.sub(lambda found: _character(found[0]), part) for part in _TEXT.findall(text))
 
 
 def _character(escape: str) -> str:

@@ -18,7 +18,6 @@ from robosmi.transformations.queries.initialisers import leaves, members_given, 
 from robosmi.transformations.queries.live_code import identity
 from robosmi.transformations.queries.own_headers import included, unit_of
 from robosmi.transformations.queries.signature_text import split
-from robosmi.typed import first_of, matches, paired
 
 Pointer = ccode.Variable | ccode.Parameter | ccode.Field
 _UNSAID = re.compile(r"\(\*[^()]*\)\s*\(\s*\)\s*$")
@@ -50,7 +49,7 @@ class UnsaidPointers(Struct):
     @property
     def taken(self) -> str | None:
         """The parameter list that all functions of the group share; None if they differ or not all are known."""
-        return first_of(self.lists.values()) if len(self.lists) == 1 and not self.unknown else None
+        return next(iter(self.lists.values())) if len(self.lists) == 1 and not self.unknown else None
 
     @property
     def said(self) -> str:
@@ -216,7 +215,7 @@ def _given(element: object) -> Iterator[tuple[Pointer, ccode.Expression]]:
         if target is not None and element.right is not None:
             yield from ((target, value) for value in _branches(element.right))
     elif isinstance(element, ccode.Call) and element.callee is not None:
-        for parameter, argument in paired(element.callee.parameters, element.arguments, strict=False):
+        for parameter, argument in zip(element.callee.parameters, element.arguments, strict=False):
             yield from ((parameter, value) for value in _branches(argument))
 
 
@@ -237,7 +236,7 @@ def _branches(value: ccode.Expression) -> Iterator[ccode.Expression]:
 
 def _is_declared(taken: str, pointer: Pointer) -> bool:
     """Whether all types that a parameter list names are declared before a pointer's declaration."""
-    words = set(matches(_WORD, taken)) - _PLAIN
+    words = set(_WORD.findall(taken)) - _PLAIN
     if not words:
         return True
     unit = unit_of(pointer)

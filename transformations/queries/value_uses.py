@@ -13,7 +13,6 @@ from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.flow_reader import FlowReader
 from robosmi.transformations.queries.numbers import COMPARISONS
 from robosmi.transformations.queries.pointers import gives_access
-from robosmi.typed import class_name
 
 _LOGICAL = frozenset(["&&", "||"])
 _HARMLESS = frozenset(["Cast", "Variable", "Return", "ExpressionStatement", "SizeOf", "Member"])
@@ -60,7 +59,7 @@ class ValueUses:
             self.reader.flows.keep(self.reader.value(expression), why, computed=gives_access(expression))
 
     def _why_kept(self, expression: ccode.Expression, parent: Element | None, view: CodeView) -> str:
-        kind = class_name(parent)
+        kind = type(parent).__name__
         if kind in _HARMLESS or (isinstance(parent, ccode.Index) and parent.array is expression):
             return ""
         name = f"'{expression.name}'" if isinstance(expression, ccode.NameReference) else "it"

@@ -19,7 +19,6 @@ from robosmi.transformations.queries.bounded_walk import BoundedWalk
 from robosmi.transformations.queries.constant_text import calculate, macro_number
 from robosmi.transformations.queries.expansion import MacroTexts
 from robosmi.transformations.queries.own_headers import included
-from robosmi.typed import class_name
 
 D = TypeVar("D", bound=Element)
 LIMIT = 64
@@ -58,7 +57,7 @@ class Values:
 
     def of(self, expression: Element | None) -> list[Value]:
         """The values of an expression, in text order, each once."""
-        method = _METHODS.get(class_name(expression))
+        method = _METHODS.get(type(expression).__name__)
         return _distinct(self._walk.ask(lambda: method(self, expression))) if method else [RUNTIME]
 
     def _guarded(self, element: D, what: str, body: Callable[[D], list[Value]], *given: Hashable) -> list[Value]:

@@ -20,7 +20,6 @@ from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.text_changes import CARRIED_OVER
 from robosmi.transformations.queries.waiting_calls import open_conventions
-from robosmi.typed import class_name, distinct
 
 RETAINED, ADAPTED, CARE, NEEDS_YOU, UNSUPPORTED = "retained", "adapted", "adapted_with_care", "needs_you", "not_supported"
 VERDICTS = (RETAINED, ADAPTED, CARE, NEEDS_YOU, UNSUPPORTED)
@@ -115,12 +114,12 @@ def construct_title(element: ccode.Located, data: bytes = b"") -> str:
     """
     if isinstance(element, ccode.Include):
         return f"#include {'<' if element.system else chr(34)}{element.header}{'>' if element.system else chr(34)}"
-    kind = _KINDS.get(class_name(element), "")
+    kind = _KINDS.get(type(element).__name__, "")
     if isinstance(element, (ccode.Declaration, ccode.Macro)):
-        return f"{kind} {element.name}".strip() if element.name else kind or class_name(element)
+        return f"{kind} {element.name}".strip() if element.name else kind or type(element).__name__
     text = " ".join(data[element.startOffset : element.endOffset].decode("utf-8", "replace").split())
     if not text:
-        return class_name(element)
+        return type(element).__name__
     return text if len(text) <= _SHOWN else f"{text[: _SHOWN - 4].rstrip()} ..."
 
 
@@ -179,7 +178,7 @@ class _Judge:
         worst = max([first, *marks], key=lambda judged: VERDICTS.index(judged.verdict))
         said = [mark.reason for mark in marks if mark.verdict == worst.verdict]
         reasons = said if said and disposition.action in _AS_IT_IS else [first.reason, *said]
-        return Judged(worst.verdict, "; ".join(distinct(filter(None, reasons))), worst.effort)
+        return Judged(worst.verdict, "; ".join(dict.fromkeys(filter(None, reasons))), worst.effort)
 
     def _own(self, disposition: migration.Disposition) -> Judged:
         reasons = [str(reason) for reason in disposition.reasons if reason]

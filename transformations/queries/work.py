@@ -21,7 +21,6 @@ from robosmi.transformations.queries.board_needs import board_needs
 from robosmi.transformations.queries.plan import decisions
 from robosmi.transformations.queries.verdicts import EFFORTS, constructs, unserved_headers, verdict_counts
 from robosmi.transformations.queries.waiting_calls import WITH_CARE, WORKS, CallStates
-from robosmi.typed import sum_of
 
 DECIDE = frozenset({"RS330", "RS401"})
 """Rules of tasks that ask for a choice."""
@@ -63,7 +62,7 @@ class Work:
     @cached_property
     def unread(self) -> int:
         """How many calls are in text that the parser could not read, whatever function they call."""
-        return sum_of(len(unit.unresolved) for unit in self.plan.program.units) if self.plan.program is not None else 0
+        return sum(len(unit.unresolved) for unit in self.plan.program.units) if self.plan.program is not None else 0
 
     @property
     def working(self) -> int:
@@ -112,11 +111,11 @@ class Work:
                 "answers": [_answer(self.plan, d) for d in left],
             },
             "write": {
-                "total": len(self.write), "done": sum_of(task.done for task in self.write),
+                "total": len(self.write), "done": sum(task.done for task in self.write),
                 **{effort: efforts[effort] for effort in EFFORTS},
             },
             "check": {
-                "total": len(self.check), "done": sum_of(task.done for task in self.check),
+                "total": len(self.check), "done": sum(task.done for task in self.check),
                 "items": [{"message": str(task.message), "done": bool(task.done)} for task in self.check],
             },
         }  # fmt: skip

@@ -12,7 +12,6 @@ from collections.abc import Iterable, Iterator
 from msgspec import Struct
 
 from robosmi.transformations.knowledge.lexer import Token, tokens
-from robosmi.typed import matches
 
 TODO = "TODO: complete method"
 """The comment that marks a body that is still to be written."""
@@ -167,7 +166,7 @@ def ticks(report: str) -> list[Tick]:
 def task_key(rule: str, message: str) -> tuple[str, ...]:
     """The key of a task whatever its place and counts are: the rule and the first name in its message, quoted or not."""
     plain = message.replace("\\", "")
-    names = matches(_QUOTED, plain)
+    names = _QUOTED.findall(plain)
     return (rule, names[0]) if names else (rule, re.sub(r"\d+", "", plain.partition(" (")[0]).strip())
 
 

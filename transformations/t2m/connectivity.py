@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from functools import lru_cache
 
 from robosmi.transformations.knowledge.part import Part
-from robosmi.typed import remembered
 
 Node = tuple[str, str]
 """(identity of a component, representative of the connectors that its part joins); a wire has no connector."""
@@ -58,7 +58,7 @@ def bus_leaders(part: Part) -> dict[str, str]:
     return leaders
 
 
-@remembered(8192)
+@lru_cache(maxsize=8192)
 def natural(text: str) -> tuple[tuple[int, int, str], ...]:
     """A natural sort key, by which connector2 comes before connector10."""
     return tuple((0, int(piece), "") if piece[0] in _DIGITS else (1, 0, piece) for piece in _NUMBER.split(text) if piece)

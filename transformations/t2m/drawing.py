@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Mapping, Sequence
 from pathlib import Path
 
+from msgspec.structs import replace
+
 from robosmi.data_text import Json
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import ModelError, did_you_mean
@@ -31,7 +33,6 @@ from robosmi.transformations.knowledge.rails import Terminal, rail
 from robosmi.transformations.t2m.connectivity import bus_leaders, natural
 from robosmi.transformations.t2m.given_roles import given_roles
 from robosmi.transformations.t2m.placed import End, KnownPart, Placed
-from robosmi.typed import distinct, replaced
 
 __all__ = ["CircuitBuilder", "End", "KnownPart", "Placed", "free_identity"]
 
@@ -98,18 +99,18 @@ class CircuitBuilder:
     def _looked_up(self, part_id: str, defined: Part | None, board: DrawnBoard | None, own: bool) -> KnownPart:
         found = self.catalogue.find(part_id) or defined
         part = found or Part(part_id, evidence="no entry in the catalogue of parts and no definition in the drawing")
-        part, by_name = replaced(part, tool=self.tool), board is not None
+        part, by_name = replace(part, tool=self.tool), board is not None
         if board is None and part.role in ("Unknown", "Board"):
             board = drawn_board(part_id, self.tool, self.project)
         if board is not None and part.role == "Unknown":
             evidence = f"drawn as {board.title} (boards of the platform repository)"
-            part = replaced(part, role="Board", evidence=evidence, title=part.title or board.title)
+            part = replace(part, role="Board", evidence=evidence, title=part.title or board.title)
         part = classify_by_id(part, self.project) if own else classify(part, self.project)
         if own and part.role == "Unknown":
-            part = replaced(part, evidence=part.evidence or "it is of your own making")
+            part = replace(part, evidence=part.evidence or "it is of your own making")
         if part.role == "Unknown" and not part.evidence:
             told = f"family '{part.family}' and title '{part.title}'" if part.family else f"title '{part.title}'"
-            part = replaced(part, evidence=f"no rule fits {told}{part.source and ' of ' + part.source}")
+            part = replace(part, evidence=f"no rule fits {told}{part.source and ' of ' + part.source}")
         about = f"{part.family} / {part.title} / {part_id}"
         return KnownPart(
             part=part,
@@ -197,7 +198,7 @@ class CircuitBuilder:
         """
         if not ends:
             raise self.fault("makes a net without a connector")
-        found = [self._placed_end(End(*end)) for end in distinct(ends)]
+        found = [self._placed_end(End(*end)) for end in dict.fromkeys(ends)]
         for model, terminal in found:
             if model.net is not None:
                 where = f"{terminal.component or '?'}.{terminal.connector}"
@@ -228,7 +229,7 @@ class CircuitBuilder:
         Raises:
             ModelError: an end is not there: a fault of the reader.
         """
-        found = [self._placed_end(End(*end))[0] for end in distinct(ends)]
+        found = [self._placed_end(End(*end))[0] for end in dict.fromkeys(ends)]
         self.wires.append(hardware.Wire(elementId=identity, color=color, ends=found, net=net))
 
     def circuit(
@@ -271,10 +272,10 @@ class CircuitBuilder:
     def _part(self, placed: Placed, known: KnownPart, facts: Sequence[PartConnector]) -> Part:
         """The part with its role in this place: given by the user, known, or concluded from its label and pin names."""
         if (role := self._given.get(placed.identity)) is not None:
-            return replaced(known.part, role=role, evidence=GIVEN)
+            return replace(known.part, role=role, evidence=GIVEN)
         if known.part.role != "Unknown" or known.own:
             return known.part
-        named = replaced(known.part, connectors={fact.id: fact for fact in facts})
+        named = replace(known.part, connectors={fact.id: fact for fact in facts})
         hint = "" if known.defined else placed.hint
         return classify_drawn(named, placed.title, placed.properties, hint, self.project)
 
@@ -296,9 +297,9 @@ class CircuitBuilder:
             facts += [PartConnector(c, pins.get(c, "")) for c in extra]
         facts = [self._renamed(fact, placed.names.get(fact.id, "")) for fact in facts] if placed.names else facts
         if len(facts) == 2 and part.role not in ("Power", "Board"):  # + and - of a lamp are no supply
-            facts = [replaced(f, kind="signal") if f.name.lower() in self.names.names["polarity"] else f for f in facts]
+            facts = [replace(f, kind="signal") if f.name.lower() in self.names.names["polarity"] else f for f in facts]
         if signals := signals_beside((fact.name for fact in facts), self.names):
-            facts = [replaced(f, kind="signal") if f.name.strip().lower() in signals else f for f in facts]
+            facts = [replace(f, kind="signal") if f.name.strip().lower() in signals else f for f in facts]
         return facts
 
     def _renamed(self, fact: PartConnector, name: str) -> PartConnector:

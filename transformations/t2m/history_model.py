@@ -13,7 +13,6 @@ from robosmi.errors import SourceError
 from robosmi.metamodels import migration
 from robosmi.recommend.history import HistoryEntry
 from robosmi.recommend.history_exchange import entry_of
-from robosmi.typed import dynamic_attribute
 
 _FEATURES = {
     "part_id": "partId", "title": "title", "library": "library", "count": "count", "last_used": "lastUsed", "version": "version",
@@ -27,7 +26,7 @@ def history_to_model(entries: Iterable[HistoryEntry]) -> migration.EarlierChoice
     for entry in entries:
         choice = migration.EarlierChoice(library=entry.library)
         for name, feature in _FEATURES.items():
-            setattr(choice, feature, dynamic_attribute(entry, name))
+            setattr(choice, feature, getattr(entry, name))
         choices.append(choice)
     return migration.EarlierChoices(choices=choices)
 
@@ -40,5 +39,5 @@ def model_to_history(root: object, location: Location | None = None) -> list[His
     """
     if not isinstance(root, migration.EarlierChoices):
         raise SourceError("this model is no history of choices", location=location, fix="take one that was exported")
-    values = ({name: dynamic_attribute(choice, feature) or "" for name, feature in _FEATURES.items()} for choice in root.choices)
+    values = ({name: getattr(choice, feature) or "" for name, feature in _FEATURES.items()} for choice in root.choices)
     return [entry_of(item, f"choice {number}", location) for number, item in enumerate(values, 1)]

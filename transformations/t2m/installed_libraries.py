@@ -23,7 +23,6 @@ from robosmi.errors import SourceError
 from robosmi.recommend.words import chunks, words
 from robosmi.transformations.t2m.library_declarations import declarations
 from robosmi.transformations.t2m.library_rows import HeaderRow, LibraryRow
-from robosmi.typed import matches
 
 HEADERS = (".h", ".hpp", ".hh")
 _MOST_HEADERS, _MOST_WORDS, _LARGEST, _LONGEST_NAME = 40, 700, 4_000_000, 200
@@ -32,7 +31,7 @@ _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)[>\"]", re.MULTILINE)
 _CLASS = re.compile(r"\b(?:class|struct)\s+([A-Za-z_]\w*)\s*(?::[^;{]*)?\{")
 _KEYWORDS = frozenset(  # of C++, and of its preprocessor
-    matches(
+    re.findall(
         r"\w+",
         """if else for while do switch case default break continue return goto sizeof static const volatile inline extern virtual
         public private protected class struct union enum typedef template typename namespace using new delete this operator void
@@ -193,11 +192,11 @@ def _header(path: Path, main: bool, found: Found) -> tuple[HeaderRow, list[str]]
     code = _NOT_CODE.sub(" ", text)
     identifiers = Counter(word for word in words(code) if not word.isdigit() and word not in _KEYWORDS)
     row: HeaderRow = {
-        "file": path.name, "main": main, "includes": sorted(set(matches(_INCLUDE, text))),
+        "file": path.name, "main": main, "includes": sorted(set(_INCLUDE.findall(text))),
         "raw": dict(Counter(chunks(text.lower())).most_common(_MOST_WORDS)),
         "idents": dict(identifiers.most_common(_MOST_WORDS)),
     }  # fmt: skip
-    return row, matches(_CLASS, code)
+    return row, _CLASS.findall(code)
 
 
 def _api(main: list[Path], root: Path, found: Found) -> list[dict[str, Json]]:
@@ -211,7 +210,7 @@ def _api(main: list[Path], root: Path, found: Found) -> list[dict[str, Json]]:
             continue
         leads = known[path.resolve()]
         rows.append({"header": path.name, "main": leads} | declarations(text.encode("utf-8", "replace")))
-        names: list[str] = matches(_INCLUDE, _COMMENT.sub(" ", text))
+        names: list[str] = _INCLUDE.findall(_COMMENT.sub(" ", text))
         for name in names:
             for place in (path.parent / name, root / name):
                 if len(waiting) < _MOST_HEADERS and os.path.isfile(place):  # False for what is no name of a file, too

@@ -10,13 +10,14 @@ import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
+from msgspec.structs import replace
+
 from robosmi.data_text import Json, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.model.packed_lines import packed_lines
 from robosmi.recommend.library_api import ApiClass, ApiFunction, HeaderApi
 from robosmi.transformations.knowledge.api_spelling import spelled
-from robosmi.typed import distinct, replaced
 
 _KIND = re.compile(r"^(enum|struct|class|union):(?!:)")
 _FIX = "take a file that has one header a line, as the README beside the index says"
@@ -56,7 +57,7 @@ def header_api(row: Mapping[str, Json]) -> HeaderApi:
         ValueError: the row has another form.
     """
     api = HeaderApi.from_facts(row)
-    return replaced(
+    return replace(
         api,
         classes=tuple(_class(each) for each in api.classes),
         functions=_functions(api.functions, conversions=False),
@@ -65,10 +66,10 @@ def header_api(row: Mapping[str, Json]) -> HeaderApi:
 
 
 def _class(declared: ApiClass) -> ApiClass:
-    return replaced(
+    return replace(
         declared,
         bases=tuple(spelled(base) for base in _whole(declared.bases)),
-        constructors=tuple(distinct(spelled(parameters) for parameters in declared.constructors)),
+        constructors=tuple(dict.fromkeys(spelled(parameters) for parameters in declared.constructors)),
         methods=_functions(declared.methods, conversions=True),
     )
 
@@ -77,7 +78,7 @@ def _functions(functions: Iterable[ApiFunction], *, conversions: bool) -> tuple[
     """The functions, each once; functions without a type are dropped, except conversion operators where these are allowed."""
     known = (f for f in functions if f.returns or (conversions and f.name.startswith("operator")))
     spelt = (ApiFunction(spelled(f.name), spelled(f.parameters), _type(f.returns), f.static) for f in known)
-    return tuple(distinct(spelt))
+    return tuple(dict.fromkeys(spelt))
 
 
 def _type(text: str) -> str:

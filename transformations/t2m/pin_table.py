@@ -33,7 +33,6 @@ from robosmi.transformations.knowledge.part_names import PartNames, connector_ki
 from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.t2m.given_roles import given_roles
-from robosmi.typed import distinct, paired
 
 COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "rest", "board")
 """The columns; the first two must be there."""
@@ -323,8 +322,8 @@ def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
                 location=Location(str(path), number),
                 fix="put a cell with a comma in it in quotes",
             )
-        rows.append(_Row(number, dict(paired(header, (csv_text(cell.strip()) for cell in cells), strict=False))))
-    boards = distinct(row["board"] for row in rows if row["board"])
+        rows.append(_Row(number, dict(zip(header, (csv_text(cell.strip()) for cell in cells), strict=False))))
+    boards = list(dict.fromkeys(row["board"] for row in rows if row["board"]))
     if len(boards) > 1:
         raise SourceError(f"the rows name {len(boards)} boards", location=Location(str(path)), fix="keep one table a board")
     return boards[0] if boards else "", [row for row in rows if any(row[column] for column in COLUMNS if column != "board")]
@@ -347,7 +346,7 @@ def _toml_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
     board = table.get("board", "")
     if not isinstance(board, str):
         raise SourceError("'board' is no text", location=Location(str(path)), fix='write board = "uno"')
-    return board, [_Row(place, {k: _cell(v) for k, v in e.items()}) for place, e in paired(places, entries)]
+    return board, [_Row(place, {k: _cell(v) for k, v in e.items()}) for place, e in zip(places, entries, strict=True)]
 
 
 def _cell(value: object) -> str:

@@ -21,7 +21,6 @@ from robosmi.transformations.knowledge.api_spelling import tidy
 from robosmi.transformations.knowledge.lexer import TYPE_WORDS, definition_parts, directive_parts, tokens
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import read_unit
-from robosmi.typed import distinct, matches
 
 ENDINGS = (".h", ".hh", ".hpp")
 LARGEST = 4_000_000
@@ -107,7 +106,7 @@ def read_headers(folder: Path, api: ApiIndex, include_dirs: Sequence[Path] = (),
     found = ApiFound()
     files = _files(folder, found)
     names = _names(folder, files, found)
-    roots = distinct(_root(path, name) for name, paths in names.items() for path in paths[:1])
+    roots = list(dict.fromkeys(_root(path, name) for name, paths in names.items() for path in paths[:1]))
     folders = [*roots, *(str(d) for d in include_dirs)]
     missing: set[str] = set()
     read: dict[str, _Declared] = {}
@@ -176,7 +175,7 @@ def _names(folder: Path, files: Iterable[Path], found: ApiFound) -> dict[str, li
             if path.suffix.lower() in ENDINGS:
                 found.skipped[str(path)] = (error.strerror if isinstance(error, OSError) else None) or str(error)
             continue
-        written.update(os.path.normpath(n.decode("latin-1")).replace("\\", "/") for n in matches(_INCLUDE, data))
+        written.update(os.path.normpath(n.decode("latin-1")).replace("\\", "/") for n in _INCLUDE.findall(data))
         if path.suffix.lower() in ENDINGS:
             headers.append(path)
     if len(headers) > MOST:

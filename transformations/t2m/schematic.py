@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi.diagnostics import Severity
 from robosmi.errors import did_you_mean
@@ -25,7 +26,6 @@ from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.knowledge.wildcards import fits
 from robosmi.transformations.t2m.connectivity import Joined
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
-from robosmi.typed import distinct, replaced, sum_of
 
 _CLOCK_PARTS = ("crystal", "resonator", "oscillator", "quartz", "xtal")
 _NET_NAMES = 3
@@ -121,7 +121,7 @@ class _Making:
         alike = (part.identity,) if own else (part.symbol, part.value, *part.pins.items())
         key = repr((part.listed_as, *alike))  # texts joined might be those of another part
         if board is not None:
-            described = replaced(described, role="Board", evidence=f"drawn as {board.title} (boards of the platform repository)")
+            described = replace(described, role="Board", evidence=f"drawn as {board.title} (boards of the platform repository)")
         return key, builder.know(key, described, board=board, own=own)
 
     def _described(self, part: SchematicPart) -> tuple[Part, DrawnBoard | None, bool]:
@@ -132,22 +132,22 @@ class _Making:
             source="the drawing", description=part.description or self._meaning(part), buses=self._joined_inside(part),
         )  # fmt: skip
         if part.power:
-            return replaced(found, role="Power", evidence="it is a symbol of a supply or a ground"), None, False
+            return replace(found, role="Power", evidence="it is a symbol of a supply or a ground"), None, False
         if not part.pins and part.defined:
-            return replaced(found, role="Decoration", evidence="its symbol has no pins"), None, False
+            return replace(found, role="Decoration", evidence="its symbol has no pins"), None, False
         if self._called(part, self.builder.names.solder_jumpers):
             evidence = "a bridge of solder, which is not crossed"
-            return replaced(found, family="solder jumper", role="Passive", evidence=evidence), None, False
+            return replace(found, family="solder jumper", role="Passive", evidence=evidence), None, False
         if (board := self._board(part)) is not None:
-            return replaced(found, buses=self._joined(part)), board, False
+            return replace(found, buses=self._joined(part)), board, False
         if (chip := self._chip(part)) and part.identity not in self.chips:
-            return replaced(found, role="Board", evidence=f"a bare {chip}: it runs a program"), None, False
+            return replace(found, role="Board", evidence=f"a bare {chip}: it runs a program"), None, False
         if self._called(part, self.builder.names.headers):
             return self._header(part, found)
         if part.value:
-            device = classify(replaced(found, title=part.value, family="", description="", connectors={}), self.project)
+            device = classify(replace(found, title=part.value, family="", description="", connectors={}), self.project)
             if device.role in ("Input", "Output", "Both"):  # the value decides over the symbol
-                return replaced(found, role=device.role, driver=device.driver, evidence=f"value: {device.evidence}"), None, False
+                return replace(found, role=device.role, driver=device.driver, evidence=f"value: {device.evidence}"), None, False
         return found, None, False
 
     def _meaning(self, part: SchematicPart) -> str:
@@ -224,7 +224,7 @@ class _Making:
     @staticmethod
     def _chip(part: SchematicPart) -> str:
         """The name of the microcontroller that a part is, by its name and its ports; empty if it is none."""
-        ports = sum_of(bool(port_of(name)) for name in part.pins.values())
+        ports = sum(bool(port_of(name)) for name in part.pins.values())
         return chip_named((part.value, part.symbol)) if ports >= _LEAST_PORTS else ""
 
     def _header(self, part: SchematicPart, found: Part) -> tuple[Part, DrawnBoard | None, bool]:
@@ -233,15 +233,17 @@ class _Making:
             if device.role in ("Input", "Output", "Both"):
                 evidence = f"a header for '{part.value}': {device.evidence}"
                 return (
-                    replaced(found, title=part.value, family="", role=device.role, driver=device.driver, evidence=evidence),
+                    replace(found, title=part.value, family="", role=device.role, driver=device.driver, evidence=evidence),
                     None,
                     False,
                 )
         nets = [name for names in self.used.get(part.identity, {}).values() for name in names]
-        told = [n for n in distinct(nets) if not n.startswith(_NUMBERED) and connector_kind(n, self.builder.names) == "signal"]
+        told = [
+            n for n in dict.fromkeys(nets) if not n.startswith(_NUMBERED) and connector_kind(n, self.builder.names) == "signal"
+        ]
         title = part.value or ", ".join(told[:_NET_NAMES]) or part.symbol
         return (
-            replaced(found, title=title, family="", description="", evidence="a header, and what hangs on it is not drawn"),
+            replace(found, title=title, family="", description="", evidence="a header, and what hangs on it is not drawn"),
             None,
             True,
         )
@@ -337,11 +339,11 @@ class _Making:
         False if the drawing has a chip with such ports itself.
         """
         if not self._called(part, self.builder.names.headers) or any(
-            sum_of(bool(port_of(name.removeprefix("G"))) for name in other.pins.values()) >= _LEAST_PORTS  # GPA0 of an expander
+            sum(bool(port_of(name.removeprefix("G"))) for name in other.pins.values()) >= _LEAST_PORTS  # GPA0 of an expander
             for other in self.drawn.parts
         ):
             return False
-        nets = distinct(name for names in self.used.get(part.identity, {}).values() for name in names)
+        nets = list(dict.fromkeys(name for names in self.used.get(part.identity, {}).values() for name in names))
         told = [n for n in nets if not n.startswith(_NUMBERED) and connector_kind(n, self.builder.names) == "signal"]
         labelled = [name for name in told if normalised_label(name) or port_of(name)]
         return len(labelled) >= _LEAST_PORTS and 2 * len(labelled) > len(told)

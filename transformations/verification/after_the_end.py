@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from msgspec.structs import replace
+
 from robosmi.transformations.verification.original_side import SourceRuns, channel_events
 from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.typed import replaced
 from robosmi.verify.comparison import DIFFERENT, RACY, RESONATOR, ChannelComparison, FirstDifference
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
@@ -28,7 +29,7 @@ def simulated_longer(scenario: Scenario, runs: SourceRuns) -> Scenario:
         runs: the runs of the original.
     """
     quiet_ms = _quiet_from_ms(scenario, runs)
-    return scenario if quiet_ms is None else replaced(scenario, horizon_ms=quiet_ms + _LONGER_MS)
+    return scenario if quiet_ms is None else replace(scenario, horizon_ms=quiet_ms + _LONGER_MS)
 
 
 def compared_after_the_end(
@@ -54,7 +55,7 @@ def compared_after_the_end(
         if event is not None:
             message = f"{event}, which the source does not do: it has ended at {runs.nominal.trace.simulated_us / 1000:.1f} ms"
             difference = FirstDifference(event.at_us / 1000, each.channel, message, None, event)
-            each = replaced(each, status=DIFFERENT, difference=difference)
+            each = replace(each, status=DIFFERENT, difference=difference)
         compared.append(each)
     return tuple(compared)
 

@@ -15,7 +15,6 @@ from robosmi.transformations.verification.scenario_inputs import LONGEST_MS, Sce
 from robosmi.transformations.verification.scenario_trials import Trials
 from robosmi.transformations.verification.shown_numbers import both_sides, fineness, numbers_of, showable
 from robosmi.transformations.verification.turning_points import Look, Turn, turning_points
-from robosmi.typed import paired
 
 _MOST_BANDS = 5
 _TURNS = 5
@@ -76,7 +75,7 @@ def _bands(least: float, greatest: float, borders: Sequence[tuple[float, float]]
     """The least and the greatest value of each band between borders, whose sides are given."""
     lows = [least, *(high for _, high in borders)]
     highs = [*(low for low, _ in borders), greatest]
-    return [(low, high) for low, high in paired(lows, highs) if low < high]
+    return [(low, high) for low, high in zip(lows, highs, strict=True) if low < high]
 
 
 def _try_steps(trials: Trials, each: ScenarioInput, values: Sequence[float], step_ms: float, *goals: Place) -> None:

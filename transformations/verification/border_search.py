@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 
+from msgspec.structs import replace
+
 from robosmi.data_text import Json
 from robosmi.transformations.verification.band_search import try_bands
 from robosmi.transformations.verification.original_side import Place
@@ -28,7 +30,6 @@ from robosmi.transformations.verification.scenario_inputs import (
 from robosmi.transformations.verification.scenario_trials import Trials
 from robosmi.transformations.verification.shown_numbers import both_sides, fineness, numbers_of, showable
 from robosmi.transformations.verification.turning_points import Fineness, Look, turning_points
-from robosmi.typed import distinct, replaced
 
 _SURE_BACKGROUNDS, _MOST_BACKGROUNDS = 4, 8
 _NUMBERS_SHARE = 0.5
@@ -68,7 +69,7 @@ def try_numbers(trials: Trials, each: ScenarioInput, numbers: Sequence[tuple[str
         numbers: those with which the program compares what it reads, each with a text before it.
     """
     done: set[tuple[float, frozenset[Place]]] = set()
-    for before in distinct(before for before, _ in numbers):
+    for before in dict.fromkeys(before for before, _ in numbers):
         known = [number for text, number in numbers if text == before]
 
         def look(number: float, before: str = before) -> Look | None:
@@ -88,7 +89,7 @@ def try_numbers(trials: Trials, each: ScenarioInput, numbers: Sequence[tuple[str
             least = turn.low - step if step < 1 else turn.low
             texts = tuple(f"{before}{_written(number)}\r" for number in (least, turn.high, turn.high + step))
             there: Place = (BESIDE, each.name, each.setting, texts[-1])
-            try_in_series(trials, replaced(each, series=texts), there, (4, 16))
+            try_in_series(trials, replace(each, series=texts), there, (4, 16))
 
 
 def _reads_fractions(look: Callable[[float], Look | None]) -> bool:
@@ -179,7 +180,7 @@ def with_borders(trials: Trials, each: ScenarioInput) -> ScenarioInput:
         values += [value for value in _borders(trials, each, background, known) if value not in values]
     if known:
         try_bands(trials, each, known, _seen_after_ms(trials, each))
-    return replaced(each, values=tuple(values))
+    return replace(each, values=tuple(values))
 
 
 def _backgrounds(trials: Trials, each: ScenarioInput) -> list[Signals]:

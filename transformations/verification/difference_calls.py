@@ -10,10 +10,11 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
+from msgspec.structs import replace
+
 from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, DRIVEN, PULSED, SourceRuns
 from robosmi.transformations.verification.played_devices import played
 from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.typed import replaced
 from robosmi.verify.comparison import FirstDifference
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_calls import LibraryCall, library_calls
@@ -49,7 +50,7 @@ def calls_around(
     if end_us <= begin_us:
         return CallsAround()
     made = library_calls(program, played(ports, scenario, target=False), begin_us, end_us)
-    calls = [replaced(call, function=_MACRO.sub("", call.function)) for call in made]
+    calls = [replace(call, function=_MACRO.sub("", call.function)) for call in made]
     maker = last_call_for(difference.channel, calls, ports, at_us)
     told = {(call.function, call.file, call.line): call for call in calls if call.at_us <= at_us}
     after = {(call.function, call.file, call.line): call for call in reversed(calls) if call.at_us > at_us}

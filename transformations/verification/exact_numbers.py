@@ -10,9 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
+from msgspec.structs import replace
+
 from robosmi.data_text import Json, as_number
 from robosmi.transformations.verification.simulated_kinds import SimulatedKind, device_facts
-from robosmi.typed import replaced
 from robosmi.verify.activity import READING, ActivityEvent
 from robosmi.verify.alignment import numbers_of, shape_of
 from robosmi.verify.simulation import DeviceUse
@@ -88,7 +89,7 @@ def _marked(
             if near and _same_shapes(event, at, near):
                 runs = [own, *again[: len(varied)], *(numbers_of(run[at]) for run in near)]
                 between = tuple(_span(float(n[place]) for n in runs) if measured[place] else None for place in range(len(own)))
-            marked[at] = replaced(event, exact=exact, between=between)
+            marked[at] = replace(event, exact=exact, between=between)
     return marked
 
 
@@ -111,7 +112,7 @@ def _measured_otherwise(use: DeviceUse, other: Otherwise, part: float) -> Device
         least, most = (as_number(end) for end in ends)
         points: Sequence[tuple[float, float | None]] = use.settings[name]
         changed[name] = [[at_ms, other(value, facts, least, most, part)] for at_ms, value in points]
-    return replaced(use, settings={**use.settings, **changed})
+    return replace(use, settings={**use.settings, **changed})
 
 
 def _within_accuracy(value: float | None, facts: SimulatedKind, least: float, most: float, part: float) -> float | None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,6 @@ from robosmi import resources
 from robosmi.errors import PlatformDataError, UsageError
 from robosmi.metamodels import platform
 from robosmi.project import read_data
-from robosmi.typed import kept
 from robosmi.verify.simulation import DeviceUse, Job
 
 _DATA = "simulation/avr.toml"
@@ -22,7 +22,7 @@ _ANALOG = re.compile(r"A(\d+)")
 _PORT = re.compile(r"P([A-Z]\d)")
 
 
-@kept
+@cache
 def _facts() -> tuple[Path, Mapping[str, Any]]:
     path = resources.find("platform_repo", _DATA)
     return path, read_data(path)

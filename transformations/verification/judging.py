@@ -10,6 +10,8 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
+from msgspec.structs import replace
+
 from robosmi.errors import VerificationError
 from robosmi.transformations.verification.after_the_end import compared_after_the_end
 from robosmi.transformations.verification.original_side import (
@@ -25,7 +27,6 @@ from robosmi.transformations.verification.original_side import (
 from robosmi.transformations.verification.places_seen import RESTING, rests_compared
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.transformations.verification.seen_beside import NO_LEVELS, console_speed, foreign_pin, pulled_up
-from robosmi.typed import replaced
 from robosmi.verify.activity import ActivityEvent
 from robosmi.verify.channel_order import first_disorder
 from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, RACY, RESONATOR, SAME, ChannelComparison, FirstDifference
@@ -107,7 +108,7 @@ def _beside(
         if pin is None:
             continue
         first_ms = min((each.difference.at_ms for each in found if each.difference is not None), default=0.0)
-        pin = replaced(pin, at_ms=max(pin.at_ms, first_ms))  # after what the robot fails to do, which says more
+        pin = replace(pin, at_ms=max(pin.at_ms, first_ms))  # after what the robot fails to do, which says more
         others = [each for each in found if each.channel != pin.channel]
         its_own = next((each for each in found if each.channel == pin.channel and each.difference is not None), None)
         found = (*others, its_own or ChannelComparison(pin.channel, DIFFERENT, pin))
@@ -118,7 +119,7 @@ def _behind_their_own(found: tuple[ChannelComparison, ...]) -> tuple[ChannelComp
     """The channels, where how a line is driven differs no earlier than what happens on it: a missing wave says more."""
     first = {each.channel: each.difference.at_ms for each in found if each.difference is not None}
     return tuple(
-        replaced(each, difference=replaced(each.difference, at_ms=max(each.difference.at_ms, own_ms)))
+        replace(each, difference=replace(each.difference, at_ms=max(each.difference.at_ms, own_ms)))
         if each.difference is not None and (own_ms := first.get(each.channel.removesuffix(DRIVEN))) is not None
         else each
         for each in found
@@ -153,7 +154,7 @@ def _sure(found: ChannelComparison) -> ChannelComparison:
     """
     if found.itself is None or found.difference is None or found.channel == CONSOLE_CHANNEL:
         return found
-    return replaced(found, status=RACY, difference=None)
+    return replace(found, status=RACY, difference=None)
 
 
 def _in_order(
@@ -172,7 +173,7 @@ def _in_order(
     )
     if disorder is None:
         return found
-    return tuple(replaced(c, status=DIFFERENT, difference=disorder) if c.channel == disorder.channel else c for c in found)
+    return tuple(replace(c, status=DIFFERENT, difference=disorder) if c.channel == disorder.channel else c for c in found)
 
 
 def _is_mixed(found: ChannelComparison, runs: SourceRuns, trace: PinTrace) -> bool:

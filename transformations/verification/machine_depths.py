@@ -13,7 +13,6 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from robosmi.transformations.verification.machine_code import Instruction, MachineCode, low_of, number
-from robosmi.typed import paired
 
 _SP_LOW, _SP_HIGH, _STATUS = 0x3D, 0x3E, 0x3F
 _PAIRS = tuple(f"r{low}" for low in range(0, 32, 2))
@@ -87,7 +86,7 @@ class _State(NamedTuple):
 
     def deeper(self, other: _State) -> _State:
         """Join of two states: the greater depth; a pair that differs is only known at run time."""
-        pairs = (a if a == b else _COMPUTED for a, b in paired(self.pairs, other.pairs))
+        pairs = (a if a == b else _COMPUTED for a, b in zip(self.pairs, other.pairs, strict=True))
         kept = tuple(each for each in self.kept if each in other.kept)
         interrupts, read = self.interrupts | other.interrupts, self.read | other.read
         return _State(max(self.depth, other.depth), interrupts, read, kept, tuple(pairs))

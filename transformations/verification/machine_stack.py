@@ -16,7 +16,6 @@ from typing import NamedTuple
 from robosmi.transformations.queries.interrupt_stack import HandlerBytes, upon_each_other
 from robosmi.transformations.verification.machine_code import MachineCode
 from robosmi.transformations.verification.machine_depths import OFF, Depths
-from robosmi.typed import paired
 from robosmi.verify.compile_report import StackBound
 
 _ARCHITECTURE = "avr"
@@ -96,7 +95,7 @@ class _Contexts:
         """The greatest bound over all assignments of guarded functions to contexts, and that assignment."""
         main = self._machine.symbols["main"]
         held = product((main, *self._names), repeat=len(self._guarded))
-        ways = (dict(paired(self._guarded, each)) for each in held)
+        ways = (dict(zip(self._guarded, each, strict=True)) for each in held)
         return max(((self._with(main, way), way) for way in ways), key=lambda found: found[0].bytes)
 
     def _without(self, context: int, holders: Mapping[int, int]) -> Depths:

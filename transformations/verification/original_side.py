@@ -9,6 +9,7 @@ import random
 from collections.abc import Mapping, Sequence
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi.data_text import as_list, as_number, as_whole
 from robosmi.transformations.verification.exact_numbers import MEASURED, with_exact_numbers
@@ -17,7 +18,6 @@ from robosmi.transformations.verification.played_devices import brief_pins, devi
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.transformations.verification.simulated_kinds import SimulatedKind, device_facts
 from robosmi.transformations.verification.varied_devices import MOVED_MS, moved_devices, put_down_anywhere
-from robosmi.typed import paired, replaced
 from robosmi.verify.activity import IDLE, LEVEL, LINE, SIGHTS, WAVE, ActivityEvent, activity, console_lines, merged, text_lines
 from robosmi.verify.alignment import with_vague_widths
 from robosmi.verify.comparison import NOT_EXERCISED, RACY, SAME, ChannelComparison, ClosedLoop, compare
@@ -170,7 +170,7 @@ def _at_port(trace: PinTrace, port: BoundPort, target: bool) -> list[list[Activi
     seen = [activity(trace, pin, sight, pulses) for sight in SIGHTS]
     if not port.averaged:
         return seen
-    return [merged([replaced(e, value=(0.0, e.value[1])) if e.kind == WAVE else e for e in events]) for events in seen]
+    return [merged([replace(e, value=(0.0, e.value[1])) if e.kind == WAVE else e for e in events]) for events in seen]
 
 
 def _told(trace: PinTrace, number: int, facts: SimulatedKind, measures: bool) -> list[ActivityEvent]:
@@ -185,11 +185,11 @@ def _told(trace: PinTrace, number: int, facts: SimulatedKind, measures: bool) ->
             of_value[str(event.value)] = len(told)
             told.append(ActivityEvent(event.at_us, LINE, (f"{event.what} {event.value}",)))
         elif event.what == facts.get("tells_barely") and (last := of_value.get(str(event.value))) is not None:
-            told[last] = replaced(told[last], barely=True)
+            told[last] = replace(told[last], barely=True)
         elif event.what == facts.get("tells_slowly"):
             value, vague_us = as_list(event.value)
             last = of_value[str(value)]
-            told[last] = replaced(told[last], vague_us=as_number(vague_us))
+            told[last] = replace(told[last], vague_us=as_number(vague_us))
     return told
 
 
@@ -213,8 +213,8 @@ def compared(
     """
     found = []
     if loop is not None and channel.endswith(STANDING):
-        loop = replaced(loop, rests=True)
-    pairs = list(paired(source, target))
+        loop = replace(loop, rests=True)
+    pairs = list(zip(source, target, strict=True))
     clear = [pair for pair in pairs if not any(event.unclear for events in pair[0] for event in events)]
     for (own, *varied), theirs in clear[:1] or pairs:
         result = compare(channel, with_vague_widths(own, varied[:_SCALED]), theirs, varied, horizon_ms, loop)
@@ -288,10 +288,10 @@ def run_varied(
         moved = moved_devices(devices, chance) if variation.noise else put_down_anywhere(devices, chance)
         run = _run(program, ports, scenario, moved, until, variation)
         if run.status in LIMITS:
-            return replaced(runs, given_up=run.status)
+            return replace(runs, given_up=run.status)
         seen.append(channel_events(run.trace, ports, target=False))
         rests = _with_rests(rests, run.trace, ports)
-        emptied = replaced(run, trace=replaced(run.trace, changes=(), waves=(), console=(), device_events=()))
+        emptied = replace(run, trace=replace(run.trace, changes=(), waves=(), console=(), device_events=()))
         runs = SourceRuns(nominal, (*runs.varied, emptied), _by_channel(seen), loop=loop, rests=rests)
         if until_racy and runs.racy_channels:
             return runs
@@ -300,7 +300,7 @@ def run_varied(
         run = _run(program, ports, scenario, showing, until)
         return channel_events(run.trace, ports, target=False)
 
-    return replaced(runs, channels=with_exact_numbers(runs.channels, devices, again)) if not runs.given_up else runs
+    return replace(runs, channels=with_exact_numbers(runs.channels, devices, again)) if not runs.given_up else runs
 
 
 def _run(
@@ -337,7 +337,7 @@ def run_further(
         seen = channel_events(run.trace, ports, target=False)
         channels = {name: [[*events, seen[name][sight]] for sight, events in enumerate(each)] for name, each in channels.items()}
         rests = _with_rests(rests, run.trace, ports)
-    return replaced(runs, channels=channels, rests=rests)
+    return replace(runs, channels=channels, rests=rests)
 
 
 def _with_rests(

@@ -13,7 +13,6 @@ from pathlib import Path
 from robosmi import inputs
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.typed import matches
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.original_build import VARIANT, OriginalProgram, build_original
 
@@ -88,7 +87,7 @@ def _included(sources: Iterable[Path], include_folders: Sequence[Path]) -> set[s
         if path in seen:
             continue
         seen.add(path)
-        for name in matches(_INCLUDE, inputs.read_text(path, inputs.SOURCE, errors="replace")):
+        for name in _INCLUDE.findall(inputs.read_text(path, inputs.SOURCE, errors="replace")):
             own = next((place for folder in (path.parent, *include_folders) if (place := folder / name).is_file()), None)
             if own is None:
                 found.add(name)

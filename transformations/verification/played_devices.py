@@ -15,7 +15,6 @@ from robosmi.errors import UsageError, did_you_mean
 from robosmi.transformations.verification.port_devices import BoundPort, at_rest
 from robosmi.transformations.verification.signal_values import check_signal
 from robosmi.transformations.verification.simulated_kinds import device_facts
-from robosmi.typed import paired
 from robosmi.verify.bench import device_class
 from robosmi.verify.scenario import POINTS, Points, Scenario
 from robosmi.verify.simulation import DeviceUse
@@ -58,7 +57,7 @@ def devices_at(ports: Sequence[BoundPort], target: bool) -> list[PlayedDevice]:
         on_bus = not first.pin
         split = device_facts().get(first.device, {}).get("split") if target and first.split else None
         if split is not None:
-            places = dict(paired(split["pins"], first.split))
+            places = dict(zip(split["pins"], first.split, strict=True))
             found.append(PlayedDevice(split["kind"], tuple(numbers), places, first.settings))
             continue
         if (wired or on_bus) and set(device_class(first.device).pin_names) <= wired.keys():

@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi import inputs, resources
 from robosmi.data_text import Json
@@ -31,7 +33,6 @@ from robosmi.transformations.queries.ports import program_ports
 from robosmi.transformations.queries.split_wires import answering_pin, asking_pin
 from robosmi.transformations.verification.simulated_kinds import device_facts
 from robosmi.transformations.verification.wired_devices import WiredDevice, wired_devices
-from robosmi.typed import distinct, first_of, kept, replaced
 from robosmi.verify.tables import DataTable
 
 _MOST_TEXTS = 24
@@ -181,13 +182,13 @@ def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> li
         if first is not port and first.target and port.target and first.target != port.target:
             if binding.conventionalPort is not None:  # a device of several pins is at the ports that the convention says
                 first, port = port, first
-            found[source] = replaced(first, shares_with=port.title)
-            others.append(replaced(port, shares_with=first.title, device="", pin=""))
+            found[source] = replace(first, shares_with=port.title)
+            others.append(replace(port, shares_with=first.title, device="", pin=""))
     _connect(found, wired_devices(seen, table.tables("wired", needed=False), _roles(plan)))
     for source in _asked_by_convention(plan):
         there = found.get(source)
         if there is not None and not there.device and not there.line:
-            found[source] = replaced(there, device=_LEVELS_DEVICE, pin=_LEVELS_PIN)
+            found[source] = replace(there, device=_LEVELS_DEVICE, pin=_LEVELS_PIN)
     return [*found.values(), *others]
 
 
@@ -220,7 +221,7 @@ def _uses(plan: migration.MigrationPlan, seen: Sequence[CodeView], folder: Path 
     except OSError:
         return pin_uses(seen)  # the caller that needs the files reports that they are missing
     ports = program_ports(seen, port_flows(seen, sources)).ports
-    return [use if use.pin == port.pin else replaced(use, pin=port.pin) for port in ports for use in port.uses]
+    return [use if use.pin == port.pin else replace(use, pin=port.pin) for port in ports for use in port.uses]
 
 
 def _roles(plan: migration.MigrationPlan) -> dict[str, int]:
@@ -238,14 +239,14 @@ def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice]) -> Non
         at = {called: f"P{number}" for called, number in device.pins.items()}
         if not set(at.values()) <= ports.keys():
             continue
-        group = first_of(at.values())
+        group = next(iter(at.values()))
         functions = {name for source in at.values() for name in ports[source].functions}
         closed, placed, timed = (not functions.isdisjoint(by) for by in (device.closed_by, device.placed_by, device.timed_by))
         settings = {**device.settings, "timed": int(timed)} if device.placed_by else device.settings
         shown = () if closed else device_facts().get(device.kind, {}).get("shown", ())
-        for source in distinct(at.values()):
+        for source in dict.fromkeys(at.values()):
             called = [name for name, place in at.items() if place == source]
-            ports[source] = replaced(
+            ports[source] = replace(
                 ports[source], device=device.kind, pin=" ".join(called), line=False, group=group, settings=settings,
                 shown=not set(called).isdisjoint(shown), loop_ms=device.loop_ms if closed else 0.0,
                 placed=placed, timed=timed, recounts=device.recounts,
@@ -264,7 +265,7 @@ def reads_console(plan: migration.MigrationPlan) -> bool:
     return any(use.name in known for use in plan.adapterUses)
 
 
-@kept
+@cache
 def _table(platform: str) -> DataTable:
     path = resources.find("platform_repo", f"{platform}/devices.toml")
     return DataTable(path, read_data(path))

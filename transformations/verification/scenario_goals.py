@@ -16,7 +16,6 @@ from itertools import pairwise
 from typing import Any
 
 from robosmi.transformations.verification.original_side import Place, Seen
-from robosmi.typed import distinct, in_threes
 from robosmi.verify.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
 
 THEN, BESIDE, ENDS, SERIES, NEGATIVE, LARGE = "then", "beside", "ends", "series", "negative", "large"
@@ -43,16 +42,14 @@ def behaviour(seen: Seen) -> frozenset[Place]:
     found: set[Place] = set()
     for name, (events, *_) in seen.items():
         told = [_short(event) for event in events]
-        then: list[Place] = [
-            (THEN, name, *each) for each in (*pairwise(told), *in_threes(told, told[1:], told[2:], strict=False))
-        ]
-        found.update(distinct(then)[:_MOST_ON_A_CHANNEL])
+        then: list[Place] = [(THEN, name, *each) for each in (*pairwise(told), *zip(told, told[1:], told[2:], strict=False))]
+        found.update(list(dict.fromkeys(then))[:_MOST_ON_A_CHANNEL])
         texts = [_NUMBER.sub(_signed_zero, str(event.value[0])) for event in events if event.kind in (LINE, READING)]
         negative: list[Place] = [(NEGATIVE, name, text) for text in texts if "-0" in text]
-        found.update(distinct(negative)[:_MOST_ON_A_CHANNEL])
+        found.update(list(dict.fromkeys(negative))[:_MOST_ON_A_CHANNEL])
         texts = [_NUMBER.sub(_sized, str(event.value[0])) for event in events if event.kind in (LINE, READING)]
         large: list[Place] = [(LARGE, name, text) for text in texts if _BEYOND in text]
-        found.update(distinct(large)[:_MOST_ON_A_CHANNEL])
+        found.update(list(dict.fromkeys(large))[:_MOST_ON_A_CHANNEL])
     return frozenset(found)
 
 

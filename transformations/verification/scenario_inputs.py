@@ -10,12 +10,12 @@ from collections.abc import Mapping, Sequence
 from itertools import product
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi.data_text import Json
 from robosmi.transformations.verification.played_devices import CONSOLE, TYPING
 from robosmi.transformations.verification.port_devices import BoundPort, at_rest
 from robosmi.transformations.verification.simulated_kinds import device_facts
-from robosmi.typed import paired, replaced
 from robosmi.verify.scenario import POINTS, Points
 
 Signals = Mapping[str, Mapping[str, Points]]
@@ -59,7 +59,7 @@ class ScenarioInput(Struct, frozen=True):
 
     def with_ends(self) -> ScenarioInput:
         """The input with its least and greatest value among those to try."""
-        return replaced(self, values=(*self.values, *(end for end in self.ends if end not in self.values)))
+        return replace(self, values=(*self.values, *(end for end in self.ends if end not in self.values)))
 
     @property
     def happens(self) -> bool:
@@ -102,10 +102,10 @@ def scenario_inputs(ports: Sequence[BoundPort], texts: Sequence[str], types: boo
                 ends = tuple(known.get("ends", {}).get(setting, ()))
                 rest = at_rest(port.device, port.kinds).get(setting)
                 each = ScenarioInput(port.name, setting, tuple(taken), known["hold_ms"], port.device, ends, (), port.near, rest)
-                made.append(replaced(each, series=_series(each, rest, steps)))
+                made.append(replace(each, series=_series(each, rest, steps)))
     if types:
         each = ScenarioInput(CONSOLE, POINTS, (*texts, *facts[TYPING]["values"][POINTS]), facts[TYPING]["hold_ms"], TYPING)
-        made.append(replaced(each, series=_series(each, None, steps)))
+        made.append(replace(each, series=_series(each, None, steps)))
     return made
 
 
@@ -193,7 +193,7 @@ def pressed_twice(each: ScenarioInput, ms: float, begin_ms: float) -> Signals:
     """Signals of a button that is pressed twice shortly, with some time between."""
     again_ms = begin_ms + _SHORTLY_MS + ms
     times = (begin_ms, begin_ms + _SHORTLY_MS, again_ms, again_ms + _SHORTLY_MS)
-    return {each.name: {each.setting: tuple(paired(times, (each.pressed, each.rest) * 2))}}
+    return {each.name: {each.setting: tuple(zip(times, (each.pressed, each.rest) * 2, strict=True))}}
 
 
 def turned(one: ScenarioInput, other: ScenarioInput, backwards: bool) -> dict[str, dict[str, Points]]:

@@ -27,7 +27,6 @@ from robosmi.transformations.verification.scenario_inputs import (
 )
 from robosmi.transformations.verification.scenario_trials import FoundScenarios, Trials
 from robosmi.transformations.verification.search_effort import SearchEffort
-from robosmi.typed import distinct
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.scenario import Scenario
 
@@ -121,7 +120,7 @@ def _at_rest(trials: Trials, horizon_ms: float) -> frozenset[Place]:
 
 def _try_ends(trials: Trials, inputs: Sequence[ScenarioInput]) -> None:
     """Try the least and the greatest values that each device measures."""
-    for name in distinct(each.name for each in inputs if each.ends):
+    for name in dict.fromkeys(each.name for each in inputs if each.ends):
         its = [each for each in inputs if each.name == name and each.ends]
         for end in (0, -1):
             signals = {setting: points for each in its for setting, points in constant(each, each.ends[end])[name].items()}

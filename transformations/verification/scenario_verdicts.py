@@ -18,7 +18,6 @@ from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, 
 from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.transformations.verification.second_look import looked_at_again
 from robosmi.transformations.verification.target_side import LIMIT_S, NOTHING_SEEN, TargetSide
-from robosmi.typed import paired
 from robosmi.verify.activity import ActivityEvent
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.scenario import Scenario
@@ -80,7 +79,7 @@ def compare_scenarios(
 
     found = ComparedScenarios()
     number = 0
-    for (scenario, runs), trace in paired(cases, side.run([simulated_longer(*case) for case in cases])):
+    for (scenario, runs), trace in zip(cases, side.run([simulated_longer(*case) for case in cases]), strict=True):
         number += 1
         doing(f"compare what both do: {number} of {len(cases)}")
         if not side.shows_console:

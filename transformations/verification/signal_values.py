@@ -10,7 +10,6 @@ from typing import Any
 
 from robosmi.diagnostics import Location
 from robosmi.errors import UsageError
-from robosmi.typed import in_threes
 from robosmi.verify.scenario import Points
 
 
@@ -77,7 +76,7 @@ def _is_within(value: Any, least: Any, most: Any) -> bool:
     if isinstance(value, (list, tuple)):
         if not isinstance(least, (list, tuple)):
             return True
-        return all(_is_within(each, *bounds) for each, *bounds in in_threes(value, least, most))
+        return all(_is_within(each, *bounds) for each, *bounds in zip(value, least, most, strict=True))
     return not _is_number(value) or least <= value <= most
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 from typing import TypedDict, cast
 
@@ -11,7 +12,6 @@ from robosmi.data_text import Json, as_table
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.project import read_data
-from robosmi.typed import kept
 
 FILE = "simulation/devices.toml"
 """In the platform repository."""
@@ -70,7 +70,7 @@ def device_facts() -> Mapping[str, SimulatedKind]:
     return _read(resources.find("platform_repo", FILE))
 
 
-@kept
+@cache
 def _read(path: Path) -> Mapping[str, SimulatedKind]:
     kinds = read_data(path)
     for kind, facts in kinds.items():

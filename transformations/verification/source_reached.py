@@ -12,7 +12,6 @@ from robosmi.transformations.queries.written_bodies import AS_BYTES, open_bodies
 from robosmi.transformations.verification.original_side import SourceRuns
 from robosmi.transformations.verification.played_devices import played
 from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.typed import paired
 from robosmi.verify.missed_places import line_ranges
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_coverage import SourceCoverage, coverage
@@ -46,11 +45,13 @@ def cover(
     """
     decided = [
         runs.nominal.counts
-        for runs, told in paired(cases, verdict.scenarios)
+        for runs, told in zip(cases, verdict.scenarios, strict=True)
         if runs.nominal.counts and told.verdict != NOT_DECIDABLE and told.crash is None and not verdict.nothing_compared
     ]
     if called := [
-        _compared_counts(runs, told, program, ports) for runs, told in paired(cases, verdict.scenarios) if runs.nominal.counts
+        _compared_counts(runs, told, program, ports)
+        for runs, told in zip(cases, verdict.scenarios, strict=True)
+        if runs.nominal.counts
     ]:
         verdict.reasons += _unfinished(coverage(program, called), plan, _open_now(output))
     verdict.counted = len(decided)

@@ -14,7 +14,6 @@ from itertools import pairwise
 from msgspec import Struct
 
 from robosmi.transformations.verification.original_side import Place
-from robosmi.typed import paired
 
 Compared = Mapping[int, tuple[float, float]]
 _ROUNDED = 1.001
@@ -162,7 +161,7 @@ def _between(low: float, high: float, known: Mapping[float, Look], fine: Finenes
 def _guess(low: float, high: float, at_low: Compared, at_high: Compared) -> float | None:
     """Where the first comparison that turns between two values would do so if its sides came nearer to one another evenly."""
     for place in sorted(at_low.keys() & at_high.keys()):
-        for begin, end in paired(at_low[place], at_high[place]):
+        for begin, end in zip(at_low[place], at_high[place], strict=True):
             if _sign(begin) != _sign(end):
                 return low + (high - low) * begin / (begin - end)
     return None

@@ -6,8 +6,9 @@ import random
 from collections.abc import Sequence
 from typing import Any
 
+from msgspec.structs import replace
+
 from robosmi.transformations.verification.simulated_kinds import device_facts
-from robosmi.typed import replaced
 from robosmi.verify.simulation import DeviceUse
 
 MOVED_MS = 20.0
@@ -36,7 +37,7 @@ def moved_devices(devices: Sequence[DeviceUse], chance: random.Random, by_ms: fl
                 settings[name] = sorted(value, key=lambda point: float(point[0]))
         for name, usual in facts.get(use.kind, {}).get("jitter", {}).items():
             settings[name] = usual * (1 + chance.uniform(-percent, percent) / 100)
-        made.append(replaced(use, settings=settings))
+        made.append(replace(use, settings=settings))
     return put_down_anywhere(made, chance)
 
 
@@ -47,7 +48,7 @@ def put_down_anywhere(devices: Sequence[DeviceUse], chance: random.Random) -> li
     """
     facts = device_facts()
     return [
-        replaced(
+        replace(
             use,
             settings={
                 **use.settings,

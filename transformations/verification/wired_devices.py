@@ -10,12 +10,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.pin_uses import pin_number, pin_values
 from robosmi.transformations.queries.values import Values
-from robosmi.typed import distinct, replaced
 from robosmi.verify.tables import DataTable
 
 
@@ -66,7 +66,7 @@ def wired_devices(views: Sequence[CodeView], rules: Sequence[DataTable], roles: 
                 places = {("bus", address)} if address is not None and address in (addresses or (address,)) else set()
             if places and not places & (taken | apart):
                 found.append(
-                    replaced(
+                    replace(
                         device,
                         closed_by=rule.texts("closed_by", ()),
                         loop_ms=rule.optional_number("loop_ms") or 0,
@@ -166,7 +166,7 @@ def _told(views: Sequence[CodeView], place: str) -> list[int]:
     numbers: list[int] = []
     for view, call in _calls(views, (function,)) if position else ():
         numbers += _ports(view, call, int(position), Values(view.program, view.unit))
-    return distinct(numbers)
+    return list(dict.fromkeys(numbers))
 
 
 def _calls(views: Sequence[CodeView], names: Sequence[str]) -> Iterator[tuple[CodeView, ccode.Call]]:

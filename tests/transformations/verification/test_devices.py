@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from msgspec.structs import replace
 
 from robosmi.data_text import Json, as_list, as_number, as_whole
 from robosmi.transformations.verification.devices.feedback_servo import FeedbackServo
@@ -10,7 +11,6 @@ from robosmi.transformations.verification.devices.leeway import Leeway
 from robosmi.transformations.verification.devices.servo_pulses import PulseDriven
 from robosmi.transformations.verification.devices.way_marks import WayMarks
 from robosmi.transformations.verification.devices.wheel import Wheel
-from robosmi.typed import replaced
 from robosmi.verify.bench import Bench
 from robosmi.verify.simulation import DeviceUse, simulate
 from tests.transformations.verification.conftest import Run
@@ -67,7 +67,7 @@ def test_a_key_joins_its_row_and_column(job_of: Run, engine: str) -> None:
 def test_of_brief_pins_only_the_first_changes_are_recorded(job_of: Run, engine: str) -> None:
     pins = {"row0": "D4", "row1": "D5", "column0": "D6", "column1": "D7"}
     asked = job_of("matrix", 220, [DeviceUse("keypad", pins, {"points": [[50, [0, 1]], [110, [1, 0]], [170, None]]})])
-    whole, brief = simulate(asked, engine), simulate(replaced(asked, brief=(*pins.values(), "D13")), engine)
+    whole, brief = simulate(asked, engine), simulate(replace(asked, brief=(*pins.values(), "D13")), engine)
     assert whole.console == brief.console
     assert len(whole.changes) > 3 * len(brief.changes)
     told = [(change.pin, change.level) for change in brief.changes]

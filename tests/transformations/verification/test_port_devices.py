@@ -7,6 +7,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 import robosmi
 from robosmi.diagnostics import Location
@@ -21,7 +22,6 @@ from robosmi.transformations.verification.port_devices import (
     texts_understood,
 )
 from robosmi.transformations.verification.simulated_kinds import device_facts
-from robosmi.typed import replaced
 from robosmi.verify.scenario import Points, Scenario
 from robosmi.verify.simulation import DeviceUse
 
@@ -61,7 +61,7 @@ def test_pins_that_no_channel_shows_are_brief() -> None:
     assert brief_pins([*matrix, lamp, driven], target=False) == ["P0", "P1"]
     assert brief_pins([*matrix, lamp, driven], target=True) == ["D2", "D3"]
     assert brief_pins([*matrix, BoundPort("row's lamp", "P0", "D2")], target=False) == ["P1"]
-    assert brief_pins([replaced(matrix[0], shown=True), matrix[1]], target=False) == ["P1"]
+    assert brief_pins([replace(matrix[0], shown=True), matrix[1]], target=False) == ["P1"]
 
 
 PORTS = [

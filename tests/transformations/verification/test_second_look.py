@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import pytest
+from msgspec.structs import replace
 
 from robosmi.transformations.verification.judging import judged
 from robosmi.transformations.verification.original_side import SourceRuns, channel_events
 from robosmi.transformations.verification.second_look import looked_at_again
-from robosmi.typed import replaced
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
 from tests.transformations.verification.test_judging import SCENARIO, original, printed
@@ -57,6 +57,6 @@ def test_no_further_runs_are_made_where_nothing_differs() -> None:
 def with_run(runs: SourceRuns, trace: PinTrace) -> SourceRuns:
     """The runs with a further one."""
     seen = channel_events(trace, [], target=False)
-    return replaced(
+    return replace(
         runs, channels={name: [[*each, seen[name][at]] for at, each in enumerate(its)] for name, its in runs.channels.items()}
     )

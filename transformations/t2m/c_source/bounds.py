@@ -20,7 +20,6 @@ from robosmi.transformations.knowledge.lexer import Token, definition_parts, dir
 from robosmi.transformations.knowledge.lexer import tokens as tokenise
 from robosmi.transformations.t2m.c_source.mending import Edit
 from robosmi.transformations.t2m.c_source.repeats import MOST_DECLARED, repeats
-from robosmi.typed import matches, sum_of
 
 MAX_BRACKETS = 180
 """Nesting of brackets; libclang gives up a file at 256."""
@@ -61,7 +60,7 @@ def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Edit]:
     harmless = (
         not weights
         and data.count(b"else") < MAX_BRANCHES
-        and sum_of(data.count(bracket) for bracket in (b"(", b"[", b"{")) < MAX_BRACKETS
+        and sum(data.count(bracket) for bracket in (b"(", b"[", b"{")) < MAX_BRACKETS
         and (len(tokens) < MAX_RUN or max(len(each) for each in _PREFIX.split(data)) < MAX_RUN)
     )
     if harmless and len(tokens) < MOST_DECLARED:
@@ -83,9 +82,7 @@ def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Edit]:
 def shallow(data: bytes) -> bool:
     """Whether the bytes alone show that nothing nests too deep."""
     depth = 0
-    for bracket in (
-        matches(_BRACKETS, data) if sum_of(data.count(bracket) for bracket in (b"(", b"[", b"{")) >= MAX_BRACKETS else ()
-    ):
+    for bracket in _BRACKETS.findall(data) if sum(data.count(bracket) for bracket in (b"(", b"[", b"{")) >= MAX_BRACKETS else ():
         depth += 1 if bracket in b"([{" else -1
         if depth >= MAX_BRACKETS:
             return False
@@ -317,7 +314,7 @@ def _open_at_once(
         else:
             made = known.get(word)
             given[-1] += factors[-1] * (word in parameters)
-            peak = max(peak, sum_of(levels) + factors[-1] * (made.peak if made is not None else 1))
+            peak = max(peak, sum(levels) + factors[-1] * (made.peak if made is not None else 1))
             levels[-1] += factors[-1] * (made.tail if made is not None else 1)
-        peak, most_given = max(peak, sum_of(levels)), max(most_given, sum_of(given))
+        peak, most_given = max(peak, sum(levels)), max(most_given, sum(given))
     return (min(peak, most), min(max(1, levels[0]), most), min(most_given, repeats)) if len(levels) == 1 else unmatched

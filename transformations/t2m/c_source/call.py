@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
+from functools import cache
 
 from robosmi.transformations.knowledge.lexer import directive_parts
 from robosmi.transformations.knowledge.platform_api import ApiIndex
@@ -27,7 +28,6 @@ from robosmi.transformations.t2m.c_source.mending import Edit, Scratch
 from robosmi.transformations.t2m.c_source.precompiled import beginning, forget
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import ReadSource
-from robosmi.typed import kept, matches
 
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _WITHOUT_OWN_MACROS = "-undef"
@@ -81,7 +81,7 @@ class Call:
     def parse(self, scratch: Scratch, prelude: Prelude) -> int | None:
         """Parse a copy of the text behind a prelude: the handle of the translation unit, None if libclang gave up."""
         text = prelude.text()
-        words = frozenset(matches(_WORD, text))
+        words = frozenset(_WORD.findall(text))
         if scratch.edits or (self._beginning is not None and not self._beginning.macros.isdisjoint(words)):
             self.leave()  # an edit may lie in what is parsed already, and a macro would change what is declared
         given, data, start = [*self._given, "-include", PRELUDE], scratch.data, self._beginning
@@ -150,12 +150,12 @@ class Call:
         words = {text for kind, _, _, text in self._source.tokens if kind == "name"}
         for kind, _, _, text in self._source.tokens:
             if kind == "directive":
-                words.update(matches(_WORD, text))
-        words.update(word for argument in self._given if argument.startswith("-D") for word in matches(_WORD, argument[2:]))
+                words.update(_WORD.findall(text))
+        words.update(word for argument in self._given if argument.startswith("-D") for word in _WORD.findall(argument[2:]))
         return bool(own) and own.isdisjoint(words) and own.isdisjoint(names)
 
 
-@kept
+@cache
 def own_macros(given: tuple[str, ...]) -> frozenset[str]:
     """The names of libclang's predefined macros under these arguments; empty if it gave up."""
     library = clang.library()

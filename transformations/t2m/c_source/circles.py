@@ -12,7 +12,6 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.headers import guarded
-from robosmi.typed import sum_of
 
 CIRCLE = "RS114"
 _OPENS = ("if", "ifdef", "ifndef")
@@ -60,7 +59,7 @@ def _start(element: ccode.Include | ccode.PreprocessorConditional) -> int:
 def _always(unit: ccode.SourceUnit) -> list[ccode.Include]:
     """The includes of a file that are under no conditional directive."""
     turns = [(_start(each), (each.directive in _OPENS) - (each.directive == "endif")) for each in unit.conditionals]
-    return [each for each in unit.includes if not sum_of(turn for place, turn in turns if place < _start(each))]
+    return [each for each in unit.includes if not sum(turn for place, turn in turns if place < _start(each))]
 
 
 def _meant(include: ccode.Include, place: str, folders: Sequence[str]) -> str:

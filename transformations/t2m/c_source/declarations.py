@@ -9,13 +9,14 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 
+from msgspec.structs import replace
+
 from robosmi.metamodels import ccode
 from robosmi.model.strict import enum_literal
 from robosmi.transformations.t2m.c_source import cursor_kinds, types
 from robosmi.transformations.t2m.c_source.context import DeclarationBuilder, UnitContext
 from robosmi.transformations.t2m.c_source.expressions import expression
 from robosmi.transformations.t2m.c_source.tree import Node
-from robosmi.typed import replaced
 
 PARAMETER, COMPOUND, TRY, FIELD, LITERAL, TYPE_REF = (
     cursor_kinds.PARM_DECL,
@@ -107,7 +108,7 @@ def _function(context: UnitContext, node: Node) -> ccode.Declaration:
         cursor_kinds.DESTRUCTOR,
         cursor_kinds.CONVERSION_FUNCTION,
     ):  # constructors, destructors and conversions have no type of their own
-        spec = replaced(spec, text="", base="")
+        spec = replace(spec, text="", base="")
     result = types.type_use(
         context,
         node.cursor,

@@ -12,6 +12,7 @@ import stat
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
+from functools import lru_cache
 
 from msgspec import Struct
 
@@ -20,7 +21,6 @@ from robosmi.errors import SourceError
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.t2m.c_source.bounds import LARGEST, cuts, shallow
 from robosmi.transformations.t2m.c_source.mending import Scratch
-from robosmi.typed import matches, remembered
 
 MOST = 1000
 """Number of headers of one file that are read at most."""
@@ -88,7 +88,7 @@ def reached(path: str, data: bytes, folders: Folders, known: Collection[str] = (
         known: headers that are left out, with all that they include.
     """
     root = os.path.abspath(path)
-    files = {root: _File(root, len(data), _Content(data, tuple(matches(INCLUDED, data)), guarded(data)))}
+    files = {root: _File(root, len(data), _Content(data, tuple(INCLUDED.findall(data)), guarded(data)))}
     keys: dict[str, str] = {}  # of places, which `..` spells in many ways
     pending = [root]
     while pending:
@@ -186,7 +186,7 @@ def state_of(path: str) -> State:
     return path, found.st_mtime_ns, found.st_size
 
 
-@remembered(100)
+@lru_cache(maxsize=100)
 def _holding(folders: tuple[State, ...]) -> dict[str, list[str]]:
     """Name of an entry -> the folders that contain it, in order; the empty name stands for all folders."""
     found: dict[str, list[str]] = {"": [folder for folder, _, _ in folders]}
@@ -197,13 +197,13 @@ def _holding(folders: tuple[State, ...]) -> dict[str, list[str]]:
     return found
 
 
-@remembered(2000)
+@lru_cache(maxsize=2000)
 def _content(path: str, changed: int, size: int, regular: bool) -> _Content:
     if size > LARGEST or not regular:  # a pipe or device may never end
         return _Content(b"", (), True)
     try:
         data = inputs.read_bytes(path, inputs.SOURCE)
-        included, once = tuple(matches(INCLUDED, data)), guarded(data)
+        included, once = tuple(INCLUDED.findall(data)), guarded(data)
         if shallow(data):
             return _Content(None, included, once)
         edits = cuts(path, data, tokens(data))

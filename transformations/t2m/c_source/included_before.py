@@ -10,7 +10,6 @@ import os
 from collections.abc import Sequence
 
 from robosmi.metamodels import ccode
-from robosmi.typed import distinct
 
 
 def included_before(path: str, units: Sequence[ccode.SourceUnit], above: tuple[str, ...] = ()) -> list[str]:
@@ -28,5 +27,5 @@ def included_before(path: str, units: Sequence[ccode.SourceUnit], above: tuple[s
         found = [os.path.realpath(each.resolvedPath) for each in unit.includes if each.resolvedPath]
         if wanted in found and os.path.realpath(unit.path) not in (wanted, *above):
             outer = included_before(str(unit.path), units, (*above, wanted))
-            return [each for each in distinct([*outer, *found[: found.index(wanted)]]) if each != wanted]
+            return [each for each in dict.fromkeys([*outer, *found[: found.index(wanted)]]) if each != wanted]
     return []

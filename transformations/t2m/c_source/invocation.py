@@ -9,11 +9,11 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Sequence
+from functools import cache
 
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import clang
 from robosmi.transformations.t2m.c_source.headers import INCLUDED
-from robosmi.typed import kept, matches
 
 VIRTUAL = "/robosmi.virtual"
 HEADERS = f"{VIRTUAL}/include"
@@ -66,7 +66,7 @@ def standard_headers(api: ApiIndex, text: bytes | None) -> dict[str, bytes]:
 
 def included(text: bytes) -> set[str]:
     """The names of the headers that a text includes, whatever its conditions."""
-    return {os.fsdecode(name) for name in matches(INCLUDED, text)}
+    return {os.fsdecode(name) for name in INCLUDED.findall(text)}
 
 
 def unsaved(headers: dict[str, bytes], others: Iterable[tuple[str, bytes]] = ()) -> list[clang.UnsavedFile]:
@@ -74,7 +74,7 @@ def unsaved(headers: dict[str, bytes], others: Iterable[tuple[str, bytes]] = ())
     return clang.unsaved({f"{HEADERS}/{name}": text for name, text in headers.items()} | dict(others))
 
 
-@kept
+@cache
 def names_in(header: bytes) -> frozenset[str]:
     """All names in a header of our own."""
-    return frozenset(name.decode() for name in matches(_NAME, header))
+    return frozenset(name.decode() for name in _NAME.findall(header))

@@ -20,7 +20,6 @@ from robosmi.transformations.t2m.c_source.clang import Cursor
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.inference import CallSite, infer
 from robosmi.transformations.t2m.c_source.macros import header_of
-from robosmi.typed import paired
 
 _STRENGTH = ["constantUse", "indexedUse", "writtenUse", "typeUse", "called"]
 FUNCTION_KINDS = (cursor_kinds.FUNCTION_DECL, cursor_kinds.CXX_METHOD)
@@ -216,7 +215,7 @@ class Linker:
     def _own_type(self, number: int, name: str, use: ccode.TypeUse, language: str) -> ccode.Declaration | None:
         """The type of that name that the unit, else one of the program's headers, declares: by a tag or by a typedef."""
         tag = not _TAGS.isdisjoint(use.spelling.split())
-        headers = (t for t, shared in paired(self.own_types, self._shared) if shared)
+        headers = (t for t, shared in zip(self.own_types, self._shared, strict=True) if shared)
         for types in (self.own_types[number], *headers):
             found = types.get((name, tag)) or (types.get((name, True)) if language == "C++" else None)
             if found is not None:
@@ -238,7 +237,7 @@ def _values_of_headers(
     """Variables and enumerators that the program's headers declare, by name; a variable's definition takes precedence."""
     found: dict[str, ccode.Declaration] = {}
     defined: dict[str, ccode.Declaration] = {}
-    for header, declared in paired(shared, declarations):
+    for header, declared in zip(shared, declarations, strict=True):
         for each in declared:
             if isinstance(each, ccode.Variable) and each.name:
                 if header:

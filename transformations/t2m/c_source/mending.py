@@ -14,7 +14,6 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from robosmi.transformations.knowledge.lexer import Token
-from robosmi.typed import sum_of
 
 NESTED = "function definition is not allowed here"
 MAX_ROUNDS = 10
@@ -107,7 +106,7 @@ def declared_only(offsets: Sequence[int], tokens: Sequence[Token]) -> list[Edit]
         offsets: the offsets of their opening braces, where libclang reports them.
         tokens: tokens of the file. If its braces do not match, there are no edits: rather a function was not closed.
     """
-    depth = sum_of((text == "{") - (text == "}") for kind, _, _, text in tokens if kind == "punct")
+    depth = sum((text == "{") - (text == "}") for kind, _, _, text in tokens if kind == "punct")
     return [Edit(offset, 0, b";") for offset in offsets] if depth == 0 else []
 
 

@@ -32,7 +32,6 @@ from robosmi.transformations.t2m.c_source import cursor_kinds
 from robosmi.transformations.t2m.c_source.linking import Linker
 from robosmi.transformations.t2m.c_source.on_demand_unit import Linked, Unit, in_building_order
 from robosmi.transformations.t2m.c_source.sources import source_files
-from robosmi.typed import distinct
 
 LEAVES = {
     cursor_kinds.DECL_REF_EXPR: ccode.NameReference,
@@ -84,8 +83,8 @@ class OnDemandProgram(TypedModel):
         files = source_files(paths, folders, defines)
         self.program = ccode.Program(
             name=os.path.splitext(os.path.basename(files[0].path))[0],
-            includeFolders=distinct(folder for file in files for folder in file.include_dirs) or folders,
-            defines=distinct(define for file in files for define in file.defines) or list(defines),
+            includeFolders=list(dict.fromkeys(folder for file in files for folder in file.include_dirs)) or folders,
+            defines=list(dict.fromkeys(define for file in files for define in file.defines)) or list(defines),
         )
         self._units: list[Unit] = []
         for file in files:
@@ -94,7 +93,7 @@ class OnDemandProgram(TypedModel):
             except SourceError:  # of a folder what is no text is left out
                 if file.given or (file is files[-1] and not self._units):
                     raise
-        self.program.languages.extend(distinct(str(u.element.language) for u in self._units))
+        self.program.languages.extend(dict.fromkeys(str(u.element.language) for u in self._units))
         features = {f.name: f for f in all_features(ccode.Program.eClass)}
         Promise(self.program, features["units"], lambda: [unit.element for unit in self._units])
         Promise(self.program, features["externals"], self._externals)

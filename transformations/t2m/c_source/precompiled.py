@@ -16,11 +16,13 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 from contextlib import suppress
+from functools import cache
 from itertools import count
 from threading import Lock
 from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from robosmi.transformations.knowledge.lexer import directive_comments, directive_parts
 from robosmi.transformations.knowledge.platform_api import ApiIndex
@@ -29,7 +31,6 @@ from robosmi.transformations.t2m.c_source.headers import Folders, State, reached
 from robosmi.transformations.t2m.c_source.invocation import HEADERS, VIRTUAL, standard_headers, unsaved
 from robosmi.transformations.t2m.c_source.prelude import Prelude
 from robosmi.transformations.t2m.c_source.source import ReadSource
-from robosmi.typed import kept, replaced, sum_of
 
 if TYPE_CHECKING:
     import tempfile
@@ -162,7 +163,7 @@ class _Kept:
             all_made = [one for one in self._made.values() if one]
             for oldest in all_made[:-MOST]:
                 self._drop(oldest)
-            return replaced(found, end=run[kept].end)
+            return replace(found, end=run[kept].end)
 
     def drop(self, found: Beginning) -> None:
         """Discard a precompiled header."""
@@ -188,7 +189,7 @@ class _Kept:
             b'#include "%s"\n' % os.fsencode(i.place) if i.place else b"#include %s\n" % i.written.encode() for i in run
         )
         headers = reached(_BEGINNING, text, folders).headers
-        if sum_of(header.size for header in headers) < LEAST or any(header.text is not None for header in headers):
+        if sum(header.size for header in headers) < LEAST or any(header.text is not None for header in headers):
             return None
         try:
             self._folder = self._folder or _passing_folder()
@@ -232,7 +233,7 @@ def _passing_folder() -> tempfile.TemporaryDirectory[str]:
     return folder
 
 
-@kept
+@cache
 def _kept(process: int) -> _Kept:
     """The precompiled headers of a process, by its id: a forked process must not share its parent's folder."""
     return _Kept()

@@ -13,7 +13,6 @@ from collections.abc import Callable, Iterable
 from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, TYPE_WORDS, Token
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.standard_names import STANDARD_NAMES
-from robosmi.typed import matches
 
 _UNKNOWN = [
     re.compile(r"^unknown type name '(?P<name>\w+)'"),
@@ -82,7 +81,7 @@ class Prelude:
                 self.types |= dict.fromkeys(wrong, True)
                 self._fixed |= wrong
                 new = True
-            for name in matches(_NOT_SCALAR, message):
+            for name in _NOT_SCALAR.findall(message):
                 scalar.add(name)
         library = (
             [m for message in messages if (m := _IN_STD.match(message)) and m["name"] not in self.in_std] if self.cxx else []
@@ -158,7 +157,7 @@ class Prelude:
     def _function_of_cxx(self, name: str) -> str:
         found = self.platform.entries(name)
         result = found[0].detail if found and found[0].kind == "function" else "int"
-        plain = all(w in TYPE_WORDS or w in QUALIFIERS for w in matches(r"\w+", result))
+        plain = all(w in TYPE_WORDS or w in QUALIFIERS for w in re.findall(r"\w+", result))
         return f"{result if plain and result else 'int'} {name}(...);"
 
     def _from_platform(self, name: str, uses: _Uses) -> str | None:
@@ -191,7 +190,7 @@ class Prelude:
             if not found or found[0].kind != "function" or self.platform.kind_of(found[0]) != "platform":
                 continue
             result = found[0].detail
-            words = matches(r"\w+", result)
+            words = re.findall(r"\w+", result)
             base = next((w for w in words if w not in QUALIFIERS and w not in TYPE_WORDS), None)
             if base in self.types or (base is None and ("*" in result or {"float", "double"} & set(words))):
                 self.functions[name] = result

@@ -26,7 +26,6 @@ from robosmi.transformations.t2m.c_source.linking import Linker
 from robosmi.transformations.t2m.c_source.parsing import parse
 from robosmi.transformations.t2m.c_source.source import read_source
 from robosmi.transformations.t2m.c_source.sources import Compiled, source_files
-from robosmi.typed import distinct
 
 PathLike = str | os.PathLike[str]
 
@@ -82,9 +81,9 @@ def read_program(
             _close(contexts)
         program = ccode.Program(
             name=os.path.splitext(os.path.basename(units[0].path))[0],
-            languages=distinct(str(u.language) for u in units),
-            includeFolders=distinct(folder for file in files for folder in file.include_dirs) or folders,
-            defines=distinct(define for file in files for define in file.defines) or list(defines),
+            languages=list(dict.fromkeys(str(u.language) for u in units)),
+            includeFolders=list(dict.fromkeys(folder for file in files for folder in file.include_dirs)) or folders,
+            defines=list(dict.fromkeys(define for file in files for define in file.defines)) or list(defines),
             units=units,
             externals=externals,
         )

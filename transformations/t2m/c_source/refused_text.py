@@ -13,7 +13,6 @@ from typing import NamedTuple
 
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE
 from robosmi.transformations.t2m.c_source import clang
-from robosmi.typed import matches
 
 _TYPES = b"""
 typedef __INT8_TYPE__ int8_t; typedef __INT16_TYPE__ int16_t; typedef __INT32_TYPE__ int32_t; typedef __INT64_TYPE__ int64_t;
@@ -90,7 +89,7 @@ def refused_texts(files: Mapping[str, bytes], main_header: str, adapters: str = 
                 texts[f"{_STUB}/{name}"] = b""
     texts[f"{_STUB}/{main_header}"] = _TYPES
     virtual = clang.unsaved(texts)
-    own = {name.decode() for path, text in texts.items() if path.startswith(_SKETCH) for name in matches(_DEFINED, text)}
+    own = {name.decode() for path, text in texts.items() if path.startswith(_SKETCH) for name in _DEFINED.findall(text)}
     told: dict[tuple[str, int], Refused] = {}
     for name in files:
         if not name.endswith(".h"):

@@ -11,7 +11,6 @@ from collections.abc import Sequence
 
 from robosmi.transformations.knowledge.lexer import Token
 from robosmi.transformations.t2m.c_source.mending import Edit
-from robosmi.typed import in_threes
 
 MOST_DECLARED = 400
 """Declarations of one name in one scope, each alternative of `#if` and `#else` counted."""
@@ -43,7 +42,7 @@ def _often(tokens: Sequence[Token]) -> set[str]:
         return set()
     declared = Counter(
         token[3]
-        for before, token, behind in in_threes(tokens, tokens[1:], tokens[2:], strict=False)
+        for before, token, behind in zip(tokens, tokens[1:], tokens[2:], strict=False)
         if token[3] in many and _declares(before, token, behind)
     )
     return {name for name, count in declared.items() if count > MOST_DECLARED}

@@ -13,7 +13,6 @@ import re
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
-from robosmi.typed import distinct, matches
 
 ENDING = ".side"
 _SOURCES = (".c", ".cc", ".cpp", ".cxx")
@@ -78,8 +77,8 @@ def _read(path: str, made: SideProject, *, library: bool, seen: set[str]) -> Non
             place = os.path.normpath(os.path.join(folder, said[2:].strip()))
             (made.include_dirs if said.startswith("-I") else folders).append(place)
         elif said.startswith(">"):
-            names += matches(_LIBRARY, said)
-            made.defines += matches(_DEFINE, said)
+            names += _LIBRARY.findall(said)
+            made.defines += _DEFINE.findall(said)
         elif said and not said.startswith("-"):
             if not (library and first):
                 _file(said, folder, Location(path, number), made)
@@ -90,8 +89,8 @@ def _read(path: str, made: SideProject, *, library: bool, seen: set[str]) -> Non
             if os.path.isfile(other) and os.path.realpath(other) not in seen:
                 made.include_dirs.append(place)
                 _read(other, made, library=True, seen=seen)
-    made.include_dirs[:] = distinct((*made.include_dirs, *folders))  # libraries often come as headers beside their archives
-    made.defines[:] = distinct(made.defines)
+    made.include_dirs[:] = dict.fromkeys((*made.include_dirs, *folders))  # libraries often come as headers beside their archives
+    made.defines[:] = dict.fromkeys(made.defines)
 
 
 def _file(said: str, folder: str, place: Location, made: SideProject) -> None:

@@ -16,7 +16,6 @@ from robosmi import inputs
 from robosmi.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, UsageError
-from robosmi.typed import distinct
 
 ENDINGS = (".c", ".cc", ".cpp", ".cxx", ".ino", ".C")
 COMMANDS = "compile_commands.json"
@@ -131,4 +130,4 @@ def _options(words: Sequence[str], folder: str) -> tuple[list[str], list[str]]:
                 if value:
                     values.append(value if values is defines else os.path.normpath(os.path.join(folder, value)))
                 break
-    return distinct(folders), distinct(defines)
+    return list(dict.fromkeys(folders)), list(dict.fromkeys(defines))

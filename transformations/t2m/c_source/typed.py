@@ -23,7 +23,6 @@ from robosmi.transformations.t2m.c_source.literals import integer_value
 from robosmi.transformations.t2m.c_source.parsing import Parsed, parse
 from robosmi.transformations.t2m.c_source.source import ReadSource
 from robosmi.transformations.t2m.c_source.tree import MAX_TREE_DEPTH, Node
-from robosmi.typed import distinct
 
 UNEXPOSED, PAREN, NAME, MEMBER, CALL, UNARY, BINARY, COMPOUND, CAST, LIST, CASE = (
     cursor_kinds.UNEXPOSED_EXPR,
@@ -181,7 +180,7 @@ class _Reader:
             made.converted = self.kind(converted) if converted is not None else made.kind
             made.places = self.expanded.places(outer.start, outer.end)
             made.inner = self.expanded.places(node.start, node.end)
-            made.layers = tuple(distinct(p for layer in distinct(layers) for p in self.expanded.places(*layer)))
+            made.layers = tuple(dict.fromkeys(p for layer in dict.fromkeys(layers) for p in self.expanded.places(*layer)))
             if self._of_header_macro(node):
                 made.form, made.name, made.origin = "macro", self.names.get(node.start, ""), "platform"
                 return made

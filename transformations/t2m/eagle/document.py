@@ -19,7 +19,6 @@ from robosmi.errors import SourceError
 from robosmi.transformations.t2m.drawing_file import drawing_bytes
 from robosmi.transformations.t2m.eagle.library import EagleDevice, EagleLibraries
 from robosmi.transformations.t2m.guarded_xml import line_of, parse_xml
-from robosmi.typed import sum_of
 
 MOST_PARTS = 20_000
 """Parts of a schematic, those of module instances counted with each; the largest public one has a few thousand."""
@@ -178,7 +177,7 @@ class _Reading:
 
     def _size(self, kind: str, module: etree._Element) -> int:
         if kind not in self.sizes:
-            self.sizes[kind] = sum_of(1 for _ in module.iter())
+            self.sizes[kind] = sum(1 for _ in module.iter())
         return self.sizes[kind]
 
     def _net(self, net: etree._Element, prefix: str, ports: dict[str, set[str]]) -> str:

@@ -15,7 +15,6 @@ from lxml import etree
 from msgspec import Struct
 
 from robosmi.transformations.t2m.drawing import free_identity
-from robosmi.typed import distinct, sum_of
 
 _TAG = re.compile(r"<[^<>]*>")
 _COUNTER = re.compile(r"@[^@]*$")
@@ -91,7 +90,7 @@ class EagleLibraries:
             for gate, written, direction in listed
         }
         shape = next((entry for entry in chosen.iterfind("devices/device") if entry.get("name", "") == device), None)
-        pads = 0 if shape is None else sum_of(len(c.get("pad", "").split()) for c in shape.iterfind("connects/connect"))
+        pads = 0 if shape is None else sum(len(c.get("pad", "").split()) for c in shape.iterfind("connects/connect"))
         levels = {name: gate.get("addlevel", "next") for name, _, gate in gates}
         return EagleDevice(_title(deviceset, device), _described(chosen.findtext("description") or ""), pins, pads, levels)
 
@@ -105,7 +104,7 @@ def connectors_of(pins: Iterable[tuple[str, str]]) -> dict[tuple[str, str], str]
     >>> connectors_of([("A", "OUT"), ("B", "OUT"), ("B", "EN"), ("C", "B.OUT")])
     {('A', 'OUT'): 'A.OUT', ('B', 'OUT'): 'OUT of B', ('B', 'EN'): 'EN', ('C', 'B.OUT'): 'B.OUT'}
     """
-    listed = distinct(pins)
+    listed = list(dict.fromkeys(pins))
     counts = Counter(written for _, written in listed)
     wanted = {pin: pin[1] if counts[pin[1]] == 1 else ".".join(pin) for pin in listed}
     clashes = Counter(wanted.values())

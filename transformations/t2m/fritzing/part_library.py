@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from lxml import etree
+from msgspec.structs import replace
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
@@ -21,7 +22,6 @@ from robosmi.transformations.knowledge.part_names import names
 from robosmi.transformations.knowledge.part_roles import classify
 from robosmi.transformations.t2m.fritzing.part_file import part_of
 from robosmi.transformations.t2m.guarded_xml import parse_xml
-from robosmi.typed import matches, replaced
 
 DEFINITION = inputs.Kind("part definition", 16 * 1024 * 1024)
 """The largest public one has under one megabyte."""
@@ -68,7 +68,7 @@ def read_library(folders: Sequence[Path], project: Path | None = None) -> PartLi
         else:
             seen.add(part.id)
             role = classify(part, project)
-            library.parts.append((role if role.role != "Unknown" else replaced(part, evidence="no rule fits"), _words(root)))
+            library.parts.append((role if role.role != "Unknown" else replace(part, evidence="no rule fits"), _words(root)))
     if not library.parts:
         raise SourceError(
             "there is no Fritzing part definition (.fzp) in it",
@@ -96,7 +96,7 @@ def _words(root: etree._Element) -> Counter[str]:
     from html import unescape  # slow to load, and wanted only while parts are added
 
     text = str(root.xpath("string(description)"))
-    return Counter(word.lower() for word in matches(_WORD, _TAG.sub(" ", unescape(unescape(text)))))
+    return Counter(word.lower() for word in _WORD.findall(_TAG.sub(" ", unescape(unescape(text)))))
 
 
 def _left_out(path: Path, cause: str) -> Finding:

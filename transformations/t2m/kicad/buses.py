@@ -10,8 +10,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from robosmi.typed import paired
-
 _VECTOR = re.compile(r"(.*)\[([0-9]{1,4})\.\.([0-9]{1,4})\](.*)")
 _GROUP = re.compile(r"([^{}]*)\{(.*)\}")
 _ESCAPES = frozenset(("slash", "backslash", "space", "tab", "return", "colon", "brace", "lt", "gt", "quote", "dblquote", "bar"))
@@ -28,7 +26,7 @@ def members(text: str, aliases: Aliases | None = None) -> list[str]:
     >>> members("D[0..2]"), members("USB{DP DM}"), members("{OE A[0..1]}"), members("I{slash}O")
     (['D0', 'D1', 'D2'], ['USB.DP', 'USB.DM'], ['OE', 'A0', 'A1'], [])
     """
-    return [name for name, _ in paired(_members(text, aliases or {}, _DEEPEST), range(_MOST_MEMBERS), strict=False)]
+    return [name for name, _ in zip(_members(text, aliases or {}, _DEEPEST), range(_MOST_MEMBERS), strict=False)]
 
 
 def _members(text: str, aliases: Aliases, depth: int) -> Iterator[str]:
@@ -52,4 +50,4 @@ def pairs(one: Sequence[str], other: Sequence[str]) -> Iterator[tuple[str, str]]
     if shared:
         yield from ((name, name) for name in one if name in shared)
     else:
-        yield from paired(one, other, strict=False)
+        yield from zip(one, other, strict=False)

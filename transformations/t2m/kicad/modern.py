@@ -35,7 +35,6 @@ from robosmi.transformations.t2m.kicad.sheet import (
     SubSheet,
     Wire,
 )
-from robosmi.typed import sum_of
 
 _STEPS = 10_000
 """Steps per millimetre: KiCad stores ten-thousandths."""
@@ -73,7 +72,7 @@ class _Modern:
             **dict.fromkeys(_LABELS, self._label),
         }  # fmt: skip
         entries = [*listed.members(listed.root)]
-        if sum_of(entry.head == "symbol" for entry in entries) > MOST_SYMBOLS:
+        if sum(entry.head == "symbol" for entry in entries) > MOST_SYMBOLS:
             fix = "check that it is the drawing you meant"
             raise SourceError(f"it has more than {MOST_SYMBOLS:,} symbols", location=Location(listed.path, 1), fix=fix)
         for entry in entries:

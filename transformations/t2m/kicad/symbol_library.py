@@ -7,7 +7,6 @@ from pathlib import Path
 
 from robosmi.transformations.t2m.companions import DrawingFolder
 from robosmi.transformations.t2m.kicad.sheet import LibraryPin, LibrarySymbol, Point
-from robosmi.typed import distinct
 
 _HEAD = "EESchema-LIBRARY"
 _KINDS = {"W": "power_in", "w": "power_out"}
@@ -23,10 +22,10 @@ def library_of(folder: DrawingFolder, identities: Iterable[str]) -> dict[str, Li
         folder: the folder of the schematic.
         identities: what the schematic calls its symbols.
     """
-    wanted = distinct(identities)
+    wanted = list(dict.fromkeys(identities))
     stem = folder.path.stem
-    others = distinct(f"{identity.partition(':')[0]}.lib" for identity in wanted if ":" in identity)
-    caches = distinct((f"{stem}-cache.lib", *_caches(folder.path.parent), f"{stem}-rescue.lib", f"{stem}.lib"))
+    others = list(dict.fromkeys(f"{identity.partition(':')[0]}.lib" for identity in wanted if ":" in identity))
+    caches = list(dict.fromkeys((f"{stem}-cache.lib", *_caches(folder.path.parent), f"{stem}-rescue.lib", f"{stem}.lib")))
     found: dict[str, LibrarySymbol] = {}
     for name in (*caches, *others):
         missing = [identity for identity in wanted if identity not in found]

@@ -18,7 +18,6 @@ from robosmi.transformations.knowledge.part import Part
 from robosmi.transformations.t2m.connectivity import Joined, Node
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed, free_identity
 from robosmi.transformations.t2m.wokwi.document import Connection, Diagram, DiagramPart, read_diagram
-from robosmi.typed import distinct
 
 TOOL = "Wokwi"
 _SYMBOLS = {"wokwi-gnd": "GND", "wokwi-vcc": "VCC"}
@@ -121,7 +120,7 @@ class _Reading:
         net_of = {root: self.builder.net(ends) for root, ends in groups.items()}
         for connection, ends in self.wires:
             net = net_of.get(self.joined.find(self._node(ends[0])))
-            self.builder.wire(f"connection{connection.number}", distinct(ends), net, connection.color)
+            self.builder.wire(f"connection{connection.number}", list(dict.fromkeys(ends)), net, connection.color)
         if len(self.parts) > 1 and not self.wires:
             self.report("RS212", Severity.warning, "no part is connected to another", fix="connect the parts in Wokwi")
         return self.builder.circuit(name, self.diagram.digest, TOOL, self.diagram.version)

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from robosmi.transformations.verification.devices.levels import value_at
-from robosmi.typed import sum_of
 from robosmi.verify.bench import Device, Level
 
 _ASKED_US = 800.0
@@ -55,4 +54,4 @@ def _frame(humidity: float, celsius: float) -> bytes:
     """The five bytes: humidity and temperature in tenths, the sign of the temperature in its highest bit, and their sum."""
     words = (round(humidity * 10), round(abs(celsius) * 10) | (0x8000 if celsius < 0 else 0))
     data = b"".join(word.to_bytes(2, "big") for word in words)
-    return data + bytes([sum_of(data) & 0xFF])
+    return data + bytes([sum(data) & 0xFF])

@@ -14,11 +14,12 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
+from msgspec.structs import replace
+
 from robosmi import inputs, resources
 from robosmi.data_text import Json, json_written
 from robosmi.errors import MissingToolError, VerificationError
 from robosmi.transformations.verification.engines.avr_timers import Timers
-from robosmi.typed import replaced
 from robosmi.verify.bench import Bench
 from robosmi.verify.simulation import ConsoleByte, Job, PinTrace
 
@@ -153,7 +154,7 @@ class _Run(Bench):
         self.ended()
         state = "crashed" if told["crashed"] else "running"
         trace = self.trace(f"avr8js {_version()}", state, job.horizon_us, self.timers.waves, self._console)
-        return replaced(trace, reached=tuple(told.get("reached", ())), console_baud=told["baud"])
+        return replace(trace, reached=tuple(told.get("reached", ())), console_baud=told["baud"])
 
     def _note(self, log: list[list[Any]]) -> None:
         for kind, cycle, first, *more in log:

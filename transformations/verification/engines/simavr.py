@@ -11,7 +11,10 @@ import ctypes
 import ctypes.util
 import re
 from collections.abc import Callable, Sequence
+from functools import cache
 from typing import Any
+
+from msgspec.structs import replace
 
 from robosmi.errors import MissingToolError, VerificationError
 from robosmi.transformations.verification.engines.avr_timers import Timers
@@ -23,7 +26,6 @@ from robosmi.transformations.verification.engines.simavr_library import (
     installed_library,
     run_in_a_row,
 )
-from robosmi.typed import dynamic_attribute, kept, replaced
 from robosmi.verify.bench import Bench
 from robosmi.verify.simulation import ConsoleByte, Job, PinTrace
 
@@ -54,7 +56,7 @@ _START, _STOP, _ADDRESSED, _ACKNOWLEDGE, _WRITE, _READ = 1, 2, 4, 8, 16, 32
 """Bits of a message on the two-wire bus."""
 
 
-@kept
+@cache
 def _code(text: str) -> int:
     """Four characters as simavr's number of a peripheral."""
     return int.from_bytes(text.encode(), "big")
@@ -212,7 +214,7 @@ class _Run(Bench):
 
     def _fast_external_interrupts(self) -> None:
         """Let a low level at an external interrupt's pin be no reason to look again at every few cycles (five times slower)."""
-        setter = dynamic_attribute(self._library, "avr_extint_set_strict_lvl_trig", None)
+        setter = getattr(self._library, "avr_extint_set_strict_lvl_trig", None)
         for number in (0, 1):
             if setter is None:
                 return
@@ -370,7 +372,7 @@ class _Run(Bench):
         self._ended_at = min(self.cycle, end)
         self.ended()
         trace = self.trace(f"simavr ({_version()})", state, self._job.horizon_us, self.timers.waves, self._console)
-        return replaced(trace, stack_bytes=self._stack_bytes(), console_baud=self._console_baud())
+        return replace(trace, stack_bytes=self._stack_bytes(), console_baud=self._console_baud())
 
 
 def _version() -> str:

@@ -9,8 +9,7 @@ from __future__ import annotations
 import ctypes
 import ctypes.util
 from collections.abc import Callable
-
-from robosmi.typed import dynamic_attribute, kept
+from functools import cache
 
 _IN_A_ROW = 64
 """Cycles that the library may run before it checks its timers, earlier if one is due: a third faster."""
@@ -32,7 +31,7 @@ class Firmware(ctypes.Structure):
     )  # fmt: skip
 
 
-@kept
+@cache
 def installed_library() -> ctypes.CDLL | None:
     """The library with its functions declared, or None where it is not installed."""
     for name in ("libsimavr.so.2", ctypes.util.find_library("simavr"), "libsimavr.so"):
@@ -66,7 +65,7 @@ def _declared(library: ctypes.CDLL) -> ctypes.CDLL:
         ("avr_core_watch_read", ctypes.c_uint8, [pointer, ctypes.c_uint16]),
         ("avr_twi_irq_msg", number, [ctypes.c_uint8, ctypes.c_uint8, ctypes.c_uint8]),
     ):
-        function = dynamic_attribute(library, name)
+        function = getattr(library, name)
         function.restype, function.argtypes = result, arguments
     return library
 
