@@ -3,7 +3,8 @@
 case.toml: `about` (what the case shows); optional `files` (the units given, else all .c files of `input/`), `hardware` (an
 example whose drawing is taken), `[bind]` and `[libraries]` (as the flags), `compiles` (why the sketch cannot compile: the
 source's own fault), `adapters` (as the flag; placeholders for what a case expects of the program's text, since bodies are data
-that have tests of their own), `shows_adapters` (true: the case is about `adapters.h`, which is expected, too). Every case also has to compile with the bodies that there are.
+that have tests of their own), `shows_adapters` (true: the case is about `adapters.h`, which is expected, too). Every case
+also has to compile with the bodies that there are.
 `expected/verdicts.txt` has one line for each element that was judged (line, element, action, rule; for main also why), and
 one for each place with a finding or task that is more than information.
 
