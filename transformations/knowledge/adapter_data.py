@@ -20,16 +20,16 @@ from robosmi.data_text import Json, as_table, json_of, json_written
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.model.files import write_atomic
-from robosmi.transformations.knowledge.adapter_files import (
+from robosmi.transformations.knowledge.adapter_files import adapter_file
+from robosmi.transformations.knowledge.adapter_records import (
     AdapterFile,
     AdapterPiece,
     AdapterPin,
+    ArgumentRange,
     ConventionalPort,
     InterruptStack,
     PortTable,
-    adapter_file,
 )
-from robosmi.transformations.knowledge.adapter_ranges import ArgumentRange
 from robosmi.typed import distinct, dynamic_attribute
 
 ENDINGS = (".cpp", ".c")
