@@ -35,7 +35,7 @@ FOUNDATION = (
     "user_folders",
     "user_cache",
     "resources",
-    "offers",
+    "plugin_contracts",
     "plugins",
     "project",
     "inputs",

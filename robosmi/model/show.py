@@ -130,11 +130,11 @@ def element_html(element: Node) -> str:
     """
     kind = type_of(element)
     if isinstance(kind, EClass) and kind.ePackage is not None:
-        from robosmi.plugins import registry
+        from robosmi.plugins import content, registry
 
         name = f"{kind.ePackage.nsURI}#{kind.name}"
         if name in registry().entries.get("view", {}):
-            return str(registry().get("view", name)(element))
+            return str(content("view", name)(element))
     said = [x for x in _features(element) if x[1] not in (None, "", [])]
     table, inner = html_table(("feature", "value"), said), tree_html(contents_of(element), label, contents_of)
     return f"<p>{html_attribute(label(element))}</p>{table}{inner}"
