@@ -23,14 +23,11 @@ from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import InternalError, MissingToolError, RuleError, UsageError, did_you_mean
 from robosmi.foreign_code import frames_of
-from robosmi.offers import Offered, PluginOffer, unasked
+from robosmi.plugin_contracts import KINDS, ContentFunction, ContentKind, unused
 
 ENTRY_POINTS = "robosmi.transformations"
 BUILT_IN = "robosmi.transformations:registry"
 _INFO = (".dist-info", "egg-info")
-
-ADDING = ("constraints",)
-"""The kinds for which everything registered under one name counts, instead of only the latest."""
 
 
 class BrokenPlugin(Struct, frozen=True):
@@ -71,12 +68,11 @@ class Replaced(Struct, frozen=True):
 class Registry:
     """Named content by kind, and folders of data.
 
-    Kinds are `program reader`, `drawing reader`, `driver`, `generator`, `chain`, `constraints`, `query`, `ranker`,
-    `model migration` and `view`: what a notebook shows of the elements of a class, named `NAMESPACE#CLASS`.
+    The kinds and what content of each has to be are in `plugin_contracts`.
 
     Attributes:
         entries: kind -> name -> `module:attribute`.
-        more: kind and name -> what was offered under it later, for the kinds `ADDING`.
+        more: kind and name -> what was offered under it later, for the kinds that add up.
         data: folders that hold data as a project's folder `.robosmi` does (`platform_repo/...`): a plug-in's boards, targets,
             parts, and its `defaults.toml`, which says which endings its readers take.
         broken: plug-ins that cannot be loaded.
@@ -100,12 +96,12 @@ class Registry:
         """Offer content. A later entry of the same kind and name replaces an earlier one; constraints add up.
 
         Args:
-            kind: what it is.
-            name: how it is asked for.
+            kind: one of `plugin_contracts.KINDS`; another one is a finding if a plug-in adds it.
+            name: how it is asked for; its form is in the contract of the kind.
             target: `module:attribute`, imported only when asked for.
         """
         known = self.entries.setdefault(kind, {})
-        if kind in ADDING and known.setdefault(name, target) != target:
+        if _adds_up(kind) and known.setdefault(name, target) != target:
             self.more.setdefault((kind, name), []).append(target)
         else:
             known[name] = target
@@ -118,11 +114,11 @@ class Registry:
         """
         self.data.append(folder)
 
-    def names(self, kind: str) -> list[str]:
+    def names(self, kind: ContentKind) -> list[str]:
         """The names of a kind, sorted."""
         return sorted(self.entries.get(kind, {}))
 
-    def get(self, kind: str, name: str) -> Any:
+    def get(self, kind: ContentKind, name: str) -> Any:
         """Import and return the content of that kind and name; of several the first.
 
         Raises:
@@ -141,7 +137,7 @@ class Registry:
             self.asked.add((kind, name))
         return self._load(known[name])
 
-    def all(self, kind: str, name: str) -> list[tuple[Any, str]]:
+    def all(self, kind: ContentKind, name: str) -> list[tuple[Any, str]]:
         """Everything of that kind and name, each with the distribution that offers it (empty for what is built in).
 
         What is a plug-in's and cannot be imported is left out, and from then on among `broken`.
@@ -175,9 +171,13 @@ class Registry:
         first = self.entries.get(kind, {}).get(name)
         return [] if first is None else list(dict.fromkeys([first, *self.more.get((kind, name), ())]))
 
-    def owner(self, kind: str, name: str) -> str:
+    def owner(self, kind: ContentKind, name: str) -> str:
         """The distribution of the plug-in that offers the content of that kind and name; empty for what is built in."""
         return self.providers.get(self.entries.get(kind, {}).get(name, ""), "")
+
+    def owners(self, kind: ContentKind, name: str) -> list[str]:
+        """The distributions whose content of that kind and name counts; empty for what is built in."""
+        return list(dict.fromkeys(self.providers.get(target, "") for target in self.targets(kind, name)))
 
     def provider(self, module: str) -> str:
         """The distribution whose plug-in has that module (`package.module`); empty for what is built in."""
@@ -192,12 +192,12 @@ class Registry:
             other: filled by the plug-in.
             distribution: its name, or empty for what is built in.
         """
-        faults = list(unasked(other.entries, self.entries, self.entries.get("constraints", {}))) if distribution else []
+        faults = list(unused(other.entries, self.entries, self.entries.get("constraints", {}))) if distribution else []
         self.broken += [BrokenPlugin(distribution, what, why) for what, why in faults]
         for kind, names in other.entries.items():
             for name in names:
                 before = self.entries.get(kind, {}).get(name)
-                if before is not None and distribution and kind not in ADDING:
+                if before is not None and distribution and not _adds_up(kind):
                     self.replaced[kind, name] = Replaced(kind, name, self.providers.get(before, ""), distribution)
                 for target in other.targets(kind, name):
                     self.add(kind, name, target)
@@ -224,6 +224,10 @@ class Registry:
                 f"'{target}' of the plug-in {distribution} cannot be loaded: {type(error).__name__}: {error}",
                 fix=f"mend, update or uninstall {distribution.partition(' ')[0]}",
             ) from error
+
+
+def _adds_up(kind: str) -> bool:
+    return kind in KINDS and KINDS[kind].adds_up
 
 
 def load(target: str) -> Any:
@@ -386,8 +390,8 @@ def plugin_findings() -> list[Finding]:
     ]
 
 
-def content(kind: str, name: str) -> Offered:
-    """The registered function of that kind and name; one of a plug-in that has a wrong form is told as its fault when called."""
-    found: Offered = registry().get(kind, name)
+def content(kind: ContentKind, name: str) -> ContentFunction:
+    """The registered function of that kind and name; a wrong call of a plug-in's function is an error that blames the plug-in."""
+    found: ContentFunction = registry().get(kind, name)
     owner = registry().owner(kind, name)
-    return PluginOffer(found, kind, name, owner) if owner else found
+    return KINDS[kind](found, name, owner) if owner else found

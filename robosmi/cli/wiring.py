@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from robosmi.cli.common import output_folder
 from robosmi.errors import UsageError
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from robosmi.cli.answers import HandedWiring
     from robosmi.cli.options import Options
 
-FORM = "wiring form"
+FORM: Final = "wiring form"
 """The registry's kind of forms."""
 
 

@@ -12,14 +12,11 @@ import struct
 from collections.abc import Callable
 from datetime import UTC, datetime
 from decimal import Decimal, InvalidOperation
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 from robosmi.errors import ModelError, did_you_mean
-from robosmi.model.ecore import EDataType, EEnum, EEnumLiteral, EProxy, EStructuralFeature
+from robosmi.model.ecore import EDataType, EEnum, EEnumLiteral, EProxy, EStructuralFeature, Scalar
 from robosmi.model.pyecore_internals import proxied, proxy_place
-
-if TYPE_CHECKING:
-    from robosmi.model.driver import Held
 
 FromText = Callable[[str], Any]
 ToText = Callable[[Any], str]
@@ -119,7 +116,7 @@ def _java(value: float, shortest: str) -> str:
 
 
 def _write_real(form: Callable[[float], str]) -> ToText:
-    def write(value: Held) -> str:
+    def write(value: Scalar) -> str:
         if not isinstance(value, (int, float)):
             raise ValueError(f"{value!r} is no number")
         return form(float(value))
@@ -134,7 +131,7 @@ def _read_boolean(text: str) -> bool:
     return lowered == "true"
 
 
-def _write_boolean(value: Held) -> str:
+def _write_boolean(value: Scalar) -> str:
     if not isinstance(value, bool):
         raise ValueError(f"{value!r} is neither True nor False")
     return "true" if value else "false"
@@ -149,7 +146,7 @@ def _read_decimal(text: str) -> Decimal:
     raise ValueError(f"'{text}' is no decimal number")
 
 
-def _write_decimal(value: Held) -> str:
+def _write_decimal(value: Scalar) -> str:
     if not isinstance(value, Decimal) or not value.is_finite():
         raise ValueError(f"{value!r} is no decimal number")
     return str(value)
@@ -163,7 +160,7 @@ def _read_character(text: str) -> str:
     return text[0]
 
 
-def _write_character(value: Held) -> str:
+def _write_character(value: Scalar) -> str:
     if not isinstance(value, str) or len(value) != 1 or ord(value) > 0xFFFF:
         raise ValueError(f"{value!r} is not one character of 16 bits")
     return str(ord(value))
@@ -173,7 +170,7 @@ def _read_byte(text: str) -> bytes:
     return bytes([_bits(8)[0](text) & 0xFF])
 
 
-def _write_byte(value: Held) -> str:
+def _write_byte(value: Scalar) -> str:
     if isinstance(value, (bytes, bytearray)) and len(value) == 1:
         return str(value[0] - 256 if value[0] > 127 else value[0])
     if isinstance(value, int):
@@ -187,7 +184,7 @@ def _read_bytes(text: str) -> bytearray:
     return bytearray.fromhex(text)
 
 
-def _write_bytes(value: Held) -> str:
+def _write_bytes(value: Scalar) -> str:
     if not isinstance(value, (bytes, bytearray)):
         raise ValueError(f"{value!r} is no sequence of bytes")
     return value.hex().upper()
@@ -207,7 +204,7 @@ def _read_date(text: str) -> datetime:
     return datetime(year, month, day, hour, minute, second, millisecond * 1000, zone)
 
 
-def _write_date(value: Held) -> str:
+def _write_date(value: Scalar) -> str:
     if not isinstance(value, datetime):
         raise ValueError(f"{value!r} is no date")
     moment = value if value.tzinfo else value.replace(tzinfo=UTC)
@@ -216,7 +213,7 @@ def _write_date(value: Held) -> str:
     return f"{moment:%Y-%m-%dT%H:%M:%S}.{moment.microsecond // 1000:03d}{moment:%z}"
 
 
-def _text(value: Held) -> str:
+def _text(value: Scalar) -> str:
     if isinstance(value, str):
         return value
     raise ValueError(f"{value!r} is no text")
@@ -226,7 +223,7 @@ def _as_is(text: str) -> str:
     return text
 
 
-def _no_text(value: Held) -> Any:
+def _no_text(value: Scalar) -> Any:
     raise ValueError(f"an object of the type EJavaObject has no text form: {value!r}")
 
 

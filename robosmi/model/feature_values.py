@@ -1,7 +1,7 @@
 """The collections of many-valued features: pyecore's, extended by the operations of queries.
 
 `book.authors.select(...)` is delegated to a collection that the query package makes from the values
-(`robosmi.query.collections.collection`). This package does not depend on queries, so they register themselves when imported
+(`robosmi.query.held.collection`). This package does not depend on queries, so they register themselves when imported
 (`queried_by`). Methods of pyecore's collections keep their meaning (`append`, `remove`, `index`), except for `select`, `reject`
 and `count`, which return plain lists or take no function there.
 """

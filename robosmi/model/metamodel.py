@@ -139,9 +139,9 @@ class Metamodel(Metamodels):
         return f"<Metamodel {', '.join(str(p.name) for p in self.epackages)}: {len(self.names())} types>"
 
     def _repr_html_(self) -> str:
-        from robosmi.model.show import metamodel_html
+        from robosmi.model.show import classifiers_html  # for notebooks only
 
-        return metamodel_html(self)
+        return classifiers_html(self.classifiers())
 
 
 def _generated(module: Any) -> EPackage:

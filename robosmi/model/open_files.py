@@ -7,26 +7,38 @@ references.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from robosmi import inputs
-from robosmi.model.ecore import DynamicEObject, Package
+from robosmi.model.ecore import DynamicEObject, EPackage, Package
 from robosmi.model.features import as_package
 from robosmi.model.fragments import own_id
 from robosmi.model.metamodels import Metamodels, built_in
 from robosmi.model.xmi_document import Document
 
-if TYPE_CHECKING:
-    from robosmi.model.emf import EmfModel
+
+class OpenModel(Protocol):
+    """A model that is open, as far as references of other files need it."""
+
+    @property
+    def packages(self) -> Sequence[EPackage]:
+        """The packages of its elements' classes."""
+
+    @property
+    def roots(self) -> list[DynamicEObject]:
+        """Its root elements."""
+
+    def all_contents(self) -> Iterable[DynamicEObject]:
+        """All of its elements."""
 
 
 class OpenFiles:
     """The open models and the files that were read with them, by their absolute paths."""
 
     def __init__(self) -> None:
-        self._models: dict[Path, EmfModel] = {}
+        self._models: dict[Path, OpenModel] = {}
         self._read: dict[Path, tuple[Document, str]] = {}
 
     def documents(self, path: Path) -> OpenDocuments:
@@ -45,7 +57,7 @@ class OpenFiles:
         packages = [(root.eClass.ePackage, known.get(root.eClass.ePackage.nsURI)) for root in found.roots]
         return found.roots if all(own is not None and as_package(own) is package for package, own in packages) else None
 
-    def add(self, path: Path, model: EmfModel, documents: Mapping[Path, Document]) -> None:
+    def add(self, path: Path, model: OpenModel, documents: Mapping[Path, Document]) -> None:
         """Note a model and the files that were read with it."""
         self._models[path] = model
         self._read.pop(path, None)

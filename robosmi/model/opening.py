@@ -18,7 +18,7 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import RobosmiError, SourceError, UsageError, did_you_mean
 from robosmi.model.driver import Model
-from robosmi.offers import Offered, PluginOffer, wrong_result
+from robosmi.plugin_contracts import ContentFunction, Contribution, wrong_result
 from robosmi.plugins import content, load, registry
 
 V = TypeVar("V")
@@ -117,13 +117,13 @@ def _driver(key: str) -> Callable[..., Model]:
     if key not in registry().entries.get("driver", {}):
         return load(_DRIVERS[key])  # type: ignore[no-any-return]
     offered = content("driver", key)
-    return _OfPlugin(offered) if isinstance(offered, PluginOffer) else offered
+    return _OfPlugin(offered) if isinstance(offered, Contribution) else offered
 
 
 class _OfPlugin(Struct, frozen=True):
     """A driver that a plug-in offers."""
 
-    driver: Offered
+    driver: ContentFunction
 
     def __call__(self, path: Path, name: str | None = None, **options: object) -> Model:
         """The model that it opens."""

@@ -7,7 +7,7 @@ Any technology's, through `driver`. Nothing is written and nothing recurses; lon
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, TypeAlias, TypeVar
+from typing import TypeAlias, TypeVar
 
 from robosmi.model.by_name import feature_value
 from robosmi.model.driver import (
@@ -24,13 +24,10 @@ from robosmi.model.driver import (
     name_of,
     type_of,
 )
-from robosmi.model.ecore import EClass, EEnum, EEnumLiteral
+from robosmi.model.ecore import EClass, EClassifier, EEnum, EEnumLiteral
 from robosmi.model.feature_errors import NotComputedError
 from robosmi.model.html_table import html_table, tree_html
 from robosmi.quoting import html_attribute, terminal
-
-if TYPE_CHECKING:
-    from robosmi.model.metamodel import Metamodel
 
 K = TypeVar("K")
 V = TypeVar("V")
@@ -109,10 +106,14 @@ def plain(value: Held) -> Plain:
     return [x.name if isinstance(x, EEnumLiteral) else _reference(x) if is_element(x) else x for x in value]
 
 
-def metamodel_html(metamodel: Metamodel) -> str:
-    """The classes and enumerations of a metamodel, as HTML."""
+def classifiers_html(classifiers: Iterable[tuple[str, EClassifier]]) -> str:
+    """The classes and enumerations of a metamodel with their features and literals, as HTML.
+
+    Args:
+        classifiers: each with its path (`Metamodel.classifiers`).
+    """
     lines = []
-    for path, classifier in metamodel.classifiers():
+    for path, classifier in classifiers:
         if isinstance(classifier, EClass):
             inner = [str(feature.name) for feature in classifier.eStructuralFeatures]
         else:
@@ -129,11 +130,11 @@ def element_html(element: Node) -> str:
     """
     kind = type_of(element)
     if isinstance(kind, EClass) and kind.ePackage is not None:
-        from robosmi.plugins import registry
+        from robosmi.plugins import content, registry
 
         name = f"{kind.ePackage.nsURI}#{kind.name}"
         if name in registry().entries.get("view", {}):
-            return str(registry().get("view", name)(element))
+            return str(content("view", name)(element))
     said = [x for x in _features(element) if x[1] not in (None, "", [])]
     table, inner = html_table(("feature", "value"), said), tree_html(contents_of(element), label, contents_of)
     return f"<p>{html_attribute(label(element))}</p>{table}{inner}"

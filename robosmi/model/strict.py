@@ -28,14 +28,14 @@ from robosmi.model.structure import resource_of
 __all__ = ["Element", "EnumLiteral", "FeatureValueError", "UnknownFeatureError", "enum_literal"]
 
 if TYPE_CHECKING:
-    from robosmi.model.xmi_layout import Column
-    from robosmi.model.xmi_plan import ClassPlan
 
     class _Base(ecore.EObject):
         """The members of pyecore's EObject that typed code uses; containers and contents are strict elements, too."""
 
-        _robosmi_plan: ClassVar[ClassPlan]
-        _robosmi_layout: ClassVar[tuple[bool, list[Column]]]
+        _robosmi_plan: ClassVar[object]
+        """The plan of the class that `xmi_plan` caches here."""
+        _robosmi_layout: ClassVar[object]
+        """The layout of the class that `xmi_layout` caches here."""
 
         @property
         def eContents(self) -> list[Element]: ...

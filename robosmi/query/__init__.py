@@ -10,8 +10,9 @@ from __future__ import annotations
 from robosmi.model.driver import UnknownTypeError
 from robosmi.model.structure import root_of
 from robosmi.query import anything, built_in, numbers, operators, strings
-from robosmi.query.collections import Bag, Lazy, Map, OrderedSet, Q, Set, Tuple, collection
+from robosmi.query.collections import Bag, Lazy, Map, OrderedSet, Q, Set, Tuple
 from robosmi.query.extents import all_contents, all_of_kind, all_of_type, ancestor_of_kind
+from robosmi.query.held import collection
 from robosmi.query.models import (
     ModelView,
     all_instances,
@@ -30,8 +31,8 @@ from robosmi.query.own_operations import cached, operation
 from robosmi.query.problems import OperandError, UndefinedError, UnknownOperationError, UnknownPropertyError
 from robosmi.query.properties import get, get_safe, has_property
 from robosmi.query.run import Run, current_run, ext
-from robosmi.query.types import EolType, is_kind_of, is_type_of, type_named, type_of
-from robosmi.query.values import Long, as_string, equal
+from robosmi.query.types import is_kind_of, is_type_of, type_named, type_of
+from robosmi.query.values import EolType, Long, as_string, equal
 
 built_in.put_together()
 

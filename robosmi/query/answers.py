@@ -18,8 +18,7 @@ from robosmi.model.driver import Model, TypeHandle, features_of, is_element, nam
 from robosmi.model.ecore import EEnumLiteral
 from robosmi.query.collections import Lazy
 from robosmi.query.models import id_of
-from robosmi.query.types import EolType
-from robosmi.query.values import as_string, collection_kind
+from robosmi.query.values import EolType, as_string, collection_kind
 
 if TYPE_CHECKING:
     from robosmi.data_text import Json

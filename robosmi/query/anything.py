@@ -16,8 +16,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from robosmi.model.by_name import feature_values
 from robosmi.model.features import all_features, is_computed, opposite
 from robosmi.model.structure import root_of
-from robosmi.query.collections import Bag, OrderedSet, Q, Set, collection
+from robosmi.query.collections import Bag, OrderedSet, Q, Set
 from robosmi.query.extents import all_contents, contents
+from robosmi.query.held import collection
 from robosmi.query.operators import is_long, wrapped
 from robosmi.query.problems import OperandError
 from robosmi.query.properties import get

@@ -2,8 +2,8 @@
 
 `Q(items)` takes any iterable and reads it once. `q.name` collects a property of every item (a Sequence, of a Set or Bag a Bag;
 not flattened). Operations that give a collection give a new one; those that change it itself are in `changes`. All but `Lazy` is
-eager. Here are the classes, which make one another, and what makes them of each other; most operations are inherited: those that
-take a function are in `first_order`, the others in `items`, those on numbers in `totals`, those of maps in `maps`.
+eager. Here are the classes, which make one another, and the operations whose result is of another kind; the others are inherited:
+those that take a function are in `first_order`, the rest in `items`, those on numbers in `totals`, those of maps in `maps`.
 Source: Kolovos et al., The Epsilon Object Language, section 3.2; measured against Epsilon (docs/reference/eol.md).
 """
 
@@ -14,19 +14,18 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, Self, overload
 
-from robosmi.model.ecore import ECollection
-from robosmi.model.feature_values import queried_by
 from robosmi.query.changes import Changeable
-from robosmi.query.first_order import FirstOrder
-from robosmi.query.held import HeldByFeature
+from robosmi.query.first_order import FirstOrder, grouped, reached
 from robosmi.query.items import Items, R, T
 from robosmi.query.maps import Entries, Fields, K, V
+from robosmi.query.problems import OperandError
 from robosmi.query.totals import Totals
-from robosmi.query.types import AnyKind, EolType, resolve
-from robosmi.query.values import collection_kind, equal, position, unique
+from robosmi.query.types import AnyKind, matching, resolve
+from robosmi.query.values import EolType, equal, flattened, position, unique
 
 if TYPE_CHECKING:
     from robosmi.model.dynamic import Dynamic
+    from robosmi.query.values import Answer
 
 _MISSING: Any = object()
 
@@ -75,15 +74,6 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
     def _made(self, items: builtins.list[Any]) -> Self:
         """A collection of the same kind, of any items."""
         return self._of(items)
-
-    def _sequence(self, items: builtins.list[R]) -> Q[R]:
-        return Q._of(items)
-
-    def _ordered(self, items: builtins.list[R]) -> OrderedSet[R]:
-        return OrderedSet._of(items)
-
-    def _map(self, entries: Iterable[tuple[K, V]]) -> Map[K, V]:
-        return Map(entries)
 
     def __len__(self) -> int:
         return len(self._items)
@@ -140,6 +130,81 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
 
     def __sub__(self, other: Iterable[R]) -> Self:
         return self.excluding_all(other)
+
+    @overload
+    def first(self) -> T | None: ...
+    @overload
+    def first(self, n: int) -> Q[T]: ...
+    def first(self, n: int | None = None) -> T | Q[T] | None:
+        """The first item, or None when empty; with a number, a Sequence of so many first items, or fewer.
+
+        Raises:
+            OperandError: the number is negative.
+        """
+        if n is not None:
+            if n < 0:
+                raise OperandError(f"first({n}): there is no negative number of items")
+            return Q._of(self._items[:n])
+        return self._items[0] if self._items else None
+
+    def flatten(self) -> Q[Any]:
+        """The items of all nested collections, on all levels: a Sequence; without a nested collection the kind stays."""
+        flat = flattened(self._items)
+        return self._made(list(self._items)) if flat is None else Q._of(flat)
+
+    def distinct(self) -> Q[T]:
+        """A Sequence of each item once, in the order first seen (see `as_ordered_set`)."""
+        return Q._of(unique(self._items))
+
+    def invert(self) -> Q[T]:
+        """A Sequence from the last item to the first."""
+        return Q._of(self._items[::-1])
+
+    def collect(self, body: Callable[[T], R], kind: AnyKind | None = None) -> Q[R]:
+        """The body's value for every item: a Sequence, of a Set or Bag a Bag. Not flattened, and None is kept, as in EOL."""
+        return self._mapped([body(x) for x in self._source(kind)])
+
+    def sort_by(self, body: Callable[[T], R], kind: AnyKind | None = None) -> Q[T]:
+        """A Sequence sorted by the body's value; stable. Numbers, texts and Booleans as they are, anything else by its text.
+
+        Raises:
+            OperandError: the values have no order between them, as a number and a text.
+        """
+        from robosmi.query.sorting import sorted_by
+
+        return Q._of(sorted_by(self._source(kind), body))
+
+    def map_by(self, body: Callable[[T], K], kind: AnyKind | None = None) -> Map[K, Q[T]]:
+        """A map from the body's values to the Sequences of items that have them, keys in the order they are first seen."""
+        return Map((value, Q._of(items)) for value, items in grouped(self._source(kind), body))
+
+    def aggregate(
+        self, body: Callable[[T], K], value: Callable[[T, Any], Any], initial: Answer = None, kind: AnyKind | None = None
+    ) -> Map[K, Any]:
+        """A map from the first body's values to a running total.
+
+        Args:
+            body: gives the key of an item.
+            value: gives the new total of its key from the item and the total so far.
+            initial: the first total of each key; a function is applied to the item.
+
+        >>> Q([1, 2, 3]).aggregate(lambda x: x % 2, lambda x, total: total + x, 0)
+        Map({1: 4, 0: 2})
+        """
+        totals: Map[K, Any] = Map(())
+        for x in self._source(kind):
+            place = body(x)
+            total = totals[place] if place in totals else initial(x) if callable(initial) else initial
+            totals[place] = value(x, total)
+        return totals
+
+    def closure(self, body: Callable[[T], Any], kind: AnyKind | None = None) -> OrderedSet[Any]:
+        """Everything reached by applying the body again and again, depth first, each item once.
+
+        The body may give one item, a collection, or None. An item of the source is in the result only if it is reached. With a
+        kind, items of other kinds are reached but not followed.
+        """
+        return OrderedSet._of(reached(self._source(kind), body, lambda x: kind is None or bool(matching([x], kind))))
 
     def powerset(self) -> Set[Set[T]]:
         """A Set of all Sets of these items."""
@@ -217,52 +282,6 @@ class OrderedSet(_Unique[T]):
 
     __slots__ = ()
     _eol_kind = "OrderedSet"
-
-
-class _OfFeature(HeldByFeature, Q[T]):
-    """The values of a many-valued feature: changes affect the element; results of operations are independent collections."""
-
-    __slots__ = ("_feature",)
-    _eol_equals = "Sequence"  # EMF's lists are, whatever their kind
-
-    @classmethod
-    def _of(cls, items: builtins.list[Any]) -> Any:
-        return cls._plain._of(items)
-
-
-def _of_feature(plain: type[Q[Any]]) -> Any:
-    return type(
-        "OfFeature",
-        (_OfFeature, plain),
-        {"__slots__": (), "_plain": plain, "_indexed": plain in (Q, OrderedSet), "__doc__": plain.__doc__},
-    )
-
-
-_CLASSES: dict[str, type[Q[Any]]] = {"Sequence": Q, "Bag": Bag, "Set": Set, "OrderedSet": OrderedSet}
-_OF_FEATURES = {kind: _of_feature(plain) for kind, plain in _CLASSES.items()}
-
-
-def collection(given: V) -> Q[Dynamic]:
-    """A value as a collection of its kind; a value that is none as a Sequence of one, as EOL's operations take it.
-
-    >>> collection({1}), collection("ab")
-    (Set([1]), Q(['ab']))
-    """
-    value: Any = given
-    if isinstance(value, Q):
-        return value
-    kind = collection_kind(value)
-    if kind is None:
-        return Q([value])
-    if not isinstance(value, ECollection):
-        return _CLASSES[kind]._of(list(value))
-    cls = _OF_FEATURES[kind]
-    made: Q[Dynamic] = cls.__new__(cls)
-    made._items, made._feature = list(value), value  # type: ignore[attr-defined]
-    return made
-
-
-queried_by(collection)
 
 
 class Map(Entries[K, V]):

@@ -23,8 +23,8 @@ from robosmi.plugins import is_own
 from robosmi.query.models import ModelView
 from robosmi.query.problems import UnknownTypeError, unknown_type
 from robosmi.query.run import Run, current_run
-from robosmi.query.types import EolType, resolve, type_named
-from robosmi.query.values import as_string
+from robosmi.query.types import resolve, type_named
+from robosmi.query.values import EolType, as_string
 
 if TYPE_CHECKING:
     from robosmi.functions import Function

@@ -29,6 +29,7 @@ from robosmi.query import (
     types,
 )
 from robosmi.query.collections import Lazy
+from robosmi.query.held import collection
 from robosmi.query.run import Run, ext
 from robosmi.query.values import Long, as_string, equal
 
@@ -49,9 +50,9 @@ NAMES: dict[str, Any] = {
     "Q": collections.Q, "Bag": collections.Bag, "Set": collections.Set, "OrderedSet": collections.OrderedSet,
     "Map": collections.Map, "Tuple": collections.Tuple, "Lazy": Lazy, "Long": Long, "None": None, "as_string": as_string,
     "equal": equal, "ext": ext, "call": operations.call, "call_built_in": operations.call_built_in,
-    "collection": collections.collection,
+    "collection": collection,
     **_functions(extents), **_functions(properties, "describe", "property_names"), **_functions(operators, "wrapped"),
-    **_functions(types, "EolType", "resolve", "matching"), **_functions(numbers), **_functions(strings),
+    **_functions(types, "resolve", "matching"), **_functions(numbers), **_functions(strings),
     **_functions(anything, "e_resource", "native_type"),
     "all_instances": models.all_instances, "id_of": models.id_of, "literal_named": models.literal_named,
 }  # fmt: skip

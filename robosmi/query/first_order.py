@@ -1,9 +1,8 @@
 """The first-order operations of collections: those that take a function of one item.
 
-Written once for the four kinds of collection; what a result's kind is, the kinds say (`_same`, `_mapped`, `_sequence`). Eager as
-EOL's are; `exists`, `for_all`, `one`, `none`, `select_one` and the `n_match` family stop as soon as the answer is known. Every
-operation takes `kind=T`, EOL's typed iterator `x : T`: items of other kinds are left out first. Not here: operations without a
-function.
+Written once for the four kinds of collection. Eager as EOL's are; `exists`, `for_all`, `one`, `none`, `select_one` and the
+`n_match` family stop as soon as the answer is known. Every operation takes `kind=T`, EOL's typed iterator `x : T`: items of other
+kinds are left out first. Operations whose result is of another kind (`collect`, `map_by`) are in `collections`, their loops here.
 Source: Kolovos et al., The Epsilon Object Language, section 3.2.2; measured against Epsilon (docs/reference/eol.md).
 """
 
@@ -19,9 +18,7 @@ from robosmi.query.values import collection_kind, key, position
 if TYPE_CHECKING:
     from typing import Self
 
-    from robosmi.query.collections import Map, OrderedSet, Q
     from robosmi.query.types import AnyKind
-    from robosmi.query.values import Answer
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -63,10 +60,6 @@ class FirstOrder(Generic[T]):
     if TYPE_CHECKING:
 
         def _same(self, items: list[T]) -> Self: ...
-        def _mapped(self, items: list[R]) -> Q[R]: ...
-        def _sequence(self, items: list[R]) -> Q[R]: ...
-        def _ordered(self, items: list[R]) -> OrderedSet[R]: ...
-        def _map(self, entries: Iterable[tuple[K, R]]) -> Map[K, R]: ...
 
     def _source(self, kind: AnyKind | None) -> list[T]:
         return self._items if kind is None else matching(self._items, kind)
@@ -104,10 +97,6 @@ class FirstOrder(Generic[T]):
             if condition(x):
                 return self._same([x])
         return self._same([])
-
-    def collect(self, body: Callable[[T], R], kind: AnyKind | None = None) -> Q[R]:
-        """The body's value for every item: a Sequence, of a Set or Bag a Bag. Not flattened, and None is kept, as in EOL."""
-        return self._mapped([body(x) for x in self._source(kind)])
 
     def exists(self, condition: Callable[[T], R], kind: AnyKind | None = None) -> bool:
         """Whether the condition holds for at least one item; False when empty."""
@@ -164,64 +153,6 @@ class FirstOrder(Generic[T]):
         wanted = key(condition)
         return sum(1 for x in self._items if key(x) == wanted)
 
-    def sort_by(self, body: Callable[[T], R], kind: AnyKind | None = None) -> Q[T]:
-        """A Sequence sorted by the body's value; stable. Numbers, texts and Booleans as they are, anything else by its text.
-
-        Raises:
-            OperandError: the values have no order between them, as a number and a text.
-        """
-        from robosmi.query.sorting import sorted_by
-
-        return self._sequence(sorted_by(self._source(kind), body))
-
-    def map_by(self, body: Callable[[T], K], kind: AnyKind | None = None) -> Map[K, Q[T]]:
-        """A map from the body's values to the Sequences of items that have them, keys in the order they are first seen."""
-        groups: dict[Hashable, tuple[K, Q[T]]] = {}
-        for x in self._source(kind):
-            value = body(x)
-            groups.setdefault(key(value), (value, self._sequence([])))[1]._items.append(x)
-        return self._map(groups.values())
-
-    def aggregate(
-        self, body: Callable[[T], K], value: Callable[[T, Any], Any], initial: Answer = None, kind: AnyKind | None = None
-    ) -> Map[K, Any]:
-        """A map from the first body's values to a running total.
-
-        Args:
-            body: gives the key of an item.
-            value: gives the new total of its key from the item and the total so far.
-            initial: the first total of each key; a function is applied to the item.
-
-        >>> from robosmi.query import Q
-        >>> Q([1, 2, 3]).aggregate(lambda x: x % 2, lambda x, total: total + x, 0)
-        Map({1: 4, 0: 2})
-        """
-        totals: Map[K, Any] = self._map(())
-        for x in self._source(kind):
-            place = body(x)
-            total = totals[place] if place in totals else initial(x) if callable(initial) else initial
-            totals[place] = value(x, total)
-        return totals
-
-    def closure(self, body: Callable[[T], Any], kind: AnyKind | None = None) -> OrderedSet[Any]:
-        """Everything reached by applying the body again and again, depth first, each item once.
-
-        The body may give one item, a collection, or None. An item of the source is in the result only if it is reached. With a
-        kind, items of other kinds are reached but not followed.
-        """
-        found: dict[Hashable, Any] = {}
-        for start in self._source(kind):
-            pending: list[Iterator[Any]] = [iter(_many(body(start)))]
-            while pending:
-                reached = next(pending[-1], None)
-                if reached is None:
-                    pending.pop()
-                elif (place := key(reached)) not in found:
-                    found[place] = reached
-                    if kind is None or matching([reached], kind):
-                        pending.append(iter(_many(body(reached))))
-        return self._ordered(list(found.values()))
-
 
 def _integer(n: int) -> int:
     if not fits_integer(n):
@@ -239,6 +170,37 @@ def _matches(items: list[T], condition: Callable[[T], R], n: int, minimum: bool)
         if found > n or (minimum and found == n) or left < n - found:
             break
     return found
+
+
+def grouped(items: Iterable[T], body: Callable[[T], K]) -> list[tuple[K, list[T]]]:
+    """The items by the body's values, in the order in which the values are first seen."""
+    groups: dict[Hashable, tuple[K, list[T]]] = {}
+    for x in items:
+        value = body(x)
+        groups.setdefault(key(value), (value, []))[1].append(x)
+    return list(groups.values())
+
+
+def reached(starts: Iterable[T], body: Callable[[T], Any], follow: Callable[[Any], bool]) -> list[Any]:
+    """Everything reached from the starts by applying the body again and again, depth first, each item once.
+
+    Args:
+        starts: where to begin; one of them is in the result only if it is reached.
+        body: gives one item, a collection, or None.
+        follow: whether the body is applied to an item that was reached.
+    """
+    found: dict[Hashable, Any] = {}
+    for start in starts:
+        pending: list[Iterator[Any]] = [iter(_many(body(start)))]
+        while pending:
+            item = next(pending[-1], None)
+            if item is None:
+                pending.pop()
+            elif (place := key(item)) not in found:
+                found[place] = item
+                if follow(item):
+                    pending.append(iter(_many(body(item))))
+    return list(found.values())
 
 
 def _many(value: Any) -> list[Any]:

@@ -9,9 +9,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from robosmi.model.ecore import ECollection
+from robosmi.model.feature_values import queried_by
 from robosmi.query.changes import Changeable
+from robosmi.query.collections import Bag, OrderedSet, Q, Set
+from robosmi.query.items import T
+from robosmi.query.values import collection_kind
 
 if TYPE_CHECKING:
+    from robosmi.model.dynamic import Dynamic
+    from robosmi.query.maps import V
     from robosmi.query.values import Answer
 
 CHANGING = frozenset({"add", "add_all", "clear", "remove", "remove_all", "remove_at"})
@@ -64,3 +71,49 @@ class HeldByFeature(Changeable[Any]):
                 place += 1
             else:
                 self._feature.pop(place)
+
+
+class _OfFeature(HeldByFeature, Q[T]):
+    """The values of a many-valued feature: changes affect the element; results of operations are independent collections."""
+
+    __slots__ = ("_feature",)
+    _eol_equals = "Sequence"  # EMF's lists are, whatever their kind
+
+    @classmethod
+    def _of(cls, items: list[Any]) -> Any:
+        return cls._plain._of(items)
+
+
+def _of_feature(plain: type[Q[Any]]) -> Any:
+    return type(
+        "OfFeature",
+        (_OfFeature, plain),
+        {"__slots__": (), "_plain": plain, "_indexed": plain in (Q, OrderedSet), "__doc__": plain.__doc__},
+    )
+
+
+_CLASSES: dict[str, type[Q[Any]]] = {"Sequence": Q, "Bag": Bag, "Set": Set, "OrderedSet": OrderedSet}
+_OF_FEATURES = {kind: _of_feature(plain) for kind, plain in _CLASSES.items()}
+
+
+def collection(given: V) -> Q[Dynamic]:
+    """A value as a collection of its kind; a value that is none as a Sequence of one, as EOL's operations take it.
+
+    >>> collection({1}), collection("ab")
+    (Set([1]), Q(['ab']))
+    """
+    value: Any = given
+    if isinstance(value, Q):
+        return value
+    kind = collection_kind(value)
+    if kind is None:
+        return Q([value])
+    if not isinstance(value, ECollection):
+        return _CLASSES[kind]._of(list(value))
+    cls = _OF_FEATURES[kind]
+    made: Q[Dynamic] = cls.__new__(cls)
+    made._items, made._feature = list(value), value  # type: ignore[attr-defined]
+    return made
+
+
+queried_by(collection)

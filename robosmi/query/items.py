@@ -1,24 +1,23 @@
 """The operations of collections that take no function of an item: sizes, membership, single items, with and without some.
 
-Written once for the four kinds of collection; what a result's kind is, the kinds say (`_same`, `_made`, `_sequence`). What
-changes a collection itself is in `changes`, conversions between the kinds are in `collections`.
+Written once for the four kinds of collection; each kind defines the kind of its results (`_same`, `_made`). Operations that
+change a collection itself are in `changes`; those whose result is of another kind are in `collections`.
 Source: Kolovos et al., The Epsilon Object Language, section 3.2; measured against Epsilon (docs/reference/eol.md).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, cast, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 
 from robosmi.query.changes import several
 from robosmi.query.problems import OperandError
 from robosmi.query.types import matching
-from robosmi.query.values import as_string, flattened, key, position, unique
+from robosmi.query.values import as_string, key, position
 
 if TYPE_CHECKING:
     from typing import Self
 
-    from robosmi.query.collections import Q
     from robosmi.query.types import AnyKind
 
 T = TypeVar("T")
@@ -39,7 +38,6 @@ class Items(Generic[T]):
         def _of(cls, items: list[Any]) -> Self: ...
         def _same(self, items: list[T]) -> Self: ...
         def _made(self, items: list[Any]) -> Self: ...
-        def _sequence(self, items: list[R]) -> Q[R]: ...
 
     def of_kind(self, kind: AnyKind) -> Self:
         """The items that are instances of the type or of a subtype (EOL `selectByKind`)."""
@@ -84,22 +82,6 @@ class Items(Generic[T]):
         """The index of the first item that is the value, or -1."""
         return position(self._items, value)
 
-    @overload
-    def first(self) -> T | None: ...
-    @overload
-    def first(self, n: int) -> Q[T]: ...
-    def first(self, n: int | None = None) -> T | Q[T] | None:
-        """The first item, or None when empty; with a number, a Sequence of so many first items, or fewer.
-
-        Raises:
-            OperandError: the number is negative.
-        """
-        if n is not None:
-            if n < 0:
-                raise OperandError(f"first({n}): there is no negative number of items")
-            return self._sequence(self._items[:n])
-        return self._items[0] if self._items else None
-
     def second(self) -> T | None:
         """The second item; None when empty. A Sequence of one is too short: an error."""
         return self.at(1) if self._items else None
@@ -134,15 +116,6 @@ class Items(Generic[T]):
 
         return random.choice(self._items) if self._items else None
 
-    def flatten(self) -> Q[Any]:
-        """The items of all nested collections, on all levels: a Sequence; without a nested collection the kind stays."""
-        flat = flattened(self._items)
-        return cast("Q[Any]", self._made(list(self._items))) if flat is None else self._sequence(flat)
-
-    def distinct(self) -> Q[T]:
-        """A Sequence of each item once, in the order first seen (see `as_ordered_set`)."""
-        return self._sequence(unique(self._items))
-
     def including(self, value: R) -> Self:
         """This and one more item."""
         return self._made([*self._items, value])
@@ -160,10 +133,6 @@ class Items(Generic[T]):
         """This without the values, wherever they occur (EOL also `-`)."""
         wanted = {key(v) for v in several(values)}
         return self._same([x for x in self._items if key(x) not in wanted])
-
-    def invert(self) -> Q[T]:
-        """A Sequence from the last item to the first."""
-        return self._sequence(self._items[::-1])
 
     def clone(self) -> Self:
         """A copy; the items are the same."""

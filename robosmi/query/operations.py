@@ -13,9 +13,9 @@ from robosmi.errors import RobosmiError, UsageError
 from robosmi.model.driver import Model, TypeHandle, is_element
 from robosmi.model.ecore import EClass, ECollection, EEnumLiteral
 from robosmi.query import types
-from robosmi.query.collections import Map, Q, collection
+from robosmi.query.collections import Map, Q
 from robosmi.query.first_order import FIRST_ORDER
-from robosmi.query.held import CHANGING, HeldByFeature
+from robosmi.query.held import CHANGING, HeldByFeature, collection
 from robosmi.query.own_operations import own_names, own_operation
 from robosmi.query.problems import OperandError, describe, unknown_operation
 from robosmi.query.run import current_run

@@ -15,12 +15,12 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast
 from robosmi.model.driver import ModelElement
 from robosmi.model.ecore import EClass, EEnumLiteral, EObject
 from robosmi.model.reachable import of_models
-from robosmi.query.collections import Map, Tuple, collection
+from robosmi.query.collections import Map, Tuple
+from robosmi.query.held import collection
 from robosmi.query.operations import TABLES, has_plain_operation, plain_operation
 from robosmi.query.problems import UndefinedError, UnknownPropertyError, describe, unknown_property
 from robosmi.query.run import ext
-from robosmi.query.types import EolType
-from robosmi.query.values import collection_kind, compares_itself
+from robosmi.query.values import EolType, collection_kind, compares_itself
 from robosmi.query.words import snake
 
 if TYPE_CHECKING:

@@ -19,10 +19,11 @@ from robosmi.model.driver import Model, ModelElement, TypeHandle
 from robosmi.model.ecore import ECollection, EObject
 from robosmi.model.in_order import IN_ORDER, InheritedOrHeld, in_order
 from robosmi.model.reachable import is_resource, of_models
-from robosmi.query import collections, models, types
+from robosmi.query import collections, models
 from robosmi.query.first_order import FIRST_ORDER
 from robosmi.query.held import CHANGING, HeldByFeature
 from robosmi.query.run import Extended
+from robosmi.query.values import EolType
 from robosmi.query.words import snake
 
 MAX_BITS = 100_000
@@ -30,7 +31,7 @@ MAX_ITEMS = 10_000_000
 _MAX_POWERSET = 16
 _READABLE = (
     str, int, float, list, tuple, dict, date, Decimal, Mapping, Set, collections.Q, collections.Lazy, EObject, ModelElement,
-    ECollection, Extended, TypeHandle, types.EolType, Model,
+    ECollection, Extended, TypeHandle, EolType, Model,
 )  # fmt: skip
 _HIDDEN = frozenset({"format", "format_map", "maketrans", "to_bytes", "from_bytes"})
 """Methods of Python's own values that access other values, or return what is no value of queries."""
@@ -90,7 +91,7 @@ def _may_read(target: Any, name: str) -> bool:
     part = of_models(target, name)
     if part is not None:
         return part
-    if isinstance(target, types.EolType):
+    if isinstance(target, EolType):
         return name == "name"
     if isinstance(target, HeldByFeature) and name in CHANGING:
         return False

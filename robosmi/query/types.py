@@ -13,7 +13,7 @@ from robosmi.model import driver
 from robosmi.model.driver import TypeHandle, is_element, unknown_type
 from robosmi.model.ecore import EClass
 from robosmi.query.run import current_run
-from robosmi.query.values import INT_MAX, INT_MIN, Long, collection_kind
+from robosmi.query.values import INT_MAX, INT_MIN, EolType, Long, collection_kind
 
 if TYPE_CHECKING:
     from robosmi.functions import Function
@@ -22,27 +22,6 @@ if TYPE_CHECKING:
 V = TypeVar("V")
 AnyKind: TypeAlias = "driver.Kind | EolType"
 """How a type may be given: as a type of a model, its name, a class, or one of EOL's own."""
-
-
-class EolType:
-    """A type of EOL's own.
-
-    Args:
-        name: as EOL writes it.
-        exact: whether a value is of exactly this type (`isTypeOf`).
-        kind: whether it is of this type or a subtype (`isKindOf`); the same as exact if None.
-    """
-
-    def __init__(self, name: str, exact: Function, kind: Function | None = None) -> None:
-        self.name = name
-        self.is_type = exact
-        self.is_kind = kind or exact
-
-    def __repr__(self) -> str:
-        return self.name
-
-    def __str__(self) -> str:
-        return self.name
 
 
 def _collection(*kinds: str) -> Function:

@@ -20,8 +20,8 @@ from robosmi.model.ecore import ECollection, EEnumLiteral
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from robosmi.functions import Function
     from robosmi.model.driver import Item, Model, Type
-    from robosmi.query.types import EolType
 
 V = TypeVar("V")
 W = TypeVar("W")
@@ -37,6 +37,27 @@ class Long(int):
 
     def __repr__(self) -> str:
         return f"Long({int(self)})"
+
+
+class EolType:
+    """A type of EOL's own.
+
+    Args:
+        name: as EOL writes it.
+        exact: whether a value is of exactly this type (`isTypeOf`).
+        kind: whether it is of this type or a subtype (`isKindOf`); the same as exact if None.
+    """
+
+    def __init__(self, name: str, exact: Function, kind: Function | None = None) -> None:
+        self.name = name
+        self.is_type = exact
+        self.is_kind = kind or exact
+
+    def __repr__(self) -> str:
+        return self.name
+
+    def __str__(self) -> str:
+        return self.name
 
 
 _KINDS: dict[type, str] = {

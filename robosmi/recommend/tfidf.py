@@ -35,7 +35,7 @@ class Documents(Protocol):
         """The headers in which the word occurs; two empty sequences if in none."""
 
 
-class Contribution(Struct, frozen=True):
+class TermScore(Struct, frozen=True):
     """What one word of the title adds to the score of one header.
 
     Attributes:
@@ -92,12 +92,12 @@ def score_headers(collection: Documents, terms: Sequence[str]) -> dict[int, floa
     return scores
 
 
-def explain(collection: Documents, terms: Sequence[str], header: int) -> tuple[Contribution, ...]:
+def explain(collection: Documents, terms: Sequence[str], header: int) -> tuple[TermScore, ...]:
     """What each word adds to the score of one header, largest first; words that are not in it are left out."""
     found = []
     for term in terms:
         headers, counts = collection.postings(term)
         place = bisect_left(headers, header)
         if place < len(headers) and headers[place] == header:
-            found.append(Contribution(term, counts[place], len(headers), collection.documents))
+            found.append(TermScore(term, counts[place], len(headers), collection.documents))
     return tuple(sorted(found, key=lambda part: -part.value))

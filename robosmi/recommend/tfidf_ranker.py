@@ -13,7 +13,7 @@ from robosmi.errors import UsageError
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.index import Library, LibraryIndex
 from robosmi.recommend.ranking import Candidate, Choices, Recommendation, utility
-from robosmi.recommend.tfidf import Contribution, explain, score_headers, words
+from robosmi.recommend.tfidf import TermScore, explain, score_headers, words
 
 _Order = tuple[float, int, int, int, int]
 
@@ -125,7 +125,7 @@ def _stranger(name: str, count: int) -> Candidate:
     return Candidate(name, "", "", utility(0.0, 0.0, count), (_times(count), "the index of libraries does not know it"))
 
 
-def _words(part: Contribution, file: str) -> str:
+def _words(part: TermScore, file: str) -> str:
     return (
         f"'{part.term}' of the title occurs {part.tf} time{'s' if part.tf > 1 else ''} in {file}, in {part.df} of "
         f"{part.documents} headers: (1 + ln {part.tf}) x ln({part.documents}/{part.df}) = {part.value:.2f}"

@@ -15,7 +15,8 @@ from operator import itemgetter
 from typing import Any, ClassVar, TypeVar
 
 from robosmi.errors import UsageError, VerificationError
-from robosmi.plugins import registry
+from robosmi.plugin_contracts import wrong_result
+from robosmi.plugins import content, registry
 from robosmi.verify.simulation import ConsoleByte, DeviceEvent, DeviceUse, PinChange, PinTrace, Wave
 
 Seen = TypeVar("Seen", PinChange, Wave, ConsoleByte, DeviceEvent)
@@ -269,9 +270,15 @@ class Bench(ABC):
 
 
 def device_class(kind: str) -> type[Device]:
-    """The class of the devices that are registered under a name."""
-    found: type[Device] = registry().get("device", kind)
-    return found
+    """The class of the devices that are registered under a name.
+
+    Raises:
+        RuleError: a plug-in registers no subclass of `Device`.
+    """
+    found: object = registry().get("device", kind)
+    if isinstance(found, type) and issubclass(found, Device):
+        return found
+    raise wrong_result(content("device", kind), found, "a subclass of Device")
 
 
 class Device:

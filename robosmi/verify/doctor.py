@@ -17,8 +17,10 @@ from pathlib import Path
 
 from msgspec import Struct
 
+from robosmi.data_text import Json
 from robosmi.diagnostics import Finding
-from robosmi.errors import MissingToolError
+from robosmi.errors import MissingToolError, RuleError
+from robosmi.plugin_contracts import KINDS, Contribution
 from robosmi.plugins import content, registry
 from robosmi.resources import built_in
 from robosmi.trust import acting
@@ -108,6 +110,41 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
     return [*result, *(_engine(name) for name in engine_names()), *optional, *_plugins()]
 
 
+class KindStatus(Struct, frozen=True):
+    """A kind of content and what is registered of it.
+
+    Attributes:
+        kind: its class, with the contract.
+        registered: name -> the distributions that register it, in the order in which they do; empty for what is built in.
+    """
+
+    kind: type[Contribution]
+    registered: dict[str, list[str]]
+
+    def to_json(self) -> dict[str, Json]:
+        """The contract's form."""
+        return {
+            "kind": self.kind.kind,
+            "description": self.kind.description,
+            "called": self.kind.called,
+            "returns": self.kind.returns,
+            "names": self.kind.names,
+            "registered": [
+                {"name": name, "owner": owner or None} for name, owners in self.registered.items() for owner in owners
+            ],
+        }
+
+    def line(self) -> str:
+        """The registered names; behind those of plug-ins their distribution."""
+        return ", ".join(f"{name} ({owner})" if owner else name for name, owners in self.registered.items() for owner in owners)
+
+
+def registered_content() -> list[KindStatus]:
+    """Every kind of content with what is registered of it, sorted by name; `tools` lists what a plug-in misspells."""
+    known = registry()
+    return [KindStatus(each, {name: known.owners(each.kind, name) for name in known.names(each.kind)}) for each in KINDS.values()]
+
+
 def own_boards(project: Path | None = None) -> list[Finding]:
     """The contradictions between an installed core and boards that are not built in (RS810).
 
@@ -150,7 +187,10 @@ def _plugins() -> Iterator[ToolStatus]:
 
 
 def _engine(name: str) -> ToolStatus:
-    engine: Engine = content("engine", name)()
+    try:
+        engine: Engine = content("engine", name)()
+    except (MissingToolError, RuleError) as error:  # a plug-in's
+        return ToolStatus(name, f"simulation: {error.message}", None, None, error.fix)
     advice = engine.missing()
     return ToolStatus(name, "simulation", name if advice is None else None, engine.version(), advice, _SIMULATION)
 

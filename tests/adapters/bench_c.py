@@ -16,8 +16,9 @@ from pathlib import Path
 
 from msgspec.structs import replace
 
-from robosmi.transformations.knowledge.adapter_files import AdapterPiece, read_adapter_file
+from robosmi.transformations.knowledge.adapter_files import read_adapter_file
 from robosmi.transformations.knowledge.adapter_model import adapter_element
+from robosmi.transformations.knowledge.adapter_records import AdapterPiece
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.adapter_needs import AdapterPieces

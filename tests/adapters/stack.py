@@ -17,7 +17,8 @@ from pathlib import Path
 from typing import NamedTuple
 from unittest.mock import patch
 
-from robosmi.transformations.knowledge.adapter_files import MARK, AdapterPiece
+from robosmi.transformations.knowledge.adapter_files import MARK
+from robosmi.transformations.knowledge.adapter_records import AdapterPiece
 from robosmi.transformations.queries.stack_depth import CORE_INTERRUPT
 from robosmi.transformations.verification.machine_stack import StackParts, stack_parts
 from robosmi.verify.toolchain import compile_sketch

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from robosmi.offers import FORMS
+from robosmi.plugin_contracts import KINDS
 from robosmi.plugins import others_may_offer
 
 HERE = Path(__file__).parent
@@ -126,6 +126,27 @@ def test_a_plug_in_that_cannot_be_loaded_is_named_and_the_others_work(tmp_path: 
     assert tools["beacon"]["version"] == "1.0"
     assert tools["broken 0.3"]["found"] is None
     assert tools["broken 0.3"]["fix"]
+
+
+def test_doctor_lists_every_kind_of_content_with_the_plug_ins_that_register_it(tmp_path: Path) -> None:
+    path = installed(tmp_path, "beacon", "checks")
+    listed = command("doctor", path=path, CHECKS_PLUGIN="misspelt")["result"]["content"]
+    assert [each["kind"] for each in listed] == list(KINDS)
+    registered = {each["kind"]: [(one["name"], one["owner"]) for one in each["registered"]] for each in listed}
+    assert ("beacon", "beacon 1.0") in registered["drawing reader"]
+    assert ("kicad", None) in registered["drawing reader"]
+    assert [owner for name, owner in registered["constraints"] if name == "migration"] == [None, "checks 2.1"]
+    assert "drawing reeder" not in registered
+
+
+@pytest.mark.parametrize("wrong", ["gives_nothing", "takes_one", "nobody"])
+def test_doctor_lists_an_engine_that_cannot_be_used(wrong: str, tmp_path: Path) -> None:
+    path = installed(tmp_path, "wrong")
+    tools = command("doctor", path=path, WRONG_PLUGIN=f"engine=simavr={wrong}")["result"]["tools"]
+    (engine,) = [tool for tool in tools if tool["name"] == "simavr"]
+    assert engine["found"] is None
+    assert "plug-in wrong 0.2" in engine["needed_for"]
+    assert "wrong" in engine["fix"]
 
 
 def test_an_exception_out_of_a_plug_in_names_the_plug_in(tmp_path: Path) -> None:
@@ -275,6 +296,11 @@ WRONG_OFFERS = [
     ("program reader=c_source=gives_nothing", "gives None, not a program and its findings"),
 ]
 """What the plug-in `wrong` offers, and the expected message."""
+WRONG_RESULTS = [
+    ("ranker=devices=gives_nothing", "recommend wired.csv", "gives None, which has no 'rank'"),
+    ("parts reader=fritzing=gives_nothing", "parts import .", "gives None, which has no 'parts'"),
+]
+"""What the plug-in `wrong` offers, the command that uses it, and the expected message."""
 
 
 @pytest.mark.parametrize(("offered", "said"), WRONG_OFFERS)
@@ -286,8 +312,19 @@ def test_what_a_plug_in_offers_in_the_wrong_form_is_named_with_the_form_expected
     words: list[str | Path] = ["migrate", tmp_path / "beacon.c", "--hardware", tmp_path / "wired.csv", "-o", tmp_path / "out"]
     finding = command(*words, path=path, code=3, WRONG_PLUGIN=offered)["findings"][0]
     assert finding["message"] == f"the {kind} '{name}' of the plug-in wrong 0.2 {said}"
-    assert finding["fix"] == f"report it to the authors of wrong: {FORMS[kind]}"
+    assert finding["fix"] == f"report it to the authors of wrong: {KINDS[kind].contract()}"
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(("offered", "words", "said"), WRONG_RESULTS)
+def test_a_result_that_nobody_can_use_is_a_fault_of_its_plug_in(offered: str, words: str, said: str, tmp_path: Path) -> None:
+    path = installed(tmp_path, "wrong")
+    kind, name, _ = offered.split("=")
+    (tmp_path / "wired.csv").write_text("pin,part\nD3,Red LED\nD5,Pushbutton\n")
+    given = [tmp_path / word if (tmp_path / word).exists() else word for word in words.split()]
+    finding = command(*given, path=path, code=3, WRONG_PLUGIN=offered)["findings"][0]
+    assert finding["message"].startswith(f"the {kind} '{name}' of the plug-in wrong 0.2 {said}")
+    assert finding["fix"] == f"report it to the authors of wrong: {KINDS[kind].contract()}"
 
 
 @pytest.mark.parametrize(
@@ -304,7 +341,7 @@ def test_a_driver_in_the_wrong_form_is_named_with_the_form_expected(wrong: str, 
     words: list[str | Path] = ["check", tmp_path / "robots.wrong"]
     (finding,) = command(*words, path=path, code=3, WRONG_PLUGIN=f"driver=.wrong={wrong}")["findings"]
     assert finding["message"].startswith(f"the driver '.wrong' of the plug-in wrong 0.2 {said}")
-    assert finding["fix"] == f"report it to the authors of wrong: {FORMS['driver']}"
+    assert finding["fix"] == f"report it to the authors of wrong: {KINDS['driver'].contract()}"
 
 
 def test_a_wrong_call_within_the_code_of_a_plug_in_is_told_at_its_line(tmp_path: Path) -> None:

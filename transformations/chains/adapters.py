@@ -25,8 +25,9 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.chains.models import stored_models
 from robosmi.transformations.chains.own_adapters import fault_of_saved
 from robosmi.transformations.knowledge.adapter_checks import parameters_of
-from robosmi.transformations.knowledge.adapter_files import DIRECTIONS, MARK, AdapterPiece, adapter_file
+from robosmi.transformations.knowledge.adapter_files import DIRECTIONS, MARK, adapter_file
 from robosmi.transformations.knowledge.adapter_index import ENDING_OF, AdapterIndex, adapter_index, own_folders
+from robosmi.transformations.knowledge.adapter_records import AdapterPiece
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import target_facts
 from robosmi.transformations.m2t.task_list import RELATIONS

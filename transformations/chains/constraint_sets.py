@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Final
 
 from robosmi.diagnostics import Finding
 from robosmi.errors import RuleError
@@ -13,7 +14,7 @@ from robosmi.query.erl import place_of
 from robosmi.transformations.constraints.places import in_file
 from robosmi.validate import EVL
 
-KIND = "constraints"
+KIND: Final = "constraints"
 """The registry's kind for constraints: the name is a metamodel's, the value an `EVL`; all of one name are combined."""
 
 

@@ -32,7 +32,7 @@ from robosmi.model.commit import update
 from robosmi.model.elsewhere import Elsewhere
 from robosmi.model.recovery import at_work, look_only
 from robosmi.model.strict import Element
-from robosmi.offers import wrong_result
+from robosmi.plugin_contracts import wrong_result
 from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.recommend.history import History, HistoryEntry

@@ -17,9 +17,10 @@ from robosmi.errors import MissingToolError, PlatformDataError, SourceError, did
 from robosmi.metamodels import migration, platform
 from robosmi.project import FILE_NAME, Project
 from robosmi.transformations.knowledge.adapter_data import adapter_paths
-from robosmi.transformations.knowledge.adapter_files import MARK, AdapterPiece
+from robosmi.transformations.knowledge.adapter_files import MARK
 from robosmi.transformations.knowledge.adapter_index import BUILT_IN, OWN, AdapterIndex, adapter_index
 from robosmi.transformations.knowledge.adapter_model import adapter_element
+from robosmi.transformations.knowledge.adapter_records import AdapterPiece
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.target_platform import TargetFacts, target_facts
 from robosmi.transformations.m2m.adapter_choice import AdapterChoice

@@ -9,29 +9,30 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Final
 
 from robosmi import inputs
 from robosmi.data_text import Json, as_texts
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, did_you_mean
-from robosmi.offers import Offered
+from robosmi.plugin_contracts import ContentFunction, ContentKind
 from robosmi.plugins import content, registry
 from robosmi.project import defaults, defaults_place
 
-DRAWING = "drawing reader"
+DRAWING: Final = "drawing reader"
 """The registry's kind of readers of drawings."""
 
-PROGRAM = "program reader"
+PROGRAM: Final = "program reader"
 """The registry's kind of readers of programs."""
 
-RECOGNISER = "drawing recogniser"
+RECOGNISER: Final = "drawing recogniser"
 """The registry's kind of functions, by reader, that tell from a file's first bytes whether it is of that form."""
 
 HEAD = 4096
 """Bytes that a recogniser is given; fewer where the file has fewer."""
 
 
-def reader_for(path: Path, kind: str, fallback: str | None = None) -> Offered:
+def reader_for(path: Path, kind: ContentKind, fallback: str | None = None) -> ContentFunction:
     """The registered reader for a file.
 
     Args:
@@ -64,7 +65,7 @@ def is_drawing(path: Path) -> bool:
     return path.suffix.lower() not in registry().names("driver") and bool(_recognised(path, []))
 
 
-def _by_ending(path: Path, kind: str) -> list[str]:
+def _by_ending(path: Path, kind: ContentKind) -> list[str]:
     readers = defaults()["readers"]
     named = readers.get(path.name.lower(), readers.get(path.suffix.lower(), ()))
     return [name for name in _listed(named) if name in registry().names(kind)]
@@ -72,7 +73,7 @@ def _by_ending(path: Path, kind: str) -> list[str]:
 
 def _check_names(path: Path) -> None:
     """Raise an error if the data name a reader for the file's ending that is not registered."""
-    known = {name for kind in (PROGRAM, DRAWING) for name in registry().names(kind)}
+    known = {*registry().names(PROGRAM), *registry().names(DRAWING)}
     for key in (path.name.lower(), path.suffix.lower()):
         for name in _listed(defaults()["readers"].get(key, ())):
             if name not in known:

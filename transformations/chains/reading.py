@@ -12,7 +12,7 @@ from msgspec import Struct
 from robosmi import resources
 from robosmi.diagnostics import Finding, Location
 from robosmi.errors import SourceError, UsageError, did_you_mean
-from robosmi.offers import Offered, wrong_result
+from robosmi.plugin_contracts import ContentFunction, wrong_result
 from robosmi.transformations.chains.readers import DRAWING, reader_for
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.described_circuit import describe
@@ -113,7 +113,7 @@ def read_drawing(path: Path, roles: Mapping[str, str], board_name: str | None = 
     return Drawing(circuit, models, connections, [*findings, *odd])
 
 
-def _read(made: object, reader: Offered, kind: type[M], path: Path) -> tuple[M, list[Finding]]:
+def _read(made: object, reader: ContentFunction, kind: type[M], path: Path) -> tuple[M, list[Finding]]:
     """The result of a reader, if it has the required form: a model of the given kind, and findings."""
     match made:
         case (model, [*given]) if isinstance(model, kind):

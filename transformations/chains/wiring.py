@@ -7,9 +7,9 @@ files, or a single file.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 from msgspec import Struct
 
@@ -31,7 +31,7 @@ from robosmi.transformations.m2t.sketch_project import project
 from robosmi.transformations.m2t.wokwi_project import project_files
 from robosmi.transformations.queries.plan import ports_by_pin, said
 
-FORM = "wiring form"
+FORM: Final = "wiring form"
 """The registry's kind for formats: functions of `(models, OUT, path)` that return `Handed`."""
 
 
@@ -69,8 +69,7 @@ def wiring(output: Path, form: str, path: Path) -> Handed:
         StoppedError: a file in the folder is there already and is another, or is a link.
     """
     models = stored_models(output)
-    makes: Callable[[MigrationModels, Path, Path], Handed] = content(FORM, form)
-    made = makes(models, output, path)
+    made: Handed = content(FORM, form)(models, output, path)
     if "" in made.files:
         _check_free(path.parent, {path.name: made.files[""]})
         write_atomic(path, made.files[""])

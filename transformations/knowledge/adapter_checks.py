@@ -8,14 +8,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from typing import TYPE_CHECKING
 
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
+from robosmi.transformations.knowledge.adapter_records import AdapterPiece
 from robosmi.transformations.knowledge.lexer import Token, closing, tokens
-
-if TYPE_CHECKING:
-    from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 
 _SIGNATURE = re.compile(r"[\w\s*&:<>,]*?[\s*&](?P<name>\w+)\s*\((?P<parameters>.*)\)\s*;?", re.DOTALL)
 _WORD = re.compile(r"\w+")

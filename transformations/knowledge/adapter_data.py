@@ -8,7 +8,8 @@ from pathlib import Path
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.knowledge.adapter_files import AdapterFile, adapter_file
+from robosmi.transformations.knowledge.adapter_files import adapter_file
+from robosmi.transformations.knowledge.adapter_records import AdapterFile
 from robosmi.user_cache import CachedResults, code_version
 
 ENDINGS = (".cpp", ".c")

@@ -12,12 +12,19 @@ import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from msgspec import Struct
-
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
-from robosmi.transformations.knowledge.adapter_ranges import ArgumentRange, argument_range
+from robosmi.transformations.knowledge.adapter_ranges import argument_range
+from robosmi.transformations.knowledge.adapter_records import (
+    AdapterFile,
+    AdapterPiece,
+    AdapterPin,
+    ArgumentRange,
+    ConventionalPort,
+    InterruptStack,
+    PortTable,
+)
 
 MARK = "//#"
 NOT_SERVED = "unsupported"
@@ -53,154 +60,6 @@ _STACK = re.compile(r"(\d+)(?: (\d+))?")
 _INTERRUPT = re.compile(r"(\w+_vect) (\d+)(?: (\d+))?")
 _TABLE = re.compile(r"(\w+) (\d+)")
 _PORT = re.compile(r"(\w+) = (\w+\.\w+) (\d+) (\w+) (\w+)(?: ([\w-]+))?")
-
-
-class AdapterPin(Struct, frozen=True):
-    """A parameter of an adapter that is a pin of the target.
-
-    Attributes:
-        name: the parameter.
-        capability: what the pin must be able to do, one of `CAPABILITIES`.
-        direction: one of `DIRECTIONS`, seen from the microcontroller.
-        signed: whether a negative value has a meaning of its own, as in `square_wave(-26, ...)`.
-        role: kind of component that is expected there, empty for any.
-        split: whether the component may have separate wires for the two directions, so that the pin is either of them.
-    """
-
-    name: str
-    capability: str
-    direction: str
-    signed: bool
-    role: str
-    split: bool = False
-
-
-class ConventionalPort(Struct, frozen=True):
-    """A pin that an adapter uses by convention: a generated constant has the pin to which the port is bound.
-
-    Attributes:
-        constant: the constant's name in the text.
-        name: the port's name for persons, `abdrive.left_servo`.
-        number: the port on the source platform.
-        capability, direction, role: as for a pin parameter.
-    """
-
-    constant: str
-    name: str
-    number: int
-    capability: str
-    direction: str
-    role: str
-
-
-class PortTable(Struct, frozen=True):
-    """A table in which an adapter looks up ports of the source: an array with the pin of each port, from 0 on.
-
-    Attributes:
-        name: its name in the text.
-        size: the number of ports in it.
-    """
-
-    name: str
-    size: int
-
-
-class InterruptStack(Struct, frozen=True):
-    """The stack of an interrupt that occurs once an adapter has been called.
-
-    Attributes:
-        vector: the interrupt.
-        stack: its stack in bytes, including the return address.
-        others: the same if it enables other interrupts; -1 if it does not.
-    """
-
-    vector: str
-    stack: int
-    others: int
-
-
-class AdapterPiece(Struct):
-    """A piece of an adapter file.
-
-    Attributes:
-        kind: one of `KINDS`.
-        name: its name on the source platform; for a helper, the name that its text defines.
-        header: header of the source platform.
-        location: where it begins.
-        text: its C or C++ text.
-        signatures: signatures of the source functions that it replaces.
-        relation: one of `RELATIONS`; empty for a helper.
-        needs: names of other pieces.
-        includes: headers of the target, as `<Servo.h>`.
-        libraries: libraries of the target.
-        role: kind of component that the hardware has to have, empty for none.
-        setup: statements for the start of the program.
-        timers: timers that it occupies.
-        vectors: interrupts that it handles.
-        taken: interrupts that a library which it includes handles.
-        mcus: microcontrollers that this variant is for; empty for all.
-        members: this variant is for programs that use one of these members of a record; empty for all programs.
-        beside: this variant is for programs that call one of these functions; empty for all programs.
-        pins: its parameters that are pins.
-        ports: pins that it uses by convention.
-        tables: tables in which it looks up ports.
-        ranges: the values of its parameters that it can handle.
-        fidelity: how faithfully it reproduces the original.
-        limits: what it does not do.
-        symmetric: parameters that can be swapped without effect.
-        target_name: its name on the target, if the target already uses the original one.
-        stack: measured stack of a call in bytes; -1 if it was not measured.
-        stack_once: the same if the program calls it at a single place, so that the compiler inlines it.
-        interrupts: measured stack of the interrupts that occur once it has been called.
-        ram: bytes of data memory of its own variables.
-    """
-
-    kind: str
-    name: str
-    header: str
-    location: Location
-    text: str = ""
-    signatures: list[str] = []
-    relation: str = ""
-    needs: list[str] = []
-    includes: list[str] = []
-    libraries: list[str] = []
-    role: str = ""
-    setup: list[str] = []
-    timers: list[str] = []
-    vectors: list[str] = []
-    taken: list[str] = []
-    mcus: list[str] = []
-    members: list[str] = []
-    beside: list[str] = []
-    pins: list[AdapterPin] = []
-    ports: list[ConventionalPort] = []
-    tables: list[PortTable] = []
-    ranges: list[ArgumentRange] = []
-    fidelity: str = ""
-    limits: list[str] = []
-    symmetric: list[str] = []
-    target_name: str = ""
-    stack: int = -1
-    stack_once: int = -1
-    interrupts: list[InterruptStack] = []
-    ram: int = 0
-
-
-class AdapterFile(Struct):
-    """The content of an adapter file.
-
-    Attributes:
-        header: header of the source platform.
-        pieces: its pieces, in order.
-        unsupported: the reason, as a sentence, why the target cannot support the header; empty if it can.
-        tasks: name of a function for which no adapter is possible -> the reason, as a sentence.
-    """
-
-    header: str = ""
-    pieces: list[AdapterPiece] = []
-    unsupported: str = ""
-    tasks: dict[str, str] = {}
 
 
 def read_adapter_file(path: Path) -> list[AdapterPiece]:

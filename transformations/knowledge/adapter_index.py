@@ -15,7 +15,8 @@ from robosmi import inputs, resources
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.transformations.knowledge.adapter_data import adapter_paths, load
-from robosmi.transformations.knowledge.adapter_files import MARK, AdapterFile, AdapterPiece
+from robosmi.transformations.knowledge.adapter_files import MARK
+from robosmi.transformations.knowledge.adapter_records import AdapterFile, AdapterPiece
 
 BUILT_IN = "built-in"
 OWN = "adapters"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from robosmi.metamodels import platform
 from robosmi.model.strict import enum_literal
-from robosmi.transformations.knowledge.adapter_files import AdapterPiece
-from robosmi.transformations.knowledge.platform_model import DIRECTIONS
+from robosmi.transformations.knowledge.adapter_records import AdapterPiece
+from robosmi.transformations.knowledge.api_facts import DIRECTIONS
 
 KINDS = {
     "adapter": "adaptedFunction", "constant": "constant", "register": "register", "variable": "variable", "type": "dataType",

@@ -6,8 +6,8 @@ The platform's `pins.json` takes precedence. Adapter files are read by `adapter_
 from __future__ import annotations
 
 from robosmi.transformations.knowledge.adapter_checks import parameters_of
-from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 from robosmi.transformations.knowledge.adapter_index import AdapterIndex
+from robosmi.transformations.knowledge.adapter_records import AdapterPiece
 from robosmi.transformations.knowledge.api_facts import PinFacts, PinParameter
 
 

@@ -8,35 +8,11 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from msgspec import Struct
-
 from robosmi.errors import did_you_mean
+from robosmi.transformations.knowledge.adapter_records import ArgumentRange
 
 _RANGE = re.compile(r"(\w+) (-?\d+)?\.\.(-?\d+)?((?: or -?\d+)*)(?: beside ([\w./]+/\w+))?(?: away from (\w+))?: (.+)")
 _NAME = re.compile(r"(\w+)\s*(?:\[[^\]]*\]\s*)*$")
-
-
-class ArgumentRange(Struct, frozen=True):
-    """The values of a parameter that an adapter can handle.
-
-    Attributes:
-        name: the parameter, as the source's signature calls it.
-        position: its index among the parameters, from 0.
-        least, most: the least and the greatest value; None where there is no limit.
-        others: further values that it handles, such as 0 for off.
-        beside: the piece in whose presence alone the range applies; empty for always.
-        away_from: a pin of the target whose calls have no such range; empty for none.
-        effect: what happens with other values, as half a sentence.
-    """
-
-    name: str
-    position: int
-    least: int | None
-    most: int | None
-    others: Sequence[int]
-    beside: str
-    away_from: str
-    effect: str
 
 
 def argument_range(function: str, signatures: Sequence[str], text: str) -> ArgumentRange:

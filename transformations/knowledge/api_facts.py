@@ -14,6 +14,12 @@ from msgspec import Struct
 from robosmi.transformations.knowledge.api_data import FunctionMeaning, HeaderContent, PlatformSettings
 
 HEADER_KINDS = {"platform": "platform", "standard": "standard", "posix": "posix", "std-internal": "standard"}
+COMPILER = "(compiler)"
+"""What a stored platform calls the header of the compiler's own functions."""
+DIRECTIONS = {"in": "input", "out": "output", "both": "both", "unknown": "unknown"}
+"""Direction of a pin in the data -> literal of the platform metamodel."""
+RELATIONS = {"equals": "equals", "not": "different", "below": "below"}
+"""Condition of a convention in the data -> literal of the platform metamodel."""
 
 
 class ApiEntry(NamedTuple):

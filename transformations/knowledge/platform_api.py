@@ -227,18 +227,6 @@ class ApiIndex:
         """Our own text of the standard headers, by the name a program includes."""
         return self._facts.virtual_headers
 
-    def to_model(
-        self,
-        names: Iterable[str],
-        includes: Iterable[str] = (),
-        words: Iterable[str] = (),
-        units: Sequence[tuple[str, ...]] = (),
-    ) -> pf.Platform:
-        """The part of the platform model that has these names (see `platform_model.build`)."""
-        from robosmi.transformations.knowledge.platform_model import build
-
-        return build(self, names, tuple(includes), words, units)
-
 
 def forget_platforms() -> None:
     """Clear the cache of platforms, because one was imported."""

@@ -17,6 +17,7 @@ from robosmi.model import EmfModel
 from robosmi.transformations.knowledge.board_models import KIND, load_board, load_mapping, mapped_boards
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platform_folder import facts_of
+from robosmi.transformations.knowledge.platform_model import platform_part
 from robosmi.transformations.knowledge.target_platform import target_platform
 
 SETTINGS, API = "platform.toml", "api.json"
@@ -47,7 +48,7 @@ def open_platform(path: Path, name: str | None = None) -> EmfModel:
 def _source(folder: Path) -> platform.Platform:
     facts = facts_of(str(folder))
     headers = tuple(facts.headers)
-    return ApiIndex(facts).to_model(facts.entries, headers, units=[headers])
+    return platform_part(ApiIndex(facts), facts.entries, headers, units=[headers])
 
 
 def _add_target(folder: Path, repository: platform.PlatformRepository) -> None:

@@ -8,30 +8,24 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from robosmi.metamodels import platform as pf
 from robosmi.model.strict import enum_literal
-
-if TYPE_CHECKING:
-    from robosmi.transformations.knowledge.api_facts import ApiEntry, PinParameter
-    from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.api_facts import COMPILER, DIRECTIONS, RELATIONS, ApiEntry, PinParameter
+from robosmi.transformations.knowledge.platform_api import ApiIndex
 
 _FUNCTION = re.compile(r"\(\s*(\w+)\s*\)\s*\(")
-DIRECTIONS = {"in": "input", "out": "output", "both": "both", "unknown": "unknown"}
-RELATIONS = {"equals": "equals", "not": "different", "below": "below"}
-COMPILER = "(compiler)"
-"""The header of the compiler's own functions."""
 
 
-def build(
+def platform_part(
     api: ApiIndex,
     names: Iterable[str],
-    includes: tuple[str, ...],
+    includes: Sequence[str] = (),
     words: Iterable[str] = (),
     units: Sequence[tuple[str, ...]] = (),
 ) -> pf.Platform:
-    """The platform with the headers, functions, symbols and types of these names; names that nothing declares are left out.
+    """The headers, functions, symbols and types of a platform that have these names; names that nothing declares are left out.
 
     Args:
         api: the platform.

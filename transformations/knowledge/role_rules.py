@@ -196,7 +196,7 @@ def _texts(value: Json) -> bool:
 
 def _tools() -> set[str]:
     """The drawing tools that an entry may name: those with a reader, and those that the built-in rules know."""
-    named = {name for kind in ("drawing reader", "parts reader") for name in registry().names(kind)}
+    named = {*registry().names("drawing reader"), *registry().names("parts reader")}
     for rule in _entries(str(built_in("platform_repo") / "parts" / "roles.toml"), "rule", _RULE_KEYS):
         named |= {tool for listed in (rule.get("ids"), rule.get("families")) if isinstance(listed, dict) for tool in listed}
     return named

@@ -6,8 +6,15 @@ from collections.abc import Mapping, Sequence
 
 from robosmi.metamodels import platform as pf
 from robosmi.transformations.knowledge.api_data import FunctionMeaning, HeaderContent, PlatformSettings
-from robosmi.transformations.knowledge.api_facts import ApiEntry, Convention, PinFacts, PinParameter
-from robosmi.transformations.knowledge.platform_model import COMPILER, DIRECTIONS, RELATIONS
+from robosmi.transformations.knowledge.api_facts import (
+    COMPILER,
+    DIRECTIONS,
+    RELATIONS,
+    ApiEntry,
+    Convention,
+    PinFacts,
+    PinParameter,
+)
 
 _IN_DATA = {literal: word for word, literal in DIRECTIONS.items()}
 _WORDS = {literal: word for word, literal in RELATIONS.items()}

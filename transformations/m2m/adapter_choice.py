@@ -14,9 +14,9 @@ from msgspec import Struct
 
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import ccode, migration, platform
-from robosmi.transformations.knowledge.adapter_files import AdapterPiece
 from robosmi.transformations.knowledge.adapter_index import AdapterIndex
 from robosmi.transformations.knowledge.adapter_model import adapter_element
+from robosmi.transformations.knowledge.adapter_records import AdapterPiece
 from robosmi.transformations.knowledge.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platform_model import split_parameters
 from robosmi.transformations.queries.adapter_needs import AdapterPieces

@@ -14,8 +14,9 @@ from typing import TypeVar
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import ancestor_of_kind
 from robosmi.transform import ETL, Trace
+from robosmi.transformations.knowledge.api_facts import COMPILER
 from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.knowledge.platform_model import COMPILER
+from robosmi.transformations.knowledge.platform_model import platform_part
 from robosmi.transformations.knowledge.target_names import TargetNames
 from robosmi.transformations.knowledge.target_platform import CPLUSPLUS, TargetFacts
 from robosmi.transformations.m2m.adapter_choice import HELPERS, TYPES, VALUES, AdapterChoice, UnservedHeader, serve
@@ -116,7 +117,7 @@ def partition(
     }
     includes = [i.header for u in program.units for i in u.includes]
     words = words_of(sources[u.path] for u in program.units)
-    result.source = api.to_model([*called, *used], includes, words, [v.includes for v in views])
+    result.source = platform_part(api, [*called, *used], includes, words, [v.includes for v in views])
     functions_there = {(h.name, f.name): f for h in result.source.headers for f in h.functions}
     known = _resolved(functions_there, api, called, includes)
     prototypes = own_prototypes(views)

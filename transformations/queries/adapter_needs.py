@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import Protocol
 
 from robosmi.errors import PlatformDataError, did_you_mean
-from robosmi.transformations.knowledge.adapter_files import AdapterPiece
+from robosmi.transformations.knowledge.adapter_records import AdapterPiece
 
 
 class Needed:

@@ -6,8 +6,7 @@ from collections.abc import Iterable
 
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.knowledge.adapter_checks import parameters_of
-from robosmi.transformations.knowledge.api_facts import PinFacts, PinParameter
-from robosmi.transformations.knowledge.platform_model import DIRECTIONS
+from robosmi.transformations.knowledge.api_facts import DIRECTIONS, PinFacts, PinParameter
 
 _WORDS = {literal: word for word, literal in DIRECTIONS.items()}
 

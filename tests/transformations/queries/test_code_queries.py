@@ -10,6 +10,7 @@ import pytest
 
 from robosmi.diagnostics import Finding
 from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platform_model import platform_part
 from robosmi.transformations.queries import code
 from robosmi.transformations.queries.analysis import analysis
 from robosmi.transformations.queries.main_program import main_structure
@@ -121,7 +122,7 @@ def test_pin_uses(api: ApiIndex) -> None:
 
 
 def test_the_platform_model_of_some_names(api: ApiIndex) -> None:
-    model = api.to_model([*EIGHT, "CNT", "no_such_name"], ["simpletools.h", "abdrive.h"])
+    model = platform_part(api, [*EIGHT, "CNT", "no_such_name"], ["simpletools.h", "abdrive.h"])
     functions = {str(f.name): f for h in model.headers for f in h.functions}
     assert sorted(functions) == EIGHT
     assert functions["pause"].blocking

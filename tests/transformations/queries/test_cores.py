@@ -9,6 +9,7 @@ import pytest
 
 from robosmi import resources
 from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platform_model import platform_part
 from robosmi.transformations.queries.analysis import analysis
 from robosmi.transformations.t2m.c_source import read_program
 
@@ -59,5 +60,5 @@ def test_hidden_cogs_are_one_finding_a_header_at_the_first_call(api: ApiIndex, t
 
 
 def test_the_platform_model_says_it_too(api: ApiIndex) -> None:
-    model = api.to_model(["drive_getTicks", "pause"], ["simpletools.h", "abdrive360.h"])
+    model = platform_part(api, ["drive_getTicks", "pause"], ["simpletools.h", "abdrive360.h"])
     assert {f.name: f.startsCog for h in model.headers for f in h.functions} == {"drive_getTicks": True, "pause": False}

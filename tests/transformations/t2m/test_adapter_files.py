@@ -7,15 +7,14 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.knowledge.adapter_files import (
+from robosmi.transformations.knowledge.adapter_files import adapter_file, read_adapter_file
+from robosmi.transformations.knowledge.adapter_records import (
     AdapterPin,
+    ArgumentRange,
     ConventionalPort,
     InterruptStack,
     PortTable,
-    adapter_file,
-    read_adapter_file,
 )
-from robosmi.transformations.knowledge.adapter_ranges import ArgumentRange
 from robosmi.transformations.queries.adapter_needs import AdapterPieces
 
 WHOLE = """//# header drive.h

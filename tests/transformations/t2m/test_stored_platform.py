@@ -11,6 +11,7 @@ from robosmi.metamodels import platform
 from robosmi.model import load_model
 from robosmi.model.xmi_writer import to_xmi
 from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platform_model import platform_part
 from robosmi.transformations.queries.analysis import analysis
 from robosmi.transformations.queries.code import views
 from robosmi.transformations.queries.cores import Cores
@@ -30,7 +31,7 @@ def stored(api: ApiIndex, path: Path, folder: Path) -> ApiIndex:
     program, _ = read_program(path)
     unit = program.units[0]
     includes = tuple(str(i.header) for i in unit.includes)
-    part = api.to_model([], includes, words_of([path.read_bytes()]), [includes])
+    part = platform_part(api, [], includes, words_of([path.read_bytes()]), [includes])
     root = platform.PlatformRepository(platforms=[part])
     for name, data in to_xmi({"platform.xmi": root}, ["platform.xmi"]).items():
         (folder / name).write_bytes(data)
@@ -56,7 +57,7 @@ def test_pins_and_meanings_survive(tmp_path: Path) -> None:
     api = ApiIndex.load("propeller")
     names = sorted({name for name, _ in api._facts.pins} | set(api._facts.functions))
     headers = tuple(api._facts.headers)
-    again = ApiIndex.of(api.to_model([], headers, names, [headers]))
+    again = ApiIndex.of(platform_part(api, [], headers, names, [headers]))
     assert len(names) > 100
     for (name, header), facts in api._facts.pins.items():
         if any(entry.header == header for entry in api.entries(name)):
