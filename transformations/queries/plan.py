@@ -15,7 +15,7 @@ from robosmi.transformations.queries.finding_flows import edits_of, has_flow, st
 from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.plan_adapters import limits
 from robosmi.transformations.queries.port_pins import NOT_WIRED
-from robosmi.typed import class_name, sum_of
+from robosmi.typed import sum_of
 
 
 def target_of(plan: migration.MigrationPlan) -> platform.Target:
@@ -112,15 +112,6 @@ def decisions(plan: migration.MigrationPlan) -> Q[migration.Decision]:
 def open_choices(plan: migration.MigrationPlan) -> Q[migration.Decision]:
     """The decisions in which nothing is chosen."""
     return decisions(plan).select(lambda d: d.open)
-
-
-def element_title(element: ccode.Located) -> str:
-    """What an element is called in a report."""
-    kind = class_name(element)
-    if isinstance(element, ccode.Include):
-        return f"#include {'<' if element.system else chr(34)}{element.header}{'>' if element.system else chr(34)}"
-    name = element.name if isinstance(element, (ccode.Declaration, ccode.Macro)) else ""
-    return f"{kind} {name}" if name else kind
 
 
 def functions_carried_over(plan: migration.MigrationPlan) -> list[dict[str, Json]]:
