@@ -78,5 +78,5 @@ def read_tree(data: bytes, place: str, deep: bool) -> Any:
                 f"elements are nested more than {match[1]} levels deep",
                 location=where,
                 fix="nest the elements of the file less deeply",
-            ) from error  # fmt: skip
+            ) from error
         raise SourceError(f"not well-formed XML: {error.msg}", location=where, fix="repair the file") from error

@@ -23,7 +23,6 @@ from robosmi.transformations.knowledge.library_ranking import (
     libraries_by_header,
     library_by_name,
     library_index,
-    rank_component,
     tfidf_ranker,
 )
 from tests.recommend.labelled import Labelled
@@ -141,9 +140,8 @@ def test_dependencies_are_closed_and_rings_end(own_project: Path) -> None:
 
 def test_a_project_brings_its_own_index(own_project: Path, tiny_facts: Path) -> None:
     query = ComponentQuery("1", "twin")
-    assert {c.library for c in rank_component(query, project=own_project).candidates} == set(
-        library_index(project=own_project).names()
-    )
+    ranked = device_ranker(project=own_project).rank(query)
+    assert {c.library for c in ranked.candidates} == set(library_index(project=own_project).names())
     assert len(tfidf_ranker(project=own_project).rank(query).candidates) == 3
     assert library_index(project=own_project) is library_index(project=own_project)
     path = own_project / ".robosmi/platform_repo/arduino/libraries/index.sqlite"

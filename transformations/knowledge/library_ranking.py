@@ -17,10 +17,9 @@ from msgspec import Struct
 from robosmi import resources
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.project import default_text
-from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.device_ranker import DeviceRanker, Knowledge
 from robosmi.recommend.index import Library, LibraryIndex
-from robosmi.recommend.ranking import Choices, Ranker, Recommendation
+from robosmi.recommend.ranking import Ranker
 from robosmi.transformations.knowledge.device_knowledge import device_knowledge, refuse_unknown_usual
 from robosmi.transformations.knowledge.target_platform import target_facts
 
@@ -153,19 +152,6 @@ def device_ranker(platform: str | None = None, *, architecture: str | None = Non
 @lru_cache(maxsize=4)
 def _device_ranker(index: LibraryIndex, knowledge: Knowledge, architecture: str | None) -> DeviceRanker:
     return DeviceRanker(index, knowledge, architecture)
-
-
-def rank_component(
-    query: ComponentQuery,
-    history: Choices | None = None,
-    limit: int | None = None,
-    *,
-    platform: str | None = None,
-    architecture: str | None = None,
-    project: Path | None = None,
-) -> Recommendation:
-    """The recommendation of the default ranker for one component; see `device_ranker` and `ranking.Ranker.rank`."""
-    return device_ranker(platform, architecture=architecture, project=project).rank(query, history, limit)
 
 
 def library_by_name(name: str, platform: str | None = None, project: Path | None = None) -> LibraryFacts:

@@ -288,14 +288,6 @@ def platform_dependent_constructs(program: ccode.Program, api: ApiIndex) -> Cons
     return Constructs(list(platform.values()), list(unknown.values()))
 
 
-def standard_calls(program: ccode.Program, api: ApiIndex) -> list[CalledFunction]:
-    """The functions of standard and POSIX headers that a program calls."""
-    found: dict[str, CalledFunction] = {}
-    for view in views(program, api):
-        _merge(found, view.functions_of("standard", "posix"))
-    return list(found.values())
-
-
 def _merge(into: dict[str, CalledFunction], functions: Iterable[CalledFunction]) -> None:
     for function in functions:
         known = into.get(function.name)
@@ -317,27 +309,12 @@ def user_calls(program: ccode.Program) -> dict[str, list[ccode.Call]]:
     return dict(sorted(found.items()))
 
 
-def platform_symbols(program: ccode.Program, api: ApiIndex) -> list[UsedName]:
-    """Constants, registers, variables and macros of the platform that a program uses."""
-    return [name for view in views(program, api) for name in view.symbols()]
-
-
-def platform_types(program: ccode.Program, api: ApiIndex) -> list[UsedName]:
-    """Types of the platform that a program uses."""
-    return [name for view in views(program, api) for name in view.types()]
-
-
 class CogStart(Struct):
     """Code that a program starts on another core: the call, the function that starts it, and the name of the code."""
 
     call: ccode.Call
     via: str
     function: str
-
-
-def cogs(program: ccode.Program, api: ApiIndex) -> list[CogStart]:
-    """The cores that the program itself starts, in text order."""
-    return [start for view in views(program, api) for start in cogs_of(view)]
 
 
 def cogs_of(view: CodeView) -> list[CogStart]:

@@ -113,15 +113,6 @@ def open_choices(plan: migration.MigrationPlan) -> Q[migration.Decision]:
     return decisions(plan).select(lambda d: d.open)
 
 
-def element_title(element: ccode.Located) -> str:
-    """What an element is called in a report."""
-    kind = type(element).__name__
-    if isinstance(element, ccode.Include):
-        return f"#include {'<' if element.system else chr(34)}{element.header}{'>' if element.system else chr(34)}"
-    name = element.name if isinstance(element, (ccode.Declaration, ccode.Macro)) else ""
-    return f"{kind} {name}" if name else kind
-
-
 def functions_carried_over(plan: migration.MigrationPlan) -> list[dict[str, Json]]:
     """The program's own functions that are in the sketch, with what became of them."""
     return [

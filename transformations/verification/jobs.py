@@ -28,11 +28,6 @@ def _facts() -> tuple[Path, Mapping[str, Any]]:
     return path, read_data(path)
 
 
-def simulated_microcontrollers() -> list[str]:
-    """The names of the microcontrollers whose peripherals are described well enough for an engine."""
-    return sorted(_facts()[1])
-
-
 def shows_console(mcu: str) -> bool:
     """Whether simulators of a microcontroller show what a program prints."""
     return bool(_facts()[1].get(mcu, {}).get("console", True))

@@ -3,8 +3,8 @@
 case.toml: `about` (what the case shows); optional `files` (the units given, else all .c files of `input/`), `hardware` (an
 example whose drawing is taken), `[bind]` and `[libraries]` (as the flags), `compiles` (why the sketch cannot compile: the
 source's own fault), `adapters` (as the flag; placeholders for what a case expects of the program's text, since bodies are data
-that have tests of their own), `shows_adapters` (true: the case is about `adapters.h`, which is expected, too). Every case
-also has to compile with the bodies that there are.
+that have tests of their own), `shows_adapters` (true: the case is about `adapters.h`, which is expected, too). Every case also
+has to compile with the bodies that there are.
 `expected/verdicts.txt` has one line for each element that was judged (line, element, action, rule; for main also why), and
 one for each place with a finding or task that is more than information.
 
@@ -28,7 +28,6 @@ from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.chains.migrate import migrate
 from robosmi.transformations.chains.output import Generated
-from robosmi.transformations.queries.plan import element_title
 from tests.running import tree
 from tests.tools import require_tools
 from tests.transformations.m2t.truth import overlaps, verdict_faults
@@ -79,6 +78,15 @@ def verdicts(made: Generated) -> str:
     found = [*made.models.plan.findings, *made.models.plan.tasks]
     said = {f"{f.path.rpartition('/')[2]}:{f.line} {f.severity.name} {f.rule}" for f in found if f.severity.name != "info"}
     return "".join(f"{line}\n" for line in [*(row[-1] for row in sorted(rows)), "", *sorted(said)])
+
+
+def element_title(element: ccode.Located) -> str:
+    """What an element is called in `verdicts.txt`."""
+    kind = type(element).__name__
+    if isinstance(element, ccode.Include):
+        return f"#include {'<' if element.system else chr(34)}{element.header}{'>' if element.system else chr(34)}"
+    name = element.name if isinstance(element, (ccode.Declaration, ccode.Macro)) else ""
+    return f"{kind} {name}" if name else kind
 
 
 @pytest.mark.parametrize("name", CASES)

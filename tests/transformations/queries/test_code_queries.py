@@ -62,7 +62,8 @@ def test_structure_of_main(api: ApiIndex) -> None:
     assert [v.name for v in main.hoisted] == ["used", "shown", "later"]
     assert (len(main.before), len(main.after)) == (5, 2)
     assert [(e.kind, e.line) for e in main.exits] == [("break", 20), ("return", 21)]
-    assert [(c.via, c.function) for c in code.cogs(program, api)] == [("cogstart", "worker"), ("cog_run", "worker")]
+    starts = [start for view in code.views(program, api) for start in code.cogs_of(view)]
+    assert [(c.via, c.function) for c in starts] == [("cogstart", "worker"), ("cog_run", "worker")]
 
 
 def test_own_definitions_win_and_locals_shadow(api: ApiIndex) -> None:

@@ -16,7 +16,7 @@ from msgspec.structs import replace
 
 from robosmi.errors import MissingToolError, UsageError, VerificationError
 from robosmi.metamodels import platform
-from robosmi.transformations.verification.jobs import job, simulated_microcontrollers
+from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import DeviceUse, engine_names, simulate
 from tests.tools import require_engine
 from tests.transformations.verification.conftest import Run
@@ -24,7 +24,6 @@ from tests.transformations.verification.conftest import Run
 
 def test_both_engines_are_known() -> None:
     assert engine_names() == ["simavr", "avr8js"]
-    assert simulated_microcontrollers() == ["atmega2560", "atmega328p", "atmega32u4"]
 
 
 def test_how_pins_are_driven_is_seen_with_its_times(job_of: Run, engine: str) -> None:

@@ -150,8 +150,6 @@ _SIGNATURES: dict[str, tuple[list[Any], Any]] = {
     "isFunctionTypeVariadic": ([Type], c_uint),
     "isCursorDefinition": ([Cursor], c_uint),
     "Cursor_getStorageClass": ([Cursor], c_int),
-    "Cursor_getVarDeclInitializer": ([Cursor], Cursor),
-    "Cursor_isMacroFunctionLike": ([Cursor], c_uint),
     "getEnumConstantDeclValue": ([Cursor], c_longlong),
     "getFieldDeclBitWidth": ([Cursor], c_int),
     "getCursorBinaryOperatorKind": ([Cursor], c_int),
@@ -213,8 +211,6 @@ class ClangLibrary:
         isFunctionTypeVariadic: Callable[[Type], int]
         isCursorDefinition: Callable[[Cursor], int]
         Cursor_getStorageClass: Callable[[Cursor], int]
-        Cursor_getVarDeclInitializer: Callable[[Cursor], Cursor]
-        Cursor_isMacroFunctionLike: Callable[[Cursor], int]
         getEnumConstantDeclValue: Callable[[Cursor], int]
         getFieldDeclBitWidth: Callable[[Cursor], int]
         getCursorBinaryOperatorKind: Callable[[Cursor], int]

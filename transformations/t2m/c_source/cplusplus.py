@@ -18,19 +18,9 @@ from robosmi.transformations.t2m.c_source.expressions import CALL, call, express
 from robosmi.transformations.t2m.c_source.statements import statement
 from robosmi.transformations.t2m.c_source.tree import Node
 
-METHOD, CONSTRUCTOR, DESTRUCTOR, CONVERSION = (
-    cursor_kinds.CXX_METHOD,
-    cursor_kinds.CONSTRUCTOR,
-    cursor_kinds.DESTRUCTOR,
-    cursor_kinds.CONVERSION_FUNCTION,
-)
+CONSTRUCTOR, DESTRUCTOR = cursor_kinds.CONSTRUCTOR, cursor_kinds.DESTRUCTOR
 VARIABLE, CATCH, TRY = cursor_kinds.VAR_DECL, cursor_kinds.CXX_CATCH_STMT, cursor_kinds.CXX_TRY_STMT
-FUNCTION_TEMPLATE, CLASS_TEMPLATE, PARTIAL_TEMPLATE, LINKAGE = (
-    cursor_kinds.FUNCTION_TEMPLATE,
-    cursor_kinds.CLASS_TEMPLATE,
-    cursor_kinds.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION,
-    cursor_kinds.LINKAGE_SPEC,
-)
+FUNCTION_TEMPLATE, CLASS_TEMPLATE = cursor_kinds.FUNCTION_TEMPLATE, cursor_kinds.CLASS_TEMPLATE
 _OPERATOR = re.compile(r"operator\s*([^\w\s].*)")
 
 

@@ -78,7 +78,6 @@ class Parsed(Struct):
     diagnostics: list[Diagnostic]
     first_diagnostics: list[Diagnostic]
     prelude: Prelude
-    parses: int
     reader: tree.TreeReader
     cut: list[tuple[int, int]] = []
 
@@ -135,7 +134,6 @@ def _parse(source: ReadSource, api: ApiIndex, call: Call) -> Parsed | None:
         [*attempt.mended, *diagnostics],
         first,
         prelude,
-        number,
         reader,
         reader.cut,
     )

@@ -5,6 +5,9 @@ as libclang's precompiled header when several files begin with them, and are bla
 same either way, and shorter to walk, as the index leaves out what is not of the file. Headers that cause errors, or that must
 not be read as they are (`bounds`), are not kept; nor are those that were changed since, or beside which a file was put that an
 include might now refer to.
+
+It serves whoever analyses many programs with `-I` in one process, as studies do: 160 programs with the vendor's headers take
+two thirds to three quarters of the time. A command that reads one file never comes to it.
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ from robosmi.transformations.t2m.c_source.mending import Scratch
 
 MACRO_ID = 1 << 31
 MAX_TREE_DEPTH = 700
-FUNCTION, VARIABLE, TYPEDEF, STRUCT, UNION, CLASS, ENUM, ENUM_LITERAL = (
+FUNCTION, VARIABLE, TYPEDEF, STRUCT, UNION, CLASS, ENUM = (
     cursor_kinds.FUNCTION_DECL,
     cursor_kinds.VAR_DECL,
     cursor_kinds.TYPEDEF_DECL,
@@ -23,7 +23,6 @@ FUNCTION, VARIABLE, TYPEDEF, STRUCT, UNION, CLASS, ENUM, ENUM_LITERAL = (
     cursor_kinds.UNION_DECL,
     cursor_kinds.CLASS_DECL,
     cursor_kinds.ENUM_DECL,
-    cursor_kinds.ENUM_CONSTANT_DECL,
 )
 _NOT_READ = frozenset((MACRO_DEFINITION, INCLUSION))
 _TAGGED = frozenset((STRUCT, UNION, CLASS, ENUM))
