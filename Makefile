@@ -7,6 +7,7 @@
 # make faults    faults and harmless rewritings in the migrated case studies, and what `verify` notices of them, by hand (not in CI)
 # make adapters  each adapter compiled alone for every microcontroller, each one broken on purpose, and whole programs of each family, by hand (not in CI)
 # make adapter-data  the built data of adapter files, after one was changed
+# make readme  the output, excerpts and pictures of README.md and docs/tutorial.md
 # make rules  the tables of docs/reference/rules.md, from the rules' data
 # make pyecore  what is leant on in pyecore without a promise, and whether it holds in other versions, by hand (not in CI)
 # make corpus  the programs and drawings of other people that the ground-truth tests read, fetched from their repositories
