@@ -6,6 +6,7 @@
 # make evaluate  the figures of the library ranking on the labelled queries, where these are beside the checkout
 # make faults    faults and harmless rewritings in the migrated case studies, and what `verify` notices of them, by hand (not in CI)
 # make adapters  each adapter compiled alone for every microcontroller, each one broken on purpose, and whole programs of each family, by hand (not in CI)
+# make readme  the output, excerpts and pictures of README.md and docs/tutorial.md
 # make rules  the tables of docs/reference/rules.md and plug-ins.md, from the rules' data and the code
 # make pyecore  what is leant on in pyecore without a promise, and whether it holds in other versions, by hand (not in CI)
 # make corpus  the programs and drawings of other people that the ground-truth tests read, fetched from their repositories

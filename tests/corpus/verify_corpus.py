@@ -78,7 +78,7 @@ def cells(verdict: Verdict) -> list[str]:
     return [verdict.verdict, str(len(verdict.scenarios)), f"{verdict.simulated_s:.1f}", *reached, told]
 
 
-HEADINGS = ["program", "verdict", "scenarios", "s", "lines %", "branches %", "what is told", "cause"]
+HEADINGS = ["program", "verdict", "scenarios", "s", "lines %", "branches %", "message", "cause"]
 _LONG_TEXT = 100
 _MOST = 200
 """Greatest number of characters of a message in the table."""
