@@ -244,7 +244,7 @@ def with_verdict(made: Generated, *, strict: bool = False) -> Generated:
     """
     done = verify(made.output)
     made.models.plan.findings.append(verdict_finding(done.verdict))
-    again = produce(made.models, made.output, strict=strict)
+    again = produce(made.models, made.output, strict=strict, program=made.program)
     again.notes = [*made.notes, *(note for note in again.notes if note not in made.notes), *done.lost]
     again.verification = (done.verdict.to_json(), done.exit_code)
     return again
