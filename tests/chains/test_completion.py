@@ -10,10 +10,12 @@ from typing import Any
 
 import pytest
 
+from robosmi.plugins import content
 from robosmi.transformations.chains import completion, output
 from robosmi.transformations.chains.completion import Completed, completion_chain
 from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.chains.page import PlanPage
+from robosmi.transformations.m2t.program_files import report_file
 from robosmi.verify.build_record import BuildRecord
 from tests.running import run
 from tests.tools import require_verification
@@ -26,7 +28,6 @@ PROGRAM = Path(__file__).parents[1] / "transformations" / "t2m" / "c_source" / "
 def runs(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     """How often the program and the report were generated."""
     counts = Counter[str]()
-    content, report_file = completion.content, output.report_file
 
     def counted(kind: str, name: str) -> Callable[..., Any]:
         function = content(kind, name)
