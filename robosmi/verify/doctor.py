@@ -19,6 +19,7 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Finding
 from robosmi.errors import MissingToolError
+from robosmi.inputs import read_once
 from robosmi.plugins import content, registry
 from robosmi.resources import built_in
 from robosmi.trust import acting
@@ -87,6 +88,7 @@ class ToolStatus(Struct, frozen=True):
         }
 
 
+@read_once()
 def tools(project: Path | None = None) -> list[ToolStatus]:
     """Everything that is needed: Python packages, each toolchain's programs and core, the compiler for originals, simulators
     (one of them is enough).
@@ -109,6 +111,7 @@ def tools(project: Path | None = None) -> list[ToolStatus]:
     return [*result, *(_engine(name) for name in engine_names()), *optional, *_plugins()]
 
 
+@read_once()
 def own_boards(project: Path | None = None) -> list[Finding]:
     """The contradictions between an installed core and boards that are not built in (RS810).
 

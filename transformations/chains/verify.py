@@ -15,6 +15,7 @@ from msgspec import Struct
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.doing import doing
 from robosmi.errors import SourceError, VerificationError
+from robosmi.inputs import read_once
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.chains.models import MigrationModels, stored_models
 from robosmi.transformations.chains.output import Generated, produce
@@ -98,6 +99,7 @@ class Verified(Struct):
         return self.verdict.lines()
 
 
+@read_once()
 def verify(
     output: Path,
     *,
