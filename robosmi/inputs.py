@@ -135,7 +135,8 @@ _READ: ContextVar[dict[str, bytes] | None] = ContextVar("read", default=None)
 
 @contextmanager
 def read_once() -> Iterator[None]:
-    """Context manager: a source file, drawing, table or settings file that is read again has the content of the first time.
+    """Context manager, and decorator: a source file, drawing, table, settings file or file of platform data that is read again
+    has the content of the first time.
 
     So all steps of one run see the same bytes, and each file is opened once. The contents are dropped at the end.
     """
@@ -180,7 +181,7 @@ def read_bytes(path: str | os.PathLike[str], kind: Kind, *, follow: bool = True,
 
 
 def _read(path: str | os.PathLike[str], kind: Kind, follow: bool, dir_fd: int | None) -> bytes:
-    kept = _READ.get() if kind in (SOURCE, DRAWING, TABLE, SETTINGS) and dir_fd is None else None
+    kept = _READ.get() if kind in (SOURCE, DRAWING, TABLE, SETTINGS, DATA) and dir_fd is None else None
     name = os.path.abspath(path) if kept is not None else ""
     if kept is not None and name in kept and len(kept[name]) <= kind.most:
         return kept[name]

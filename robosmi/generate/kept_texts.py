@@ -21,10 +21,23 @@ _AS_BYTES = "surrogateescape"
 """Bytes that are no UTF-8, in a comment of another encoding perhaps, go through a merge unchanged."""
 
 
+Seen = Callable[[str, str, str, str, Path], tuple[str, str]]
+"""A function that adapts texts for the merge, so that changes a person is entitled to make are no conflicts.
+
+It maps (relative path, previously generated text, existing text, new text, path) to the adapted first two texts.
+"""
+
+
 class KeptTexts:
-    """The result of merging a run's new texts with the existing files.
+    """The merge of a run's new texts with the existing files; texts are added as they are made.
+
+    Args:
+        places: the output folder.
+        place: the folder of the last texts, relative to it.
+        known: relative path -> digest, of the files as the last run wrote them.
 
     Attributes:
+        made: the texts as generated, relative path -> text.
         files: the texts to write, relative path -> bytes.
         records: the texts as generated, under their paths in the record.
         old: old files that are kept beside conflicts.
@@ -34,7 +47,8 @@ class KeptTexts:
         findings: what was kept, and what a person has to look at.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, places: Places, place: str, known: Mapping[str, str]) -> None:
+        self.made: dict[str, str] = {}
         self.files: dict[str, bytes] = {}
         self.records: dict[str, bytes] = {}
         self.old: dict[str, bytes] = {}
@@ -42,45 +56,36 @@ class KeptTexts:
         self.obsolete: set[str] = set()
         self.orphans: set[str] = set()
         self.findings: list[Finding] = []
+        self._places, self._known, self._record = places, known, Record(places.folder, place, known)
+        self._refused: list[Finding] = []
 
+    def add(self, made: Mapping[str, str], seen: Seen | None = None) -> None:
+        """Merge newly made texts with the files that are there.
 
-Seen = Callable[[str, str, str, str, Path], tuple[str, str]]
-"""A function that adapts texts for the merge, so that changes a person is entitled to make are no conflicts.
+        Args:
+            made: relative path -> text.
+            seen: how the merge is to see the texts; as they are if None.
 
-It maps (relative path, previously generated text, existing text, new text, path) to the adapted first two texts.
-"""
+        Raises:
+            SourceError: a link or a folder is where a file was made.
+        """
+        for name, text in made.items():
+            self.made[name] = text
+            self.files[name] = self.records[self._record.path(name)] = text.encode()
+            _merge(self._places, self._record, name, text, self._known, self, self._refused, seen)
 
+    def finish(self) -> None:
+        """End the merge: files of the last run that were not added are made no longer.
 
-def keep_texts(
-    places: Places, place: str, made: Mapping[str, str], known: Mapping[str, str], seen: Seen | None = None
-) -> KeptTexts:
-    """Merge newly made texts with the files that are there.
-
-    Args:
-        places: the output folder.
-        place: the folder of the last texts, relative to it.
-        made: relative path -> text.
-        known: relative path -> digest, of the files as the last run wrote them.
-        seen: how the merge is to see the texts; as they are if None.
-
-    Raises:
-        StoppedError: an edit would be lost; all such files are named.
-        SourceError: a link or a folder is where a file was made.
-    """
-    record = Record(places.folder, place, known)
-    kept = KeptTexts()
-    refused: list[Finding] = []
-    for name, text in made.items():
-        kept.files[name] = text.encode()
-        kept.records[record.path(name)] = text.encode()
-        _merge(places, record, name, text, known, kept, refused, seen)
-    if refused:
-        told = "; ".join(f"{f.location}: {f.message}" if len(refused) > 1 else f.message for f in refused)
-        raise StoppedError(f"{told}; nothing was written", location=refused[0].location, fix=refused[0].fix)
-    for name in record.names():
-        if name not in made:
-            _no_longer_made(places, record, name, kept)
-    return kept
+        Raises:
+            StoppedError: an edit would be lost; all such files are named.
+        """
+        if refused := self._refused:
+            told = "; ".join(f"{f.location}: {f.message}" if len(refused) > 1 else f.message for f in refused)
+            raise StoppedError(f"{told}; nothing was written", location=refused[0].location, fix=refused[0].fix)
+        for name in self._record.names():
+            if name not in self.made:
+                _no_longer_made(self._places, self._record, name, self)
 
 
 def _merge(

@@ -20,6 +20,7 @@ from msgspec import Struct
 from robosmi.data_text import Json
 from robosmi.diagnostics import Finding
 from robosmi.errors import MissingToolError, RuleError
+from robosmi.inputs import read_once
 from robosmi.plugin_contracts import KINDS, Contribution
 from robosmi.plugins import content, registry
 from robosmi.resources import built_in
@@ -88,6 +89,7 @@ class ToolStatus(Struct, frozen=True):
         }
 
 
+@read_once()
 def tools(project: Path | None = None) -> list[ToolStatus]:
     """Everything that is needed: Python packages, each toolchain's programs and core, the compiler for originals, simulators
     (one of them is enough).
@@ -145,6 +147,7 @@ def registered_content() -> list[KindStatus]:
     return [KindStatus(each, {name: known.owners(each.kind, name) for name in known.names(each.kind)}) for each in KINDS.values()]
 
 
+@read_once()
 def own_boards(project: Path | None = None) -> list[Finding]:
     """The contradictions between an installed core and boards that are not built in (RS810).
 

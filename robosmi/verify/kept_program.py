@@ -54,6 +54,7 @@ def folder_of(named: Path, sketch: Sketch) -> Path:
     return folder
 
 
+@inputs.read_once()
 def compile_into(
     folder_or_sketch: Path, board: str | None = None, *, into: Path | None = None, project: Path | None = None
 ) -> CompileReport:

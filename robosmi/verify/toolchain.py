@@ -13,6 +13,7 @@ from msgspec.structs import replace
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, UsageError
+from robosmi.inputs import read_once
 from robosmi.plugins import content
 from robosmi.trust import acting
 from robosmi.verify.board_check import board_findings
@@ -28,6 +29,7 @@ from robosmi.verify.tools import Installed, find_installed
 _OFFERS = 3
 
 
+@read_once()
 def compile_sketch(
     folder_or_sketch: Path, board: str | None = None, *, keep: Path | None = None, project: Path | None = None
 ) -> CompileReport:

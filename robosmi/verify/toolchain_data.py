@@ -111,8 +111,11 @@ def load_toolchain(path: Path) -> Toolchain:
     Raises:
         PlatformDataError: an entry is missing or of the wrong kind.
     """
-    table = DataTable.read(path)
-    tools = table.table("tools")
+    return _toolchain(DataTable.read(path))
+
+
+def _toolchain(table: DataTable) -> Toolchain:
+    path, tools = table.path, table.table("tools")
     entries = {key: _tool(key, tools.table(key)) for key, value in tools.values.items() if isinstance(value, dict)}
     return Toolchain(
         path=path,
@@ -157,8 +160,8 @@ def _language(entry: DataTable, tools: Mapping[str, ToolEntry]) -> ToolchainLang
 
 def load_toolchains(project: Path | None = None) -> list[Toolchain]:
     """All toolchains for sketches, by platform: the repository's files `<platform>/toolchain.toml` with a table `[sketch]`."""
-    paths = find_files("*/toolchain.toml", project)
-    return [load_toolchain(path) for path in paths if "sketch" in DataTable.read(path).values]
+    tables = [DataTable.read(path) for path in find_files("*/toolchain.toml", project)]
+    return [_toolchain(table) for table in tables if "sketch" in table.values]
 
 
 def fill(texts: Iterable[str], values: Mapping[str, str], lists: Mapping[str, Iterable[str]] | None = None) -> list[str]:

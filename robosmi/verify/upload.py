@@ -67,6 +67,7 @@ class UploadReport(Struct, frozen=True):
         }
 
 
+@inputs.read_once()
 def upload_sketch(
     folder_or_sketch: str | Path,
     port: str,

@@ -15,7 +15,7 @@ import robosmi
 from robosmi.errors import SourceError, StoppedError
 from robosmi.model import commit
 from robosmi.transformations.chains import generate as generate_chain
-from robosmi.transformations.chains import output as output_chain
+from robosmi.transformations.chains import written_output
 from robosmi.transformations.m2m import plan_tasks
 from tests.running import Outcome, run, tree
 
@@ -195,7 +195,7 @@ def test_an_edit_while_the_run_is_at_work_stops_it(
         update(folder, *rest)
 
     before: dict[str, str] = {}
-    monkeypatch.setattr(output_chain, "update", slow)
+    monkeypatch.setattr(written_output, "update", slow)
     change_program(line_follower)
     told = r"changed (while the run was at work|since the last run)"  # the latter where the run begins anew
     with pytest.raises(StoppedError, match=told):

@@ -19,7 +19,7 @@ from robosmi.errors import SourceError, StoppedError
 from robosmi.generate.undo import undo
 from robosmi.model.commit import commit, update
 from robosmi.model.recovery import interrupted, recover
-from robosmi.transformations.chains import output
+from robosmi.transformations.chains import written_output
 from robosmi.transformations.chains.choose import choose
 from tests.chains.conftest import SETTINGS
 from tests.running import run, tree
@@ -106,7 +106,7 @@ def test_a_killed_choice_is_whole_or_not_at_all(begun: str, data: Path, robot: P
         update(folder, *arguments)
 
     before = state()
-    monkeypatch.setattr(output, "update", all_points)
+    monkeypatch.setattr(written_output, "update", all_points)
     choose(out, {"eye": "D9"})
     after = state()
     assert 'eye = "D9"' in after[1]

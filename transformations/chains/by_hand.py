@@ -16,20 +16,18 @@ from robosmi.generate.record import Record
 from robosmi.generate.text_form import read as read_text
 from robosmi.metamodels import migration
 from robosmi.transformations.chains.kept_includes import needed_still, without_includes
-from robosmi.transformations.m2m.plan_tasks import settle_tasks
+from robosmi.transformations.m2t.program_files import REPORT
 from robosmi.transformations.queries.plan import target_of
 from robosmi.transformations.queries.written_bodies import (
     AS_BYTES,
     VALUE_TODO,
     Body,
     bodies,
-    task_key,
     ticks,
     with_ticks,
     written,
 )
 
-REPORT = "MIGRATION.md"
 _CODE = (".h", ".ino", ".cpp", ".c")
 _AWAY = "#if 0  // what you wrote for '{}', which nothing calls any more"
 
@@ -101,31 +99,25 @@ def _without(text: str, body: Body) -> str:
 
 
 def by_hand(plan: migration.MigrationPlan, places: Places, made: Mapping[str, str], record: Record) -> ByHand:
-    """Find what a person has done in an output folder, and record it in the plan.
+    """Find what a person has done in an output folder.
 
     Args:
-        plan: the plan; its uses and tasks are settled.
+        plan: the plan, which stays as it is.
         places: the output folder.
-        made: relative path -> text, as it is made without regard to what is there.
+        made: relative path -> text of the program, as it is made without regard to what is there.
         record: the texts that were made last.
     """
     found, code = ByHand(), dict[str, tuple[str, str, str]]()
+    report = places.look(f"{plan.name}/{REPORT}")
+    found.done = {tick.key for tick in ticks(read_text(report or b"", errors=AS_BYTES).text) if tick.done}
     for name, text in made.items():
         raw = places.look(name)
         there, last = (read_text(each or b"", errors=AS_BYTES).text for each in (raw, record.last(name, raw)[0]))
-        if PurePosixPath(name).name == REPORT:
-            found.done |= {tick.key for tick in ticks(there) if tick.done}
-        elif PurePosixPath(name).suffix in _CODE and there:
+        if PurePosixPath(name).suffix in _CODE and there:
             found.names |= written(there, text, last).keys()
             found.values |= {str(symbol.name) for symbol in plan.symbolUses if _given(symbol, there, text)}
             code[name] = last, there, text
     found.includes = needed_still(code, str(target_of(plan).name))
-    for use in plan.adapterUses:
-        use.written = use.adapter is None and (use.targetName or use.name) in found.names
-    settle_tasks(plan)
-    for task in (*plan.tasks, *plan.checks):
-        given = any(isinstance(e, migration.SymbolUse) and e.name in found.values for e in task.elements)
-        task.done = given or task_key(task.rule, task.message) in found.done
     return found
 
 

@@ -1,4 +1,4 @@
-"""Turns edits that could not be merged into tasks of the plan, so that the report shows them.
+"""Turns edits of the program that could not be merged into tasks for the plan, so that the report shows them.
 
 The merge marks a conflict in the file (`generate.keep`). Here the marks are read back, including those of earlier runs, which
 remain until a person resolves them.
@@ -7,11 +7,9 @@ remain until a person resolves them.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from pathlib import PurePosixPath
 
 from robosmi.generate.keep import BASE, GENERATED, MIDDLE, YOURS
 from robosmi.metamodels import migration
-from robosmi.transformations.chains.by_hand import REPORT
 
 RULE = "RS511"
 """The rule for edits of lines that the generated text changes, too."""
@@ -19,31 +17,19 @@ _MARKS = tuple(mark.strip().encode() for mark in (YOURS, BASE, GENERATED))
 _ORDER = (BASE, MIDDLE, GENERATED)
 
 
-def show_conflicts(plan: migration.MigrationPlan, files: Mapping[str, bytes], made: Mapping[str, str]) -> bool:
-    """Replace the plan's tasks about conflicts by those found in the files; returns whether anything changed.
+def conflicts(files: Mapping[str, bytes], made: Mapping[str, str]) -> list[migration.PlanTask]:
+    """The conflicts that are marked in files.
 
     Args:
-        plan: the plan.
         files: relative path -> bytes of the files as they are to be written.
         made: relative path -> text, as it was made without regard to what is there.
     """
-    found = [
+    return [
         task
         for name, data in files.items()
-        if PurePosixPath(name).name != REPORT and any(mark in data for mark in _MARKS)
+        if any(mark in data for mark in _MARKS)
         for task in _tasks(name, data.decode("utf-8", "replace"), made.get(name, ""))
     ]
-    before = [task for task in plan.tasks if task.rule == RULE]
-    if [_key(task) for task in before] == [_key(task) for task in found]:
-        return False
-    others = [task for task in plan.tasks if task.rule != RULE]
-    plan.tasks.clear()
-    plan.tasks.extend([*found, *others])
-    return True
-
-
-def _key(task: migration.PlanTask) -> tuple[str, int, tuple[str, ...]]:
-    return str(task.path), int(task.line), tuple(task.texts)
 
 
 def _tasks(name: str, text: str, made: str) -> Iterator[migration.PlanTask]:

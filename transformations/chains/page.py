@@ -29,6 +29,7 @@ from robosmi.transformations.chains.generate import generate
 from robosmi.transformations.chains.models import FOLDER, MigrationModels, stored_models
 from robosmi.transformations.m2t import page_code, page_sections
 from robosmi.transformations.m2t.first_screen import Counted
+from robosmi.transformations.m2t.program_files import REPORT
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.transformations.queries.choices import choices
 from robosmi.transformations.queries.plan import open_choices
@@ -40,7 +41,6 @@ SECTIONS = {
     "verdict": "Verdict", "history": "History",
 }  # fmt: skip
 """The sections in order, with their headings."""
-REPORT = "MIGRATION.md"
 Row = tuple[str, str, str, str]
 """The displayed form of a finding, or of a line of code."""
 Rows = tuple[str, tuple[Row, ...]]

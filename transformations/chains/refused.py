@@ -1,4 +1,4 @@
-"""Turns the compiler's errors on a generated program into findings of its plan, so that no report calls it ready."""
+"""Turns the compiler's errors on a generated program into findings for its plan, so that no report calls it ready."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
-from robosmi.transformations.m2m.plan_tasks import plan_findings, settle_tasks
+from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2t.program_text import file_name
 from robosmi.transformations.queries.plan import target_of
 from robosmi.transformations.t2m.c_source.refused_text import Refused, refused_texts
@@ -18,17 +18,18 @@ _MOST = 10
 _TOLD_BEFORE = frozenset({"RS101", "RS312"})
 
 
-def tell_refused(plan: migration.MigrationPlan, texts: Mapping[str, str], sources: Mapping[str, bytes]) -> bool:
-    """RS337: update the findings about refused lines to the generated texts; returns whether the plan has changed.
+def refused_lines(
+    plan: migration.MigrationPlan, texts: Mapping[str, str], sources: Mapping[str, bytes]
+) -> list[migration.PlanFinding]:
+    """RS337: the lines of the generated texts that a C++ compiler refuses and no other finding of the plan reports.
 
     Args:
-        plan: the plan.
+        plan: the plan, which stays as it is.
         texts: path in the output folder -> the text that was made.
         sources: path of a unit -> its bytes.
     """
-    before = [finding for finding in plan.findings if finding.rule == RULE]
     if target_of(plan).language == "C" or plan.program is None:
-        return False
+        return []
     folder = f"{plan.name}/"
     made = {
         name.removeprefix(folder): text
@@ -51,14 +52,7 @@ def tell_refused(plan: migration.MigrationPlan, texts: Mapping[str, str], source
         more = f"{first.message}; and {len(found) - _MOST} more lines"
         found = [*(f for number, f in enumerate(found) if number < _MOST - 1)]
         found.append(Finding(RULE, Severity.warning, more, first.location, fix=first.fix))
-    new = plan_findings(plan, found, {str(unit.path): str(unit.path) for unit in plan.program.units})
-    if [(f.message, f.path, f.line) for f in before] == [(f.message, f.path, f.line) for f in new]:
-        return False
-    for finding in before:
-        plan.findings.remove(finding)
-    plan.findings.extend(new)
-    settle_tasks(plan)
-    return True
+    return plan_findings(plan, found, {str(unit.path): str(unit.path) for unit in plan.program.units})
 
 
 def _place(refused: Refused, made: str, unit: ccode.SourceUnit | None, sources: Mapping[str, bytes]) -> Location | None:

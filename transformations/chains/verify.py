@@ -15,6 +15,7 @@ from msgspec import Struct
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.doing import doing
 from robosmi.errors import SourceError, VerificationError
+from robosmi.inputs import read_once
 from robosmi.metamodels import migration, platform
 from robosmi.transformations.chains.models import MigrationModels, stored_models
 from robosmi.transformations.chains.output import Generated, produce
@@ -97,6 +98,7 @@ class Verified(Struct):
         return self.verdict.lines()
 
 
+@read_once()
 def verify(
     output: Path,
     *,
@@ -243,7 +245,7 @@ def with_verdict(made: Generated, *, strict: bool = False) -> Generated:
     """
     done = verify(made.output)
     made.models.plan.findings.append(verdict_finding(done.verdict))
-    again = produce(made.models, made.output, strict=strict)
+    again = produce(made.models, made.output, strict=strict, program=made.program)
     again.notes = [*made.notes, *(note for note in again.notes if note not in made.notes), *done.lost]
     again.verification = (done.verdict.to_json(), done.exit_code)
     return again

@@ -1,4 +1,4 @@
-"""The files of a program for any target, as rules of EGX: the program's units, its adapters, the report.
+"""The files of a program for any target, as rules of EGX: the program's units, its adapters, and its report by itself.
 
 A generator names its templates and gives the values for its project file. Each rule makes a file from a template; values that a
 template needs beyond the plan are prepared by the module of that file. Templates name their parts, so that every generated line
@@ -18,7 +18,7 @@ from robosmi.generate import Gen, Generation
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.adapters import adapter_pieces, adapters, made_apart, with_own_types
 from robosmi.transformations.m2t.bench_sketch import bench
-from robosmi.transformations.m2t.first_screen import Counted, counted
+from robosmi.transformations.m2t.first_screen import Counted
 from robosmi.transformations.m2t.port_table import port_table
 from robosmi.transformations.m2t.program_text import file_name, own_header, program_text
 from robosmi.transformations.m2t.task_list import report
@@ -29,6 +29,8 @@ from robosmi.transformations.queries.text_changes import all_changes
 
 BENCH = "bench"
 """The folder beside the program that contains the sketch for testing components on the bench."""
+REPORT = "MIGRATION.md"
+"""The name of the report in the program's folder."""
 
 
 class ProgramTemplates(Struct, frozen=True):
@@ -53,23 +55,13 @@ class ProgramTemplates(Struct, frozen=True):
     bench: str = ""
 
 
-class ProgramGeneration(Generation):
-    """The files of a program, with the results about its plan that were computed for them.
-
-    Attributes:
-        counted: these results.
-    """
-
-    counted: Counted | None = None
-
-
 def program_files(
     plan: migration.MigrationPlan, sources: Mapping[str, bytes], templates: ProgramTemplates, project: Mapping[str, Any]
-) -> ProgramGeneration:
+) -> Generation:
     """The files of a program, their paths relative to the output folder; nothing is written.
 
     Args:
-        plan: a complete plan.
+        plan: a plan with its decisions.
         sources: path of a unit -> its bytes.
         templates: of the target's files.
         project: what the project file shows beyond the plan.
@@ -84,7 +76,6 @@ def program_files(
         raise UsageError(f"the target '{name}' has no sketch for the bench", fix=fix)
     g = Gen()
     assert plan.program is not None
-    known = counted(plan, sources)
     late, changes = with_own_types(plan), all_changes(plan)
     texts = {unit: SourceText(unit, sources[unit.path], changes) for unit in plan.program.units}
 
@@ -132,9 +123,24 @@ def program_files(
     def BenchProject(_: str) -> Mapping[str, Json]:
         return {"plan": plan, **project, "libraries": [], "chosen": []}
 
-    @g.rule(template="report/migration.md.j2", target=f"{plan.name}/MIGRATION.md")
+    return g.make()
+
+
+def report_file(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Counted) -> Generation:
+    """The report of a migration, its path relative to the output folder; nothing is written.
+
+    Args:
+        plan: a complete plan.
+        sources: path of a unit -> its bytes.
+        known: what was counted of the plan.
+
+    Raises:
+        RuleError: the template is wrong.
+    """
+    g = Gen()
+
+    @g.rule(template="report/migration.md.j2", target=f"{plan.name}/{REPORT}")
     def Report() -> dict[str, Any]:
         return {"plan": plan, **report(plan, sources, known)}
 
-    made = g.make()
-    return ProgramGeneration(made.folder, made.files, made.messages, made.findings, counted=known)
+    return g.make()
