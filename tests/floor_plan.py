@@ -16,6 +16,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Iterable, Iterator
+from typing import TypeAlias
 
 import networkx as nx
 
@@ -32,7 +33,7 @@ STARTS = "__main__"
 
 Room = tuple[str, ...]
 """The path of a room: the packages that it is in, from `robosmi` on. A prefix of it is a group."""
-Graph = nx.DiGraph  # of rooms and groups
+Graph: TypeAlias = "nx.DiGraph[Room]"
 
 
 class House:
