@@ -8,6 +8,7 @@
 # make adapters  each adapter compiled alone for every microcontroller, each one broken on purpose, and whole programs of each family, by hand (not in CI)
 # make readme  the output, excerpts and pictures of README.md and docs/tutorial.md
 # make rules  the tables of docs/reference/rules.md and plug-ins.md, from the rules' data and the code
+# make floor-plan  the picture of rooms and imports in docs/architecture.md, from the code
 # make pyecore  what is leant on in pyecore without a promise, and whether it holds in other versions, by hand (not in CI)
 # make corpus  the programs and drawings of other people that the ground-truth tests read, fetched from their repositories
 # make wheel  build the wheel, install it in a clean environment, use it from another folder
@@ -20,7 +21,7 @@ export ROBOSMI_HOME := $(CURDIR)/out/data
 unexport ROBOSMI_HISTORY
 # Where .ci/npm-packages puts the simulator avr8js.
 export ROBOSMI_NPM := $(CURDIR)/.npm
-.PHONY: demo test lint bench evaluate fuzz faults adapters pyecore corpus wheel readme rules metamodels system-packages npm-packages clean
+.PHONY: floor-plan demo test lint bench evaluate fuzz faults adapters pyecore corpus wheel readme rules metamodels system-packages npm-packages clean
 
 $(VENV)/.ready: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -101,6 +102,9 @@ wheel:
 rules: $(VENV)/.ready
 	$(BIN)/python -m tests.rules_page
 	$(BIN)/python -m tests.plug_ins_page
+
+floor-plan: $(VENV)/.ready
+	$(BIN)/python -m tests.floor_plan
 
 readme: $(VENV)/.ready
 	$(BIN)/python tests/readme_tour.py
