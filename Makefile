@@ -110,7 +110,7 @@ readme: $(VENV)/.ready
 	$(BIN)/python tests/readme_tour.py
 
 metamodels: $(VENV)/.ready
-	$(BIN)/python -m robosmi.model.codegen
+	$(BIN)/python -m robosmi.model.generator.codegen
 	$(BIN)/python -m robosmi.model.diagram
 
 clean:

@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Protocol, TypedDict, Unpack
 from robosmi.plugins import content
 
 if TYPE_CHECKING:
-    from robosmi.data_text import Json
+    from robosmi.base.data_text import Json
     from robosmi.diagnostics import Finding
     from robosmi.metamodels import ccode, hardware, migration
     from robosmi.project import Project
     from robosmi.recommend.ranking import Recommendation
-    from robosmi.verify.compile_report import CompileReport
-    from robosmi.verify.upload import UploadReport
+    from robosmi.verify.toolchains.compile_report import CompileReport
+    from robosmi.verify.uploads.upload import UploadReport
 
 
 class Analysed(Protocol):
@@ -336,17 +336,17 @@ def compile_sketch(sketch: str | Path, board: str | None = None, output: str | P
         output: a folder for the program and the compilation database, made when missing; None leaves nothing.
 
     Returns:
-        A `robosmi.verify.compile_report.CompileReport`.
+        A `robosmi.verify.toolchains.compile_report.CompileReport`.
 
     Raises:
         MissingToolError: the compiler is not installed.
         SourceError: there is no sketch, or the folder cannot be written.
     """
     if output is None:
-        from robosmi.verify.toolchain import compile_sketch as compiled
+        from robosmi.verify.toolchains.toolchain import compile_sketch as compiled
 
         return compiled(Path(sketch), board)
-    from robosmi.verify.kept_program import compile_into
+    from robosmi.verify.toolchains.kept_program import compile_into
 
     return compile_into(Path(sketch), board, into=Path(output))
 
@@ -360,13 +360,13 @@ def upload_sketch(sketch: str | Path, port: str, **options: Unpack[UploadOptions
         **options: see `UploadOptions`.
 
     Returns:
-        A `robosmi.verify.upload.UploadReport`.
+        A `robosmi.verify.uploads.upload.UploadReport`.
 
     Raises:
         SourceError: it is not compiled, was changed since, or cannot be sent.
         MissingToolError: the tool that uploads is not installed.
         UploadError: the board did not take it.
     """
-    from robosmi.verify.upload import upload_sketch as uploaded
+    from robosmi.verify.uploads.upload import upload_sketch as uploaded
 
     return uploaded(sketch, port, **options)

@@ -15,7 +15,7 @@ from msgspec import Struct
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from robosmi.data_text import Json
+    from robosmi.base.data_text import Json
 
 
 class Severity(IntEnum):

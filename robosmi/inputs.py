@@ -2,7 +2,7 @@
 
 A named pipe, a device or a socket can block a reader forever, and an endless file exhausts the memory. So a path is checked
 before it is opened, opened without blocking, and the opened file is checked again, since the path may lead to another file by
-then. Files are written by `robosmi.model.files` and `commit`.
+then. Files are written by `robosmi.files.files` and `commit`.
 """
 
 from __future__ import annotations

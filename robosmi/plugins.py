@@ -20,9 +20,9 @@ from typing import Any
 from msgspec import Struct
 
 from robosmi import inputs
+from robosmi.base.foreign_code import frames_of
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import InternalError, MissingToolError, RuleError, UsageError, did_you_mean
-from robosmi.foreign_code import frames_of
 from robosmi.plugin_contracts import KINDS, ContentFunction, ContentKind, unused
 
 ENTRY_POINTS = "robosmi.transformations"

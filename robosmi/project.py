@@ -16,7 +16,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from robosmi import inputs, resources
-from robosmi.data_text import Json, as_table, as_text, data_toml, line_of_key, toml_of
+from robosmi.base.data_text import Json, as_table, as_text, data_toml, line_of_key, toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, did_you_mean
 

@@ -12,8 +12,8 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
+from robosmi.base.user_folders import OWN, cache_dir, named, project_folder, project_of_input, user_data
 from robosmi.errors import PlatformDataError
-from robosmi.user_folders import OWN, cache_dir, named, project_folder, project_of_input, user_data
 
 __all__ = ["KINDS", "built_in", "cache_dir", "find", "folders", "named", "project_of_input", "user_data"]
 
@@ -58,7 +58,7 @@ def _folders(kind: str, project: Path | None) -> Iterator[str]:
     for root in own:
         if os.path.isdir(folder := os.path.join(root, kind)):
             if kind == "templates" and root is own[0] and root not in own[1:]:
-                from robosmi.trust import demand  # most projects have no templates of their own
+                from robosmi.base.trust import demand  # most projects have no templates of their own
 
                 demand(Path(root), kind)
             yield folder

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import robosmi
-from robosmi.user_folders import cache_dir
+from robosmi.base.user_folders import cache_dir
 from tests.recording.written_models import FOLDER
 
 ROOT = Path(__file__).resolve().parents[1]

@@ -15,9 +15,9 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.errors import RobosmiError
-from robosmi.model.driver import is_element
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.elements.driver import is_element
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.query import (
     Bag,
     Long,

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from robosmi.data_text import json_of, toml_of
+from robosmi.base.data_text import json_of, toml_of
 
 
 @pytest.mark.parametrize("read", [toml_of, json_of])

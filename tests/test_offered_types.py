@@ -116,5 +116,5 @@ def test_what_is_offered_says_no_any() -> None:
 
 def test_an_any_is_found_in_a_text_and_a_class_is_none() -> None:
     annotated = ast.parse("x: Mapping[str, 'Any']\ny: Function\nz: Function | None").body
-    found = [isinstance(one, ast.AnnAssign) and has_any("robosmi.functions", one.annotation) for one in annotated]
+    found = [isinstance(one, ast.AnnAssign) and has_any("robosmi.base.functions", one.annotation) for one in annotated]
     assert found == [True, False, False]

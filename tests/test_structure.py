@@ -24,28 +24,14 @@ import pytest
 import robosmi
 from tests.source_imports import CONTENT, ROOT, imported, module_name, modules, names_imported, tree_of
 
-FOUNDATION = (
-    "errors",
-    "diagnostics",
-    "doing",
-    "foreign_code",
-    "functions",
-    "user_folders",
-    "user_cache",
-    "resources",
-    "plugin_contracts",
-    "plugins",
-    "project",
-    "inputs",
-    "file_locks",
-    "ending_signals",
-    "data_text",
-    "trust",
-    "template_files",
-)
-LOW = ("quoting", *FOUNDATION)
+PUBLIC = ("errors", "diagnostics", "resources", "plugin_contracts", "plugins", "project", "inputs")
+"""The modules of the foundation that users import; its other modules are the room `base`."""
+FOUNDATION = (*PUBLIC, "base")
+LOW = ("files", "quoting", *FOUNDATION)
 ABOVE: dict[str, tuple[str, ...]] = {
+    "base": PUBLIC,
     "quoting": FOUNDATION,
+    "files": ("quoting", *FOUNDATION),
     "model": LOW,
     "query": ("model", *LOW),
     "generate": ("query", "model", *LOW),
@@ -71,6 +57,67 @@ CONTENT_ABOVE: dict[str, tuple[str, ...]] = {
     "chains": ("verification", "m2t", "m2m", "constraints", "t2m", "queries", "knowledge"),
 }
 """Room of the content -> the rooms of the content that it may import (and itself)."""
+
+INSIDE: dict[str, dict[str, tuple[str, ...]]] = {
+    "robosmi/cli": {"": (), "commands": ("",)},
+    "robosmi/model": {
+        "elements": (),
+        "ecore": ("elements",),
+        "xmi": ("ecore", "elements"),
+        "": ("xmi", "ecore", "elements"),
+        "generator": ("", "ecore", "elements"),
+    },
+    "robosmi/query": {"": (), "rules": ("",)},
+    "robosmi/verify": {"toolchains": (), "": ("toolchains",), "uploads": ("toolchains",), "traces": ("",)},
+    "transformations/chains": {"stages": (), "": ("stages",)},
+    "transformations/knowledge": {"": (), "adapters": ("",), "platforms": ("adapters", ""), "libraries": ("platforms",)},
+    "transformations/m2m": {
+        "circuits": (),
+        "choices": (),
+        "adapters": (),
+        "language": (),
+        "ports": ("choices",),
+        "partition": ("ports", "adapters", "language"),
+        "widths": ("partition", "language"),
+        "": ("widths", "partition", "ports", "adapters", "choices", "language"),
+    },
+    "transformations/m2t": {"circuits": (), "": ("circuits",)},
+    "transformations/queries": {
+        "macros": (),
+        "circuits": (),
+        "": ("macros",),
+        "programs": ("", "macros"),
+        "flows": ("programs", "", "macros"),
+        "constants": ("flows", "programs", "", "macros"),
+        "ports": ("flows", "", "macros"),
+        "plans": ("ports", "circuits", ""),
+        "resources": ("plans", "constants", "flows", "programs", "", "macros"),
+        "reports": ("resources", "plans", "ports", "flows", "programs", ""),
+    },
+    "transformations/t2m": {
+        "": (),
+        "eagle": ("",),
+        "fritzing": ("",),
+        "kicad": ("",),
+        "wokwi": ("",),
+        "c_source/parsing": (),
+        "c_source": ("c_source/parsing",),
+    },
+    "transformations/verification": {
+        "devices": (),
+        "engines": (),
+        "stack": (),
+        "bound_devices": (),
+        "": ("bound_devices",),
+        "search": ("", "bound_devices"),
+        "judgement": ("", "bound_devices"),
+    },
+}
+"""Hall -> its rooms, lowest first -> the rooms of the hall that each may import (and itself); "" has the hall's loose modules."""
+FACES = ("driver", "metamodel", "show", "strict", "codegen", "toolchain")
+"""Modules of documented paths that only hand on what is in a room."""
+LARGE = ("robosmi/cli/commands", "transformations/constraints")
+"""Folders that may have more than 25 modules, since each module is one registered thing."""
 
 
 def rooms_imported(path: Path) -> Iterator[tuple[str, str]]:
@@ -111,6 +158,63 @@ def test_a_room_of_the_content_imports_only_rooms_below_it(room: str) -> None:
         if other not in allowed
     ]
     assert wrong == []
+
+
+def rooms_of(hall: str) -> dict[str, list[Path]]:
+    """The rooms of a hall with the modules that lie directly in them, without packages' own files and faces."""
+    rooms: dict[str, list[Path]] = {}
+    for path in modules(hall):
+        room = path.parent.relative_to(ROOT / hall).as_posix()
+        if path.stem != "__init__" and not (room == "." and path.stem in FACES):
+            rooms.setdefault(room if room != "." else "", []).append(path)
+    return rooms
+
+
+@pytest.mark.parametrize("hall", INSIDE)
+def test_a_room_of_a_hall_imports_only_rooms_below_it(hall: str) -> None:
+    known, arrows = rooms_of(hall), INSIDE[hall]
+    assert set(known) == set(arrows)
+    room_of = {module_name(path): room for room, paths in known.items() for path in paths}
+    below: set[str] = set()
+    wrong = []
+    for room, allowed in arrows.items():
+        assert set(allowed) <= below, f"{room}: its rooms are above it in the table"
+        below.add(room)
+        for path in known[room]:
+            for line, name in imported(path):
+                other = room_of.get(name, room_of.get(name.rpartition(".")[0], room))
+                if other != room and other not in allowed:
+                    wrong.append(f"{path.relative_to(ROOT)}:{line} imports {name}")
+    assert wrong == []
+
+
+def test_a_face_only_hands_on_names() -> None:
+    """What is new is imported from the room that has it."""
+    faces = [
+        path
+        for path in modules("robosmi/model", "robosmi/verify")
+        if path.stem in FACES and len(path.relative_to(ROOT).parts) == 3
+    ]
+    assert {path.stem for path in faces} == set(FACES)
+    for path in faces:
+        assert {type(node).__name__ for node in tree_of(path).body} == {"Expr", "ImportFrom"}, path
+    names = {module_name(path) for path in faces}
+    users = [
+        f"{path.relative_to(ROOT)}:{line}"
+        for path in modules("robosmi", "transformations")
+        for line, name in imported(path)
+        if names & {name, name.rpartition(".")[0]}
+    ]
+    assert users == []
+
+
+def test_no_room_has_more_than_25_modules() -> None:
+    folders: dict[str, int] = {}
+    for path in modules("robosmi", "transformations"):
+        if path.name != "__init__.py":
+            folder = path.parent.relative_to(ROOT).as_posix()
+            folders[folder] = folders.get(folder, 0) + 1
+    assert {folder: count for folder, count in folders.items() if count > 25 and folder not in LARGE} == {}
 
 
 def test_generators_look_nothing_up() -> None:
@@ -180,11 +284,11 @@ def test_every_room_of_the_framework_has_its_arrows() -> None:
     rooms = {path.name for path in (ROOT / "robosmi").iterdir() if (path / "__init__.py").is_file()}
     files = {path.stem for path in (ROOT / "robosmi").glob("*.py")} - {"__init__", "__main__"}
     assert rooms == set(ABOVE)
-    assert files == {*FOUNDATION, "api"}
+    assert files == {*PUBLIC, "api"}
 
 
 def test_the_foundation_imports_nothing_but_itself() -> None:
-    paths = [ROOT / "robosmi" / f"{name}.py" for name in FOUNDATION]
+    paths = [*(ROOT / "robosmi" / f"{name}.py" for name in PUBLIC), *modules("robosmi/base")]
     wrong = [f"{place} imports {other}" for path in paths for place, other in rooms_imported(path) if other not in FOUNDATION]
     assert wrong == []
 
@@ -291,15 +395,15 @@ def test_every_module_says_what_lives_in_it() -> None:
 
 OPENS: dict[str, str] = {
     "robosmi/inputs.py": "it is the place",
-    "robosmi/user_cache.py": "asks who has written what it reads",
+    "robosmi/base/user_cache.py": "asks who has written what it reads",
     "robosmi/cli/streams.py": "opens the null device in place of a stream that is closed",
     "robosmi/cli/landlock.py": "names a folder to the kernel, and can read nothing by it",
-    "robosmi/model/open_folder.py": "writes, and holds folders open",
-    "robosmi/model/files.py": "writes",
-    "robosmi/model/sqlite_files.py": "changes bytes of the file that it has just written",
-    "robosmi/file_locks.py": "opens files and folders to lock them, and reads nothing by it",
-    "robosmi/verify/serial_ports.py": "opens serial ports, which are no files to be read",
-    "robosmi/model/zip_archive.py": "reads an archive that is in memory",
+    "robosmi/files/open_folder.py": "writes, and holds folders open",
+    "robosmi/files/files.py": "writes",
+    "robosmi/files/sqlite_files.py": "changes bytes of the file that it has just written",
+    "robosmi/base/file_locks.py": "opens files and folders to lock them, and reads nothing by it",
+    "robosmi/verify/uploads/serial_ports.py": "opens serial ports, which are no files to be read",
+    "robosmi/files/zip_archive.py": "reads an archive that is in memory",
     "transformations/t2m/fritzing/drawing_model.py": "writes an archive in memory",
 }
 """Modules that may call what opens files, and why; all others ask `robosmi.inputs`."""

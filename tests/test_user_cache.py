@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from msgspec import Struct
 
-from robosmi.user_cache import CachedResults, code_version, write_cached
+from robosmi.base.user_cache import CachedResults, code_version, write_cached
 
 
 class Word(Struct):

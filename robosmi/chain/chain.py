@@ -38,8 +38,8 @@ from robosmi.errors import RuleError, SourceError, did_you_mean
 if TYPE_CHECKING:
     import networkx as nx  # longer to import than most chains take
 
+    from robosmi.base.functions import Function
     from robosmi.chain.languages import Choice  # all languages
-    from robosmi.functions import Function
 
 V = TypeVar("V")
 Names = str | Sequence[str]
@@ -384,7 +384,7 @@ def _check_parameters(step: Step) -> None:
         else:
             signature.bind(None, **dict.fromkeys(names))
     except TypeError as error:
-        from robosmi.query.erl import place_of  # a chain of plain functions needs no queries
+        from robosmi.query.rules.erl import place_of  # a chain of plain functions needs no queries
 
         raise RuleError(
             f"the function of the step '{step.name}' does not fit: {error}",

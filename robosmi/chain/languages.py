@@ -20,24 +20,24 @@ from robosmi import inputs
 from robosmi.chain.steps import Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, RuleError
+from robosmi.files.files import write_atomic
 from robosmi.generate import Gen
 from robosmi.generate.places import free_name
 from robosmi.model import save_model
-from robosmi.model.driver import Model
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.elements.driver import Model
 from robosmi.model.emf import EmfModel
-from robosmi.model.files import write_atomic
-from robosmi.model.metamodel import Metamodel
 from robosmi.model.session import Session
-from robosmi.model.xml_comments import comments_lost, told
+from robosmi.model.xmi.xml_comments import comments_lost, told
 from robosmi.query import ModelView
-from robosmi.query.erl import failed, owner_of, place_of, technology
+from robosmi.query.rules.erl import failed, owner_of, place_of, technology
 from robosmi.transform import ETL, Flock
 from robosmi.transform.flock_rules import left_out_fix, left_out_text
 from robosmi.validate import EVL
 from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
 
 if TYPE_CHECKING:
-    from robosmi.functions import Function
+    from robosmi.base.functions import Function
 
 Choice = str | Callable[[Unsatisfied], OfferedFix | None]
 """Which fix of a finding is performed: "first", "last", or a function that chooses one (None for none)."""

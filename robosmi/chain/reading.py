@@ -11,15 +11,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from robosmi import inputs
+from robosmi.base.data_text import toml_of
 from robosmi.chain.chain import Chain
 from robosmi.chain.steps import KINDS
-from robosmi.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import RuleError, SourceError, did_you_mean
-from robosmi.model.files import read_input
+from robosmi.files.files import read_input
 
 if TYPE_CHECKING:
-    from robosmi.functions import Function
+    from robosmi.base.functions import Function
 
 
 _KEYS: dict[str, dict[str, bool]] = {

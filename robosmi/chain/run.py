@@ -3,11 +3,17 @@
 A step is up to date if the digest of its inputs equals that of its last run and its outputs still exist. A model is read or
 made only when a step needs it. A run may be kept: ask it for a value, set another one (`give`), ask again; then only what
 depends on it is done again. A recomputed value that equals the old one counts as unchanged.
+
+Checks whether a value has the type that a function's annotation promises, for functions that replace a step.
+
+Only the type itself and the members of tuples and unions are checked, not the contents of lists and mappings.
 """
 
 from __future__ import annotations
 
 import time
+import types
+import typing
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar, overload
@@ -17,18 +23,19 @@ from msgspec import Struct
 import robosmi
 from robosmi import inputs
 from robosmi.chain.graph import Dependencies
-from robosmi.chain.results import described, named, unlike
 from robosmi.chain.state import State, StepState, digest_of, digest_of_all, finding_from, same_value
 from robosmi.chain.steps import CALL, GIVEN, Step, StepResult, relative
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, RuleError, SourceError, StoppedError, did_you_mean
-from robosmi.model.files import write_atomic
+from robosmi.files.files import write_atomic
 from robosmi.plugins import raised_by, unloadable
 
 if TYPE_CHECKING:
+    from robosmi.base.functions import Function
     from robosmi.chain.languages import Choice, Doing  # all languages
-    from robosmi.model.dynamic import Dynamic
+    from robosmi.model.elements.dynamic import Dynamic
     from robosmi.model.session import Session
+
 
 T = TypeVar("T")
 V = TypeVar("V")
@@ -295,7 +302,7 @@ class ChainRun:
         try:
             return self.do(step)
         except (SystemExit, RobosmiError) as error:
-            from robosmi.query.erl import failed, with_place
+            from robosmi.query.rules.erl import failed, with_place
 
             what = f"the step '{step.name}'"
             if isinstance(error, RobosmiError):
@@ -363,12 +370,12 @@ class ChainRun:
             if not replaced:
                 raise
             named = [f"'{s.name}'" for s in replaced]
-            from robosmi.query.erl import failed
+            from robosmi.query.rules.erl import failed
 
             what = f"the step '{step.name}' of the chain '{self.name}', in which {' and '.join(named)} was replaced,"
             raise failed(error, what, step.function, owner=replaced[0].function) from error
         if step.instead_of is not None and (expected := unlike(made, step.instead_of)):
-            from robosmi.query.erl import place_of
+            from robosmi.query.rules.erl import place_of
 
             first = f"{step.instead_of.__module__}.{getattr(step.instead_of, '__qualname__', '')}"
             raise RuleError(
@@ -396,3 +403,50 @@ class ChainRun:
         result.outputs = {name: digest_of(self.folder / name) for name in result.outputs}
         findings = [finding.to_json() for finding in result.findings]
         self.state.steps[step.name] = StepState(inputs, result.outputs, findings, result.state == "failed", result.changes)
+
+
+def unlike(value: Any, function: Function) -> str:
+    """The type that a function promises to return, in words, if a value does not have it; else an empty text.
+
+    Args:
+        value: what was made.
+        function: the function whose return annotation says what is expected; one without an annotation expects anything.
+    """
+    try:
+        expected = typing.get_type_hints(function).get("return", Any)
+    except (NameError, TypeError, AttributeError):  # of a name that only type checkers import
+        return ""
+    return "" if _fits(value, expected) else named(expected)
+
+
+def _fits(value: Any, expected: Any) -> bool:
+    origin, members = typing.get_origin(expected), typing.get_args(expected)
+    if origin in (typing.Union, types.UnionType):
+        return any(_fits(value, member) for member in members)
+    if origin is tuple and members and members[-1] is not Ellipsis:
+        fits = isinstance(value, tuple) and len(value) == len(members)
+        return fits and all(_fits(part, member) for part, member in zip(value, members, strict=True))
+    kind = origin or expected
+    if kind is None:
+        return value is None
+    return not isinstance(kind, type) or getattr(kind, "_is_protocol", False) or isinstance(value, kind)
+
+
+def named(expected: Any) -> str:
+    """A type as a person writes it: `list[PortBinding]`, `StoredDrawing or None`."""
+    origin, members = typing.get_origin(expected), typing.get_args(expected)
+    if origin in (typing.Union, types.UnionType):
+        return " or ".join(named(member) for member in members)
+    if expected is type(None) or expected is None:
+        return "None"
+    name = getattr(origin or expected, "__name__", str(expected))
+    return f"{name}[{', '.join('...' if m is Ellipsis else named(m) for m in members)}]" if members else name
+
+
+def described(value: Any) -> str:
+    """A value described by its type: `None`, `a tuple of 2 (list, str)`, `an int`."""
+    if value is None:
+        return "None"
+    name = type(value).__name__
+    members = f" of {len(value)} ({', '.join(type(part).__name__ for part in value)})" if isinstance(value, tuple) else ""
+    return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}{members}"

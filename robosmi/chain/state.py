@@ -15,13 +15,13 @@ from msgspec import Struct
 from msgspec.structs import asdict
 
 from robosmi import inputs
-from robosmi.data_text import as_list, as_table, as_text, as_whole, json_of, json_written
+from robosmi.base.data_text import as_list, as_table, as_text, as_whole, json_of, json_written
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
-from robosmi.model.files import digest, write_atomic
+from robosmi.files.files import digest, write_atomic
 
 if TYPE_CHECKING:
-    from robosmi.data_text import Json
+    from robosmi.base.data_text import Json
 
 SCHEMA = "robosmi-chain/1"
 

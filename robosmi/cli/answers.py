@@ -11,11 +11,11 @@ from pathlib import Path
 from typing import Protocol
 
 from robosmi.api import Analysed, MadeSketch
-from robosmi.data_text import Json
+from robosmi.base.data_text import Json
 from robosmi.diagnostics import Finding
 from robosmi.project import Project
 from robosmi.verify.simulation import PinTrace
-from robosmi.verify.verdict import Verdict
+from robosmi.verify.traces.verdict import Verdict
 
 
 class ImportedLibraries(Protocol):

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import StoppedError, UsageError
-from robosmi.model.files import ANOTHER_NAME, refuse_link
+from robosmi.files.files import ANOTHER_NAME, refuse_link
 
 if TYPE_CHECKING:
     from robosmi.cli.options import Options
-    from robosmi.model.ecore import EObject
+    from robosmi.model.elements.ecore import EObject
 
 
 def add_source_options(parser: Options) -> None:

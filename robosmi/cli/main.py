@@ -2,6 +2,13 @@
 
 Each command is a module of this package with `configure(parser)` and `run(arguments) -> Report`; only the one that is
 asked for is imported. With `--json`, stdout is exactly one document, also when the command failed.
+
+An example of each command, as its `--help` shows it at the end.
+
+Turns system failures that end a command into errors with a cause and advice.
+
+Examples are a full disk, no memory, too deeply nested text, an incomplete installation, and a removed folder. Any other
+unexpected exception is a bug of ours.
 """
 
 from __future__ import annotations
@@ -17,29 +24,34 @@ from contextlib import nullcontext, redirect_stdout, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from robosmi import plugins
+from robosmi.base import foreign_code
+from robosmi.base.ending_signals import ending_signals
+from robosmi.base.foreign_code import END
 from robosmi.cli import sarif_file, streams
-from robosmi.cli.examples import EXAMPLES
-from robosmi.cli.failures import as_error
 from robosmi.cli.progress import progress
-from robosmi.diagnostics import Finding, Severity
-from robosmi.ending_signals import ending_signals
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import (
     CompileError,
+    InternalError,
     MissingToolError,
     ModelError,
     PlatformDataError,
     RobosmiError,
+    RuleError,
     SourceError,
     StoppedError,
     UploadError,
     UsageError,
     did_you_mean,
 )
+from robosmi.inputs import fix_of
 from robosmi.plugins import plugin_findings
 from robosmi.quoting import json_text, terminal
 
 if TYPE_CHECKING:
     from robosmi.cli.options import Options
+
 
 COMMANDS = {
     "analyse": "what a program uses of its platform",
@@ -128,7 +140,7 @@ def build_parser(command: str | None = None) -> argparse.ArgumentParser:
             help="exit with 1 when there is a finding of at least this severity (default: error)",
         )  # fmt: skip
         if name == command:
-            importlib.import_module(f"robosmi.cli.{name}").configure(sub)
+            importlib.import_module(f"robosmi.cli.commands.{name}").configure(sub)
     return parser
 
 
@@ -203,7 +215,7 @@ def _run(parsed: _Parsed) -> int:
     sarif_file.check_file(parsed.sarif)
     aside = redirect_stdout(sys.stderr) if parsed.json else nullcontext()  # what plug-ins and rules print is none of the document
     with progress(), aside:
-        report = importlib.import_module(f"robosmi.cli.{parsed.command}").run(parsed)
+        report = importlib.import_module(f"robosmi.cli.commands.{parsed.command}").run(parsed)
         report.findings += plugin_findings()
     code = int(report.exit_code(parsed.fail_on)) if report.ok else int(report.failure_code)
     if parsed.sarif is not None:
@@ -254,3 +266,91 @@ def _print_json(document: dict[str, Any]) -> None:
 
 if __name__ == "__main__":
     sys.exit(main())
+
+
+EXAMPLES = {
+    "analyse": "robosmi analyse robot.c -I include --json",
+    "hardware": "robosmi hardware robot.fzz --svg wiring.svg",
+    "recommend": "robosmi recommend robot.fzz",
+    "migrate": "robosmi migrate robot.c --hardware robot.fzz -o out --bind leftQTI=D10",
+    "generate": "robosmi generate out/models/plan.xmi -o out",
+    "choose": "robosmi choose out port:leftServo=D9",
+    "open": "robosmi open out",
+    "report": "robosmi report out -o report.html",
+    "wiring": "robosmi wiring out --as csv -o wiring.csv",
+    "undo": "robosmi undo out",
+    "check": "robosmi check robot.fzz --fail-on warning",
+    "compile": "robosmi compile out",
+    "upload": "robosmi upload out --port /dev/ttyACM0",
+    "simulate": "robosmi simulate out --seconds 10 -o trace.vcd",
+    "verify": "robosmi verify out",
+    "adapters": "robosmi adapters save out --as project",
+    "history": "robosmi history export choices.csv",
+    "libraries": "robosmi libraries import installed/libraries",
+    "run": "robosmi run chain.toml --dry-run",
+    "query": 'robosmi query out/models/plan.xmi "PortBinding.all.select(lambda b: b.open).name"',
+    "parts": "robosmi parts import parts-folder",
+    "platform": "robosmi platform import include --name mine",
+    "metamodels": "robosmi metamodels generate library.ecore -o packages",
+    "trust": "robosmi trust .",
+    "mcp": "robosmi mcp --root my-robot",
+    "explain": "robosmi explain RS311",
+    "doctor": "robosmi doctor",
+    "completion": "robosmi completion bash > ~/.local/share/bash-completion/completions/robosmi",
+}
+"""Command -> a command line of it."""
+
+
+def as_error(error: BaseException) -> RobosmiError:
+    """The error to report for whatever a command ended with.
+
+    Args:
+        error: what was raised.
+    """
+    if isinstance(error, RobosmiError):
+        return error
+    if isinstance(error, OSError):
+        return _of_system(error)
+    if isinstance(error, MemoryError):
+        return SourceError("there is not enough memory for this input", fix="give a smaller input, or more memory")
+    if isinstance(error, RecursionError):
+        if (found := foreign_code.endless(error)) is not None:
+            return RuleError(f"the function '{found[0]}' calls itself without end", location=found[1], fix=END)
+        return SourceError("the input is nested too deeply to be read", fix="look for brackets or elements within each other")
+    if (missing := plugins.unloadable(error)) is not None:
+        return missing
+    if isinstance(error, UnicodeEncodeError):
+        return _unwritable_text(error)
+    if (raised := plugins.raised_by(error)) is not None:
+        return raised
+    if not isinstance(error, (Exception, SystemExit)) and (place := foreign_code.innermost(error)) is not None:
+        return RuleError(f"{type(error).__name__}: {error}", location=place, fix="let this code raise an Exception, or nothing")
+    return InternalError(
+        f"{type(error).__name__}: {error}",
+        fix="this is a bug of robosmi: please report it; ROBOSMI_DEBUG=1 shows where it happened",
+    )
+
+
+def _of_system(error: OSError) -> SourceError:
+    if not _current_folder_is_there():
+        return SourceError("the current folder is no longer there", fix="change to a folder that is, and run the command again")
+    place = Location(os.fsdecode(error.filename)) if isinstance(error.filename, (str, bytes, os.PathLike)) else None
+    fix = fix_of(error, "check the path, the permissions and the space on the disk")
+    return SourceError(f"the system refuses: {error.strerror or error}", location=place, fix=fix)
+
+
+def _current_folder_is_there() -> bool:
+    try:
+        os.getcwd()
+    except OSError:
+        return False
+    return True
+
+
+def _unwritable_text(error: UnicodeEncodeError) -> SourceError:
+    """A text that cannot be stored: half of a pair of UTF-16, which is how Python holds a byte of a name that is no UTF-8."""
+    shown = str(error.object)[max(0, error.start - 40) : error.end + 40].encode("ascii", "backslashreplace").decode()
+    return SourceError(
+        f"a name or text cannot be stored as {error.encoding.upper()}: '{shown}'",
+        fix="rename the file or correct the text, so that it is UTF-8",
+    )

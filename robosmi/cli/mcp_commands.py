@@ -17,8 +17,8 @@ from typing import Any
 import anyio
 import anyio.abc
 
+from robosmi.base.data_text import as_table, json_of
 from robosmi.cli.root_folder import LONGEST, RootFolder, is_text
-from robosmi.data_text import as_table, json_of
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError
 from robosmi.report.document import SCHEMA

@@ -71,7 +71,7 @@ def write_file(report: Report, path: Path, exit_code: int, about: Path | None = 
         SourceError: it cannot be written.
         StoppedError: the command has just made that file.
     """
-    from robosmi.model.files import write_atomic
+    from robosmi.files.files import write_atomic
     from robosmi.report.sarif import sarif_text
 
     if os.path.realpath(path) in {os.path.realpath(str(artifact["path"])) for artifact in report.artifacts}:

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from robosmi.generate.gen import Gen
-    from robosmi.generate.identity import region_id
     from robosmi.generate.result import FileChange, Generation, TextLink, TextTrace
+    from robosmi.generate.templates import region_id
 
 _PLACES = {
     "Gen": "gen",

@@ -10,12 +10,12 @@ from pathlib import Path
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import StoppedError
+from robosmi.files.files import digest
 from robosmi.generate.keep import keep
 from robosmi.generate.places import Places, before_conflicts, free_name
 from robosmi.generate.record import Record, lost_record, made_anew
 from robosmi.generate.regions import styles_in
 from robosmi.generate.text_form import FileText, read, same_text
-from robosmi.model.files import digest
 
 _AS_BYTES = "surrogateescape"
 """Bytes that are no UTF-8, in a comment of another encoding perhaps, go through a merge unchanged."""

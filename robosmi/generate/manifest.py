@@ -13,14 +13,14 @@ from pathlib import Path, PurePosixPath
 
 from msgspec import Struct
 
-from robosmi.data_text import Json, json_of, json_written
+from robosmi.base.data_text import Json, json_of, json_written
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
+from robosmi.files.files import digest, within
+from robosmi.files.runs import is_noted, note
 from robosmi.generate.places import Places
 from robosmi.generate.text_form import has_digest
 from robosmi.inputs import RECORD, fix_of, read_bytes
-from robosmi.model.files import digest, within
-from robosmi.model.runs import is_noted, note
 
 NAME = ".robosmi.json"
 SCHEMA = "robosmi-manifest/1"

@@ -14,11 +14,11 @@ from msgspec import Struct
 
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Severity
+from robosmi.files.commit import update
+from robosmi.files.recovery import at_work
 from robosmi.generate.manifest import NAME, Manifest, held_back, hidden, reformed_file
 from robosmi.generate.places import Places
-from robosmi.model.codegen import Rendered, render
-from robosmi.model.commit import update
-from robosmi.model.recovery import at_work
+from robosmi.model.generator.codegen import Rendered, render
 
 
 class GeneratedPackages(Struct, frozen=True):

@@ -8,8 +8,8 @@ from pathlib import Path, PurePosixPath
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.model.files import within
-from robosmi.model.recovery import STAGE
+from robosmi.files.files import within
+from robosmi.files.recovery import STAGE
 
 
 class Places:

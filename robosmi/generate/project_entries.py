@@ -17,10 +17,10 @@ from msgspec import Struct
 from tomlkit.exceptions import TOMLKitError
 
 from robosmi import inputs
-from robosmi.data_text import toml_of
+from robosmi.base.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.model.elsewhere import Elsewhere
+from robosmi.files.elsewhere import Elsewhere
 from robosmi.project import FILE_NAME, load_project, project_in
 
 Entries = Mapping[str, Mapping[str, str | None]]

@@ -20,7 +20,7 @@ from robosmi.query.values import as_string
 from robosmi.quoting import Quoted
 
 if TYPE_CHECKING:
-    from robosmi.functions import Function
+    from robosmi.base.functions import Function
 
 
 _KNOWN, _SHORT = 1 << 14, 200

@@ -14,8 +14,8 @@ from pathlib import Path
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
+from robosmi.files.files import digest, within
 from robosmi.generate.text_form import has_digest
-from robosmi.model.files import digest, within
 
 
 class Record:

@@ -15,8 +15,8 @@ from robosmi.generate.output import Text
 from robosmi.generate.regions import CommentStyle, partition
 
 if TYPE_CHECKING:
-    from robosmi.model.driver import Item
-    from robosmi.model.dynamic import Dynamic
+    from robosmi.model.elements.driver import Item
+    from robosmi.model.elements.dynamic import Dynamic
 
 
 class Write(Struct, eq=False):

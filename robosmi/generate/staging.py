@@ -15,6 +15,9 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
+from robosmi.files.commit import commit
+from robosmi.files.recovery import look_only
+from robosmi.files.runs import is_noted, note
 from robosmi.generate.keep import keep
 from robosmi.generate.manifest import held_back, hidden
 from robosmi.generate.output import Text, text_of
@@ -23,9 +26,6 @@ from robosmi.generate.record import Record, lost_record, made_anew
 from robosmi.generate.regions import BrokenMarker, merge
 from robosmi.generate.result import FileChange, Generation, Write
 from robosmi.generate.text_form import FileText, read, same_text
-from robosmi.model.commit import commit
-from robosmi.model.recovery import look_only
-from robosmi.model.runs import is_noted, note
 
 
 class Pending(Struct, eq=False):

@@ -3,38 +3,54 @@ template.
 
 Templates come from folders or from a mapping of texts. Undefined names, features included, are errors; lines with nothing but a
 tag are dropped; values print as in EOL. `gen` decides which template is used for which element and file.
+
+What a template may read and call: Jinja's sandbox, restricted to reading where parts of models are concerned.
+
+`robosmi.model.elements.reachable` lists the readable attributes of elements, collections, models and types, for queries as
+well. The environment of `templates` calls this module for every access, so results are cached by class and name. Values that a
+Python program passes to its templates are not restricted.
+
+Caches compiled templates in the user's cache folder between runs, since compiling takes longer than rendering.
+
+The cache contains the code that Jinja made of a template's text; the key consists of the text, Jinja's version and our own
+modules.
+
+Ids of regions, derived from the model so that a person's text stays with its element.
 """
 
 from __future__ import annotations
 
 import functools
+import os
 from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path
-from types import MethodType
+from functools import partial, partialmethod
+from pathlib import Path, PurePath
+from types import CodeType, FrameType, FunctionType, MethodType, ModuleType, TracebackType
 from typing import TYPE_CHECKING, Any
 
 import jinja2
+from jinja2.bccache import Bucket
 from jinja2.runtime import Context
-from jinja2.sandbox import SandboxedEnvironment
+from jinja2.sandbox import SandboxedEnvironment, is_internal_attribute
 
 from robosmi import resources
+from robosmi.base.template_files import TemplateFiles
+from robosmi.base.user_cache import code_version, read_cached, write_cached
 from robosmi.diagnostics import Location
-from robosmi.errors import RobosmiError, RuleError
+from robosmi.errors import ModelError, RobosmiError, RuleError
 from robosmi.generate import quoting_filters
-from robosmi.generate.identity import region_id
 from robosmi.generate.out import Blocks, Comments, Out, Stop
 from robosmi.generate.output import Buffer, Text, joined, outdented, printed, text_of
 from robosmi.generate.regions import partition
-from robosmi.generate.sandbox import allowed, may_call, refused
-from robosmi.generate.template_cache import TemplateCache
-from robosmi.model.driver import ModelElement, features_of, name_of, type_of
-from robosmi.model.ecore import EObject
-from robosmi.model.in_order import IN_ORDER, in_order
+from robosmi.model.elements.driver import DynamicNode, Item, ModelElement, TypeHandle, features_of, is_element, name_of, type_of
+from robosmi.model.elements.ecore import EObject
+from robosmi.model.elements.fragments import own_id
+from robosmi.model.elements.in_order import IN_ORDER, in_order
+from robosmi.model.elements.reachable import of_models
 from robosmi.query.problems import unknown_property
-from robosmi.template_files import TemplateFiles
 
 if TYPE_CHECKING:
-    from robosmi.functions import Function
+    from robosmi.base.functions import Function
 
 
 Where = str | Path | Sequence[str | Path] | Mapping[str, str] | None
@@ -315,3 +331,110 @@ def _loader(where: Where) -> jinja2.BaseLoader:
         if not Path(folder).is_dir():
             raise RuleError("the folder of templates does not exist", location=Location(str(folder)), fix="check the path")
     return TemplateFiles([str(folder) for folder in listed], found=False)
+
+
+_OF_PATHS = frozenset(name for name in dir(PurePath) if not name.startswith("_"))
+_CLOSED = (ModuleType, CodeType, FrameType, TracebackType, partial, partialmethod)
+_WATCHED = (FunctionType, MethodType)
+_ALLOWED: dict[tuple[type, str], bool] = {}
+
+
+def allowed(obj: Any, attribute: str) -> bool:
+    """Whether a template may ask an object for an attribute."""
+    key = (obj.__class__, attribute)
+    known = _ALLOWED.get(key)
+    if known is None:
+        known = _ALLOWED[key] = _judged(obj, attribute)
+    return known
+
+
+def _judged(obj: Any, attribute: str) -> bool:
+    if attribute.startswith("_") or isinstance(obj, _CLOSED) or is_internal_attribute(obj, attribute):
+        return False
+    part = of_models(obj, attribute)
+    if part is not None:
+        return part
+    return attribute in _OF_PATHS if isinstance(obj, Path) else True
+
+
+def refused(obj: Any, attribute: str) -> RuleError:
+    """The error for an attribute that is not allowed."""
+    return RuleError(
+        f"a template may not use '{attribute}' of a {type(obj).__name__}",
+        fix="compute it in the rule, and give it to the template",
+    )
+
+
+def may_call(function: Any) -> bool:
+    """Whether a template may call an object: not a type of a model, which would make an element, nor what is marked unsafe."""
+    if function.__class__ is TypeHandle:
+        return False
+    if function.__class__ in _WATCHED:
+        return not any(getattr(function, mark, False) is True for mark in ("unsafe_callable", "alters_data"))
+    return True
+
+
+_MODULES = ("borders", "contexts", "data_places", "languages", "out", "output", "quoting_filters", "templates")
+"""They say how templates are compiled: code that was made before one of them changed is not used."""
+
+
+class TemplateCache(jinja2.BytecodeCache):
+    """The cache of the environment that has no values and filters of a caller's: what these are decides what code is made."""
+
+    _known: str | None = None
+
+    def _name(self, bucket: Bucket) -> str:
+        if self._known is None:
+            self._known = f"{jinja2.__version__}-{code_version(os.path.dirname(__file__), _MODULES)}"
+        return f"templates/{self._known}-{bucket.key}"
+
+    def load_bytecode(self, bucket: Bucket) -> None:
+        """Fill in the code of a template, if it is there."""
+        if (code := read_cached(self._name(bucket))) is not None:
+            bucket.bytecode_from_string(code)
+
+    def dump_bytecode(self, bucket: Bucket) -> None:
+        """Cache the code of a template."""
+        write_cached(self._name(bucket), bucket.bytecode_to_string())
+
+
+def region_id(element: Item, *purpose: str) -> str:
+    """An id for a region that belongs to an element.
+
+    It is the element's own id (the attribute that is the class's id, else its `xmi:id`) where it has one, so that a renamed or
+    moved element keeps its text. Else it is the names on the way to it, which stay while others are added or reordered, but not
+    when it is renamed. A position is never part of it: the text would go to another element when one is inserted.
+
+    Args:
+        element: a model element.
+        purpose: what the region is for, where an element has several.
+
+    Returns:
+        For example `City/Stories/Ants body`.
+
+    Raises:
+        ModelError: it is no element, or it has no id, and it or a container has no name.
+    """
+    if not is_element(element):
+        raise ModelError(f"{element!r} is no element of a model", fix="give the element that the region belongs to")
+    own = _own_id(element)
+    return " ".join([own if own is not None else _names(element), *purpose])
+
+
+def _own_id(element: DynamicNode) -> str | None:
+    return (own_id(element) or None) if isinstance(element, EObject) else None
+
+
+def _names(element: DynamicNode) -> str:
+    found: list[str] = []
+    step: DynamicNode | None = element
+    while step is not None:
+        name = getattr(step, "name", None)
+        if not (name and isinstance(name, str)):
+            raise ModelError(
+                f"a {name_of(type_of(step))} has neither an id nor a name, so nothing in the model says which region is its own",
+                fix="give it an id attribute or a name, or write the region's id in the template",
+            )
+        found.append(str(name))
+        step = step.eContainer()
+    return "/".join(reversed(found))

@@ -11,7 +11,7 @@ from collections import Counter
 
 from msgspec import Struct
 
-from robosmi.model.files import digest
+from robosmi.files.files import digest
 
 _END = re.compile(r"\r\n|\r|\n")
 

@@ -16,19 +16,19 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from robosmi.data_text import Json, as_list, as_table, as_text, as_texts, json_of, json_written
+from robosmi.base.data_text import Json, as_list, as_table, as_text, as_texts, json_of, json_written
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
+from robosmi.files.commit import update
+from robosmi.files.elsewhere import Elsewhere
+from robosmi.files.elsewhere import changes as file_changes
+from robosmi.files.files import digest, within
+from robosmi.files.recovery import at_work
+from robosmi.files.runs import STATE, kept, place_of
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.manifest import Manifest
 from robosmi.generate.places import Places
 from robosmi.inputs import OUTPUT, SETTINGS, Kind, read_bytes
-from robosmi.model.commit import update
-from robosmi.model.elsewhere import Elsewhere
-from robosmi.model.elsewhere import changes as file_changes
-from robosmi.model.files import digest, within
-from robosmi.model.recovery import at_work
-from robosmi.model.runs import STATE, kept, place_of
 
 SCHEMA = "robosmi-undo/1"
 _BASE64 = ":"

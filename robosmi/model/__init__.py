@@ -12,14 +12,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from robosmi.model.driver import Model
-    from robosmi.model.ecore import DynamicEObject, EObject
+    from robosmi.model.ecore.metamodel import Metamodel
+    from robosmi.model.elements.driver import Model
+    from robosmi.model.elements.ecore import DynamicEObject, EObject
     from robosmi.model.emf import EmfModel
-    from robosmi.model.metamodel import Metamodel
     from robosmi.model.opening import open_model
     from robosmi.model.repository import Repository
     from robosmi.model.session import Session
-    from robosmi.model.xmi_layout import Root
+    from robosmi.model.xmi.xmi_layout import Root
 
 __all__ = ["EmfModel", "Metamodel", "Model", "Repository", "Session", "load_model", "open_model", "save_model"]
 
@@ -48,7 +48,7 @@ def load_model(path: str | Path) -> DynamicEObject:
         SourceError: a file cannot be read as XMI.
         ModelError: it contradicts its metamodel.
     """
-    from robosmi.model.metamodels import built_in
+    from robosmi.model.ecore.metamodels import built_in
     from robosmi.model.versions import read_current
 
     return next(iter(read_current(Path(path), built_in()).values()))
@@ -65,8 +65,8 @@ def save_model(root: EObject, path: str | Path, others: Mapping[str, Root] | Non
     Raises:
         ModelError: a reference leads to none of these models.
     """
-    from robosmi.model.files import write_atomic
-    from robosmi.model.xmi_writer import to_xmi
+    from robosmi.files.files import write_atomic
+    from robosmi.model.xmi.xmi_writer import to_xmi
 
     target = Path(path)
     write_atomic(target, to_xmi({target.name: root, **(others or {})})[target.name])

@@ -12,9 +12,8 @@ import threading
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from robosmi.model.ecore import EAbstractSet, ECollection, EList, EObject, EOrderedSet, EValue, Scalar
-from robosmi.model.emf import EmfModel
-from robosmi.model.pyecore_internals import (
+from robosmi.model.elements.ecore import EAbstractSet, ECollection, EList, EObject, EOrderedSet, EValue, Scalar
+from robosmi.model.elements.pyecore_internals import (
     ASSIGN,
     contain,
     container_of,
@@ -28,9 +27,10 @@ from robosmi.model.pyecore_internals import (
     set_own_resource,
     value_in,
 )
+from robosmi.model.emf import EmfModel
 
 if TYPE_CHECKING:
-    from robosmi.functions import Function
+    from robosmi.base.functions import Function
 
 
 _CHANGING: tuple[tuple[type, tuple[str, ...]], ...] = (
@@ -63,7 +63,7 @@ class Recording:
         self._thread = threading.get_ident()
 
     def __enter__(self) -> Recording:
-        from robosmi.model.strict import Element
+        from robosmi.model.elements.strict import Element
 
         places = [(cls, name) for cls, names in _CHANGING for name in names if hasattr(cls, name)]
         for cls, name in [*places, (Element, "__init__")]:

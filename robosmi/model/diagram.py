@@ -9,8 +9,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from robosmi import resources
-from robosmi.model.ecore import EClass, EModelElement, EPackage
-from robosmi.model.ecore_loader import GENMODEL
+from robosmi.model.ecore.ecore_loader import GENMODEL
+from robosmi.model.elements.ecore import EClass, EModelElement, EPackage
 
 ORDER = ("ccode", "hardware", "platform", "migration", "trace")
 

@@ -4,6 +4,10 @@ An extent is built at the first question and thrown away when pyecore reports a 
 asking again costs nothing and no answer is old. Roots that belong to no resource get one of ours (`resource`), through which
 pyecore's own notifications reach the model; nothing is shared between two models. XMI itself is read and written by `xmi_reader`
 and `xmi_writer`, ids are `fragments`'.
+
+Replaces pyecore's resource for the roots of a model, so that pyecore's notifications reach the model.
+
+pyecore asks `Home` for listeners and roots; `Watch` is a listener, also in pyecore's own resources. Neither knows the model.
 """
 
 from __future__ import annotations
@@ -11,23 +15,22 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Never, cast
+from typing import TYPE_CHECKING, Any, Never, cast
 
 from robosmi.errors import ModelError
-from robosmi.model.driver import FeatureValue, Kind, ModelElement, Node
-from robosmi.model.ecore import DynamicEObject, EObject, EPackage, Scalar
-from robosmi.model.fragments import fragment_of, own_id, resolve
-from robosmi.model.making import as_data, refuse_unnamed, unlink
-from robosmi.model.making import new as new
-from robosmi.model.metamodel import Metamodel, Packages, TypedModel
-from robosmi.model.pyecore_internals import own_resource_of, set_own_resource
-from robosmi.model.resource import Home, Watch
-from robosmi.model.structure import contents, root_of, walk
+from robosmi.model.ecore.metamodel import Metamodel, Packages, TypedModel
+from robosmi.model.elements.driver import FeatureValue, Kind, ModelElement, Node
+from robosmi.model.elements.ecore import DynamicEObject, EObject, EPackage, Scalar
+from robosmi.model.elements.fragments import fragment_of, own_id, resolve
+from robosmi.model.elements.making import as_data, refuse_unnamed, unlink
+from robosmi.model.elements.making import new as new
+from robosmi.model.elements.pyecore_internals import ListenedTo, own_resource_of, set_own_resource
+from robosmi.model.elements.structure import contents, root_of, walk
 
 if TYPE_CHECKING:
-    from robosmi.model.open_files import OpenFiles
-    from robosmi.model.xmi_document import Document
-    from robosmi.model.xmi_layout import Root
+    from robosmi.model.ecore.xmi_document import Document
+    from robosmi.model.xmi.open_files import OpenFiles
+    from robosmi.model.xmi.xmi_layout import Root
 
 
 class EmfModel(TypedModel):
@@ -88,9 +91,9 @@ class EmfModel(TypedModel):
             SourceError: a file cannot be read as XMI.
             ModelError: it contradicts its metamodel.
         """
-        from robosmi.model.metamodels import built_in
+        from robosmi.model.ecore.metamodels import built_in
         from robosmi.model.versions import migrated
-        from robosmi.model.xmi_reader import UnreadableModelError, read_documents
+        from robosmi.model.xmi.xmi_reader import UnreadableModelError, read_documents
 
         file = Path(path)
         if isinstance(metamodel, (str, Path)):
@@ -134,8 +137,8 @@ class EmfModel(TypedModel):
             ModelError: there is no path, or a reference leads to none of these models.
             SourceError: the file cannot be written.
         """
-        from robosmi.model.files import write_atomic
-        from robosmi.model.xmi_writer import to_xmi
+        from robosmi.files.files import write_atomic
+        from robosmi.model.xmi.xmi_writer import to_xmi
 
         target = self._target(path)
         roots = self.roots
@@ -338,3 +341,63 @@ def open_xmi(
 ) -> EmfModel:
     """Open an XMI file; see `EmfModel.load`."""
     return EmfModel.load(path, metamodel, name, lenient=lenient, open_files=open_files)
+
+
+class Watch:
+    """A listener that records changes: `touched` for any change, `changed` for a change of containment."""
+
+    __slots__ = ("changed", "touched")
+
+    def __init__(self) -> None:
+        self.changed = self.touched = True
+
+    def notifyChanged(self, notification: Any) -> None:
+        """Called by pyecore."""
+        self.touched = True
+        if not self.changed:
+            feature = notification.feature
+            self.changed = feature is None or (feature.is_reference and feature.containment)
+
+
+class Home(ListenedTo):
+    """The attributes that pyecore needs of a resource: listeners and roots."""
+
+    def __init__(self, watch: Watch) -> None:
+        super().__init__([watch])
+        self.contents = _Roots()
+
+    def remove(self, root: EObject) -> None:
+        """Called by pyecore when a root is put into a container."""
+        self.contents.remove(root)
+        set_own_resource(root, None)
+        for listener in self.listeners:
+            if isinstance(listener, Watch):
+                listener.changed = True
+
+
+class _Roots:
+    """The roots of a home, in order, with constant-time membership test."""
+
+    def __init__(self) -> None:
+        self._items: dict[int, Any] = {}
+
+    def __contains__(self, root: EObject) -> bool:
+        return id(root) in self._items
+
+    def __len__(self) -> int:
+        return len(self._items)
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(list(self._items.values()))
+
+    def index(self, root: EObject) -> int:
+        """The position of a root."""
+        return list(self._items).index(id(root))
+
+    def append(self, root: EObject) -> None:
+        """Add a root."""
+        self._items[id(root)] = root
+
+    def remove(self, root: EObject) -> None:
+        """Take a root out, if it is one."""
+        self._items.pop(id(root), None)

@@ -12,12 +12,12 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import InternalError
-from robosmi.model.driver import ReadOnlyError
-from robosmi.model.ecore import EList, EObject, EReference, EStructuralFeature, EValue
-from robosmi.model.feature_values import FeatureList, FeatureOrderedSet
-from robosmi.model.features import all_features
-from robosmi.model.lean import BARE, REFUSAL, bare, prepare
-from robosmi.model.pyecore_internals import (
+from robosmi.model.elements.driver import ReadOnlyError
+from robosmi.model.elements.ecore import EList, EObject, EReference, EStructuralFeature, EValue
+from robosmi.model.elements.feature_values import FeatureList, FeatureOrderedSet
+from robosmi.model.elements.features import all_features
+from robosmi.model.elements.lean import BARE, REFUSAL, bare, prepare
+from robosmi.model.elements.pyecore_internals import (
     SET_FEATURES,
     GuardedValue,
     Slot,
@@ -30,8 +30,8 @@ from robosmi.model.pyecore_internals import (
 )
 
 if TYPE_CHECKING:
-    from robosmi.functions import Function
-    from robosmi.model.driver import Held
+    from robosmi.base.functions import Function
+    from robosmi.model.elements.driver import Held
 
 
 def refused(element: EObject, name: str) -> ReadOnlyError:

@@ -17,7 +17,7 @@ from msgspec import Struct
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import RobosmiError, SourceError, UsageError, did_you_mean
-from robosmi.model.driver import Model
+from robosmi.model.elements.driver import Model
 from robosmi.plugin_contracts import ContentFunction, Contribution, wrong_result
 from robosmi.plugins import content, load, registry
 
@@ -134,7 +134,7 @@ class _OfPlugin(Struct, frozen=True):
 
 
 def _by_content(file: Path) -> str | None:
-    from robosmi.model.files import read_input
+    from robosmi.files.files import read_input
 
     start = read_input(file, "model", inputs.MODEL)[:2000]
     if b"http://www.omg.org/XMI" in start:

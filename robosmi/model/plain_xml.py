@@ -5,24 +5,33 @@ A type `t_tag` is all elements of a tag, `Element` all elements. Of an element `
 attribute refers to (`bind`); also `text`, `tagName`, `namespaceURI`, `children`, `parentNode`, `line`. Tags and attributes go by
 their local names. Source: the PlainXML driver of Epsilon. Different on purpose: a number that is missing is None and a text that
 is no number an error, where Epsilon gives 0. Entities are never expanded; a file that declares some is refused.
+
+Texts of XML attributes as the values that the driver of plain XML gives for its prefixes (`i_x`, `b_x`), and back.
+
+Protects lxml from XML files that expand entities without limit.
+
+Entities can expand to any size, even inside attributes, where lxml expands them regardless of its options; so the beginning of
+a file is examined first. Nothing here interprets elements.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Self, TypeAlias, cast
+from typing import TYPE_CHECKING, Any, Self, TypeAlias, cast
+from xml.parsers import expat
 
 from robosmi import inputs
-from robosmi.errors import ModelError, did_you_mean
-from robosmi.model.driver import FeatureValue, Item, Kind, Model, ModelElement, Node, Type
-from robosmi.model.files import read_input
-from robosmi.model.strict import FeatureValueError, UnknownFeatureError
-from robosmi.model.xml_guard import read_tree, root_offset
-from robosmi.model.xml_values import checked, typed, written
+from robosmi.diagnostics import Location
+from robosmi.errors import ModelError, SourceError, did_you_mean
+from robosmi.files.files import read_input
+from robosmi.model.elements.driver import FeatureValue, Item, Kind, Model, ModelElement, Node, Type
+from robosmi.model.elements.strict import FeatureValueError, UnknownFeatureError
 
 if TYPE_CHECKING:
     from lxml.etree import _Element
+
 
 _PLAIN = ("tagName", "namespaceURI", "text", "children", "parentNode", "line")
 _TYPED = "abdfis"
@@ -193,7 +202,7 @@ class XmlModel(Model):
 
     def save(self, path: str | Path | None = None) -> None:
         """Write the current document, without elements that have no parent; see `Model.save`."""
-        from robosmi.model.files import write_atomic
+        from robosmi.files.files import write_atomic
 
         write_atomic(self._target(path), self.to_bytes())
 
@@ -384,3 +393,106 @@ def _detach(node: _Element) -> None:
 def open_xml(path: Path, name: str | None = None) -> XmlModel:
     """Open an XML file; see `XmlModel.load`."""
     return XmlModel.load(path, name)
+
+
+_FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
+
+
+def typed(kind: str, value: str | None, element: ModelElement, name: str) -> bool | int | float | str | None:
+    """The value of an attribute as that prefix asks for it: text, Boolean, whole number or number."""
+    if kind in "as":
+        return value or ""
+    if kind == "b":
+        return (value or "").strip().lower() == "true"
+    if value is None:
+        return None
+    try:
+        return int(value) if kind == "i" else float(value)
+    except ValueError:
+        raise FeatureValueError(
+            f"{element!r}.{name}: '{value}' is no {'whole ' if kind == 'i' else ''}number", fix="use a_..."
+        ) from None
+
+
+def written(kind: str, value: FeatureValue, element: ModelElement, name: str) -> str:
+    """The text of a value that an attribute is given by that prefix; of another kind it is refused."""
+    wanted = {"b": (bool,), "i": (int,), "f": (int, float), "d": (int, float)}.get(kind)
+    if wanted is not None and (not isinstance(value, wanted) or (kind != "b" and isinstance(value, bool))):
+        raise FeatureValueError(f"{element!r}.{name} does not take {value!r}", fix="give a value of its kind, or use a_...")
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def checked(text: str, element: ModelElement, name: str) -> str:
+    """The text itself, if XML can hold it."""
+    if bad := _FORBIDDEN.search(text):
+        raise FeatureValueError(f"{element!r}.{name}: XML cannot hold U+{ord(bad.group()):04X}", fix="remove the character")
+    return text
+
+
+_TOO_DEEP = re.compile(r"Excessive depth in document: (\d+)")
+"""libxml2's message about a file that is nested deeper than it reads."""
+
+
+class _Found(Exception):
+    """Raised when the root element has been reached."""
+
+
+def root_offset(data: bytes, place: str) -> int:
+    """Where the root element begins in a file that declares no entities, so that a parser may go without its limits.
+
+    Args:
+        data: the file.
+        place: its path, for the message.
+
+    Returns:
+        The offset; -1 if the head cannot be read here, because of its encoding or an error: let a parser with limits look at it.
+
+    Raises:
+        SourceError: it has a DOCTYPE with declarations of its own.
+    """
+    parser = expat.ParserCreate()
+
+    def doctype(name: str, system: str | None, public: str | None, declares: bool) -> None:
+        if declares:
+            where = Location(place, parser.CurrentLineNumber)
+            raise SourceError("a file that declares entities is refused", location=where, fix="remove the DOCTYPE")
+
+    def start(name: str, attributes: Any) -> None:
+        raise _Found(parser.CurrentByteIndex)
+
+    parser.StartDoctypeDeclHandler = doctype
+    parser.StartElementHandler = start
+    try:
+        parser.Parse(data, True)
+    except _Found as found:
+        return int(found.args[0])
+    except (expat.ExpatError, LookupError, ValueError):  # the real parser says what is wrong, or knows the encoding
+        pass
+    return -1
+
+
+def read_tree(data: bytes, place: str, deep: bool) -> Any:
+    """The root of lxml's tree for a file.
+
+    Args:
+        data: the file.
+        place: its path, for the message.
+        deep: whether it is known to declare no entity, so that it may be of any size, and 2,048 levels deep instead of 256.
+
+    Raises:
+        SourceError: it is not well-formed, or nested too deeply.
+    """
+    from lxml import etree
+
+    parser = etree.XMLParser(resolve_entities=False, no_network=True, huge_tree=deep, strip_cdata=False)
+    try:
+        return etree.fromstring(data, parser)
+    except etree.XMLSyntaxError as error:
+        where = Location(place, error.lineno or None)
+        if match := _TOO_DEEP.search(error.msg or ""):
+            raise SourceError(
+                f"elements are nested more than {match[1]} levels deep",
+                location=where,
+                fix="nest the elements of the file less deeply",
+            ) from error
+        raise SourceError(f"not well-formed XML: {error.msg}", location=where, fix="repair the file") from error

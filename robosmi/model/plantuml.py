@@ -7,15 +7,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from robosmi.model.by_name import feature_values
-from robosmi.model.driver import Model, Node, is_element, name_of, type_of, walk
-from robosmi.model.ecore import EClass, EClassifier, EEnum, EObject, EPackage, EStructuralFeature
-from robosmi.model.metamodel import Metamodel
-from robosmi.model.show import known_values, plain
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.elements.by_name import feature_values
+from robosmi.model.elements.driver import Model, Node, is_element, name_of, type_of, walk
+from robosmi.model.elements.ecore import EClass, EClassifier, EEnum, EObject, EPackage, EStructuralFeature
+from robosmi.model.elements.show import known_values, plain
 from robosmi.quoting import plantuml
 
 if TYPE_CHECKING:
-    from robosmi.model.driver import Held
+    from robosmi.model.elements.driver import Held
 
 
 def to_plantuml(source: Any, limit: int = 200) -> str:

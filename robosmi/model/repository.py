@@ -9,11 +9,11 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from robosmi.errors import ModelError, did_you_mean
-from robosmi.model.driver import Model, TypeHandle, unknown_type
+from robosmi.model.elements.driver import Model, TypeHandle, unknown_type
 
 if TYPE_CHECKING:
-    from robosmi.model.driver import Item
-    from robosmi.model.ecore import EEnumLiteral
+    from robosmi.model.elements.driver import Item
+    from robosmi.model.elements.ecore import EEnumLiteral
 
 
 class Repository:

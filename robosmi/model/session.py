@@ -19,14 +19,14 @@ from typing import TypeVar
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError
-from robosmi.model.driver import Model
-from robosmi.model.ecore_classes import PackageMaker
-from robosmi.model.ecore_loader import MetamodelReader
+from robosmi.files.files import read_input
+from robosmi.model.ecore.ecore_classes import PackageMaker
+from robosmi.model.ecore.ecore_loader import MetamodelReader
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.elements.driver import Model
 from robosmi.model.emf import open_xmi
-from robosmi.model.files import read_input
-from robosmi.model.metamodel import Metamodel
-from robosmi.model.open_files import OpenFiles
 from robosmi.model.opening import driver_of
+from robosmi.model.xmi.open_files import OpenFiles
 
 V = TypeVar("V")
 Paths = str | Path | Sequence[str | Path]
@@ -51,7 +51,7 @@ class Session:
         return f"<Session of {names}>"
 
     def _repr_html_(self) -> str:
-        from robosmi.model.show import pairs_html  # for notebooks only
+        from robosmi.model.elements.show import pairs_html  # for notebooks only
 
         return pairs_html({str(path): f"{digest[:12]}..." for path, digest in self._digests.items()}, ("metamodel", "SHA-256"))
 

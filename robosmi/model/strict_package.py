@@ -18,22 +18,22 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from pyecore import ecore
 
-from robosmi.model.construct import initialise
-from robosmi.model.datatypes import XML_TYPE_URI
-from robosmi.model.feature_values import FeatureCollection
-from robosmi.model.lean import computed
-from robosmi.model.pyecore_internals import key_of, set_key
-from robosmi.model.python_names import MEMBER
-from robosmi.model.quick_ecore import add_literal, promote, quick_constructor
-from robosmi.model.strict import Element
+from robosmi.model.elements.construct import initialise
+from robosmi.model.elements.datatypes import XML_TYPE_URI
+from robosmi.model.elements.feature_values import FeatureCollection
+from robosmi.model.elements.lean import computed
+from robosmi.model.elements.pyecore_internals import key_of, set_key
+from robosmi.model.elements.python_names import MEMBER
+from robosmi.model.elements.quick_ecore import add_literal, promote, quick_constructor
+from robosmi.model.elements.strict import Element
 
 _Type = TypeVar("_Type", bound=type)
 _Value = TypeVar("_Value")
 
 
 if TYPE_CHECKING:
-    from robosmi.model.ecore import EDataType, EPackage
-    from robosmi.model.strict import EnumLiteral
+    from robosmi.model.elements.ecore import EDataType, EPackage
+    from robosmi.model.elements.strict import EnumLiteral
 
     Classifier: TypeAlias = type[Element] | type[EnumLiteral] | EDataType
     """What a generated module has for a classifier: a class, or the object for a data type."""

@@ -16,8 +16,8 @@ from typing import Any
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, SourceError, did_you_mean
-from robosmi.model.driver import Model, ModelElement, name_of
-from robosmi.model.strict import FeatureValueError, UnknownFeatureError
+from robosmi.model.elements.driver import Model, ModelElement, name_of
+from robosmi.model.elements.strict import FeatureValueError, UnknownFeatureError
 
 _DELIMITERS = ",;\t|"
 
@@ -111,7 +111,7 @@ class TableModel(Model):
 
     def save(self, path: str | Path | None = None) -> None:
         """Write the tables: to the file or files they were read from, or to another file (of one table) or folder."""
-        from robosmi.model.files import write_atomic
+        from robosmi.files.files import write_atomic
 
         target = self._target(path)
         single = len(self._tables) == 1 and not target.is_dir()
@@ -185,7 +185,7 @@ def _fitting(value: Any, kind: Callable[[str], Any], what: str) -> Any:
 
 
 def _read(path: Path, types: Mapping[str, Callable[[str], Any]]) -> Table:
-    from robosmi.model.files import read_input
+    from robosmi.files.files import read_input
 
     data = read_input(path, "table", inputs.TABLE)
     try:

@@ -15,11 +15,11 @@ from typing import Protocol
 
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, RuleError
-from robosmi.model.by_name import feature_values
-from robosmi.model.ecore import DynamicEObject, EObject, Package
-from robosmi.model.features import as_package
-from robosmi.model.metamodels import Metamodels
-from robosmi.model.xmi_reader import UnreadableModelError, read_models
+from robosmi.model.ecore.metamodels import Metamodels
+from robosmi.model.elements.by_name import feature_values
+from robosmi.model.elements.ecore import DynamicEObject, EObject, Package
+from robosmi.model.elements.features import as_package
+from robosmi.model.xmi.xmi_reader import UnreadableModelError, read_models
 from robosmi.plugins import load, registry
 
 KIND = "model migration"
@@ -141,8 +141,8 @@ def _namespace(root: EObject) -> str:
 
 def _reference_into(root: EObject, replaced: list[EObject]) -> EObject | None:
     """An element of a model that refers to one of those that were replaced, or None."""
-    from robosmi.model.features import all_features, is_computed
-    from robosmi.model.structure import root_of, walk
+    from robosmi.model.elements.features import all_features, is_computed
+    from robosmi.model.elements.structure import root_of, walk
 
     for element in walk(root):
         for feature in all_features(element.eClass):

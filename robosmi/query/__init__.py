@@ -7,8 +7,8 @@ anything are functions in the modules of these names. Nothing here knows a metam
 
 from __future__ import annotations
 
-from robosmi.model.driver import UnknownTypeError
-from robosmi.model.structure import root_of
+from robosmi.model.elements.driver import UnknownTypeError
+from robosmi.model.elements.structure import root_of
 from robosmi.query import anything, built_in, numbers, operators, strings
 from robosmi.query.collections import Bag, Lazy, Map, OrderedSet, Q, Set, Tuple
 from robosmi.query.extents import all_contents, all_of_kind, all_of_type, ancestor_of_kind

@@ -13,15 +13,15 @@ from decimal import Decimal
 from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import ModelError, UsageError
-from robosmi.model.by_name import feature_value
-from robosmi.model.driver import Model, TypeHandle, features_of, is_element, name_of, type_of
-from robosmi.model.ecore import EEnumLiteral
+from robosmi.model.elements.by_name import feature_value
+from robosmi.model.elements.driver import Model, TypeHandle, features_of, is_element, name_of, type_of
+from robosmi.model.elements.ecore import EEnumLiteral
 from robosmi.query.collections import Lazy
 from robosmi.query.models import id_of
 from robosmi.query.values import EolType, as_string, collection_kind
 
 if TYPE_CHECKING:
-    from robosmi.data_text import Json
+    from robosmi.base.data_text import Json
     from robosmi.query.values import Answer
 
 MAX_DEPTH = 100

@@ -13,9 +13,9 @@ from collections.abc import Callable
 from datetime import datetime
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from robosmi.model.by_name import feature_values
-from robosmi.model.features import all_features, is_computed, opposite
-from robosmi.model.structure import root_of
+from robosmi.model.elements.by_name import feature_values
+from robosmi.model.elements.features import all_features, is_computed, opposite
+from robosmi.model.elements.structure import root_of
 from robosmi.query.collections import Bag, OrderedSet, Q, Set
 from robosmi.query.extents import all_contents, contents
 from robosmi.query.held import collection
@@ -25,7 +25,7 @@ from robosmi.query.properties import get
 from robosmi.query.values import INT_MAX, INT_MIN, Long, as_string
 
 if TYPE_CHECKING:
-    from robosmi.model.ecore import EStructuralFeature
+    from robosmi.model.elements.ecore import EStructuralFeature
     from robosmi.query.values import Answer
 
 T = TypeVar("T")

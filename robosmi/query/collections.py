@@ -5,6 +5,11 @@ not flattened). Operations that give a collection give a new one; those that cha
 eager. Here are the classes, which make one another, and the operations whose result is of another kind; the others are inherited:
 those that take a function are in `first_order`, the rest in `items`, those on numbers in `totals`, those of maps in `maps`.
 Source: Kolovos et al., The Epsilon Object Language, section 3.2; measured against Epsilon (docs/reference/eol.md).
+
+What collections say of the numbers in them: sum, product, least and greatest. Other items are passed over.
+
+Integers have 32 bits, and 64 as soon as a Long takes part, so a sum wraps around as the engine's does.
+Source: IterableOperationContributor and NumberUtil of Epsilon.
 """
 
 from __future__ import annotations
@@ -12,20 +17,72 @@ from __future__ import annotations
 import builtins
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import combinations
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, Self, overload
+from math import prod
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Protocol, Self, TypeVar, overload
 
 from robosmi.query.changes import Changeable
 from robosmi.query.first_order import FirstOrder, grouped, reached
 from robosmi.query.items import Items, R, T
 from robosmi.query.maps import Entries, Fields, K, V
 from robosmi.query.problems import OperandError
-from robosmi.query.totals import Totals
 from robosmi.query.types import AnyKind, matching, resolve
-from robosmi.query.values import EolType, equal, flattened, position, unique
+from robosmi.query.values import INT_MAX, INT_MIN, EolType, Long, as_string, equal, flattened, is_number, position, unique
 
 if TYPE_CHECKING:
-    from robosmi.model.dynamic import Dynamic
+    from robosmi.model.elements.dynamic import Dynamic
     from robosmi.query.values import Answer
+
+
+Numeric = TypeVar("Numeric")
+_NUMBERS = frozenset({int, float, Long})
+
+
+class Totals(Generic[Numeric]):
+    """The operations on numbers; `Q` and its kinds inherit them."""
+
+    __slots__ = ()
+    _items: list[Numeric]
+
+    def _numbers(self) -> Iterator[Any]:
+        return (x for x in self._items if is_number(x))
+
+    def sum(self) -> Any:
+        """The sum of the numbers, 0 when there is none; other items are skipped.
+
+        A sum of Integers wraps around at 32 bits, as in the engine; Python's `sum(q)` is exact.
+        """
+        items: Any = self._items if {x.__class__ for x in self._items} <= _NUMBERS else list(self._numbers())
+        return _fitting(builtins.sum(items), items)
+
+    def product(self) -> Any:
+        """The product of the numbers; other items are skipped. 0.0 when empty, as EOL has it; wraps around as `sum` does."""
+        items = list(self._numbers())
+        return _fitting(prod(items), items) if self._items else 0.0
+
+    def min(self, default: Any = 0) -> Any:
+        """The smallest number; the default, a number or None, when there is none."""
+        return builtins.min(self._numbers(), default=_number(default))
+
+    def max(self, default: Any = 0) -> Any:
+        """The greatest number; the default, a number or None, when there is none."""
+        return builtins.max(self._numbers(), default=_number(default))
+
+
+def _number(value: Answer) -> Any:
+    if value is not None and not is_number(value):
+        raise OperandError(f"the default is a number, not {as_string(value)}")
+    return value
+
+
+def _fitting(value: Any, items: Iterable[Any]) -> Any:
+    """An exact result as the engine holds it: Integers have 32 bits, and 64 as soon as a Long takes part."""
+    if isinstance(value, float) or (
+        INT_MIN <= value <= INT_MAX and value.__class__ is int and Long not in {x.__class__ for x in items}
+    ):
+        return value
+    long = any(x.__class__ is Long or not INT_MIN <= x <= INT_MAX for x in items)
+    return Long((value + 2**63) % 2**64 - 2**63) if long else (value + 2**31) % 2**32 - 2**31
+
 
 _MISSING: Any = object()
 
@@ -121,7 +178,7 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
         return f"{type(self).__name__}({self._items!r})"
 
     def _repr_html_(self) -> str:
-        from robosmi.model.show import items_html
+        from robosmi.model.elements.show import items_html
 
         return items_html(self._items)
 
@@ -170,7 +227,7 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
         Raises:
             OperandError: the values have no order between them, as a number and a text.
         """
-        from robosmi.query.sorting import sorted_by
+        from robosmi.query.first_order import sorted_by
 
         return Q._of(sorted_by(self._source(kind), body))
 

@@ -4,34 +4,276 @@
 builtins. No attribute starts with an underscore, and attributes are read from values of queries alone: elements, collections,
 texts, numbers, models (to look, not to change or store). No type is called. So no frame, module, class or file
 is within reach; what may be read and called is `reachable`'s business, and how a value is shown is `answers`'.
+
+What a query given as text may read, call and compute: checked by `expression` at each `a.b`, `f(x)`, `a ** b`.
+
+It may read values of queries only, and of parts of models what `robosmi.model.elements.reachable` lists. It may call functions
+of the expression, of `robosmi.query`, and readable methods, but never a type, nor anything else contained in a value.
+`expression` lists the functions that it may name.
 """
 
 from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Callable, Iterable
-from typing import Any
+from collections.abc import Callable, Iterable, Mapping, Set
+from datetime import date
+from decimal import Decimal
+from pathlib import Path
+from types import BuiltinMethodType, CodeType, FunctionType, MethodType
+from typing import Any, Never, NoReturn
 
 from robosmi.errors import ModelError, RobosmiError, UsageError, did_you_mean
-from robosmi.model.driver import Model, TypeHandle
-from robosmi.query import (
-    anything,
-    collections,
-    extents,
-    models,
-    numbers,
-    operations,
-    operators,
-    properties,
-    reachable,
-    strings,
-    types,
-)
+from robosmi.model.elements.driver import Model, ModelElement, TypeHandle
+from robosmi.model.elements.ecore import ECollection, EObject
+from robosmi.model.elements.in_order import IN_ORDER, InheritedOrHeld, in_order
+from robosmi.model.elements.reachable import is_resource, of_models
+from robosmi.query import anything, collections, extents, models, numbers, operations, operators, properties, strings, types
 from robosmi.query.collections import Lazy
-from robosmi.query.held import collection
-from robosmi.query.run import Run, ext
-from robosmi.query.values import Long, as_string, equal
+from robosmi.query.first_order import FIRST_ORDER
+from robosmi.query.held import CHANGING, HeldByFeature, collection
+from robosmi.query.run import Extended, Run, ext
+from robosmi.query.values import EolType, Long, as_string, equal
+from robosmi.query.words import snake
+
+MAX_BITS = 100_000
+MAX_ITEMS = 10_000_000
+_MAX_POWERSET = 16
+_READABLE = (
+    str, int, float, list, tuple, dict, date, Decimal, Mapping, Set, collections.Q, collections.Lazy, EObject, ModelElement,
+    ECollection, Extended, TypeHandle, EolType, Model,
+)  # fmt: skip
+_HIDDEN = frozenset({"format", "format_map", "maketrans", "to_bytes", "from_bytes"})
+"""Methods of Python's own values that access other values, or return what is no value of queries."""
+CLOSED = frozenset({"e_resource", "native_type", "get_native_type", "create_instance", "delete_element", "save"})
+"""Operations that return what is no value of queries, or that change a model."""
+_BY_NAME = frozenset({"call", "call_built_in", "get", "get_safe", "get_all", "has_property"})
+_CALLING = FIRST_ORDER | {"sort", "and", "or", "both", "either", "xor", "implies", "elvis"}
+"""Functions that call their arguments."""
+_UNSEEN = _BY_NAME | {"both", "either", "implies", "elvis"}
+_GROWING = frozenset(
+    {"repeat", "pad", "ljust", "rjust", "center", "zfill", "expandtabs", "integer_range", "to", "iota", "format_", "format"}
+)
+
+
+class LookedAt(models.ModelView):
+    """A model that a query of a stranger looks at: nothing creates, deletes or stores."""
+
+    def create(self, kind: Any, /, *values: Never, **features: Any) -> Any:
+        """Refuse to make an element."""
+        self._looked("make an element")
+
+    def delete(self, element: Any) -> None:
+        """Refuse to delete an element."""
+        self._looked("delete an element")
+
+    def save(self, path: str | Path | None = None) -> None:
+        """Refuse to write the model."""
+        self._looked("save a model")
+
+    def _looked(self, what: str) -> NoReturn:
+        raise UsageError(f"an expression may not {what}", fix="change models in Python, with robosmi.model")
+
+
+def attribute(target: Any, name: str) -> Any:
+    """What `target.name` means in an expression.
+
+    Raises:
+        UsageError: it is nothing that an expression may read.
+        ModelError: the target has no such property.
+    """
+    if isinstance(target, Model) and name == "path":
+        return target[name]
+    if target is not None and not isinstance(target, _READABLE):
+        raise UsageError(f"an expression may not look into a {type(target).__name__}", fix="use the functions of robosmi.query")
+    if not _may_read(target, name):
+        if isinstance(target, Model):
+            return target[name]  # a type, or the error that there is none
+        raise UsageError(f"an expression may not use '{name}'", fix="use features, and the functions of robosmi.query")
+    if name in IN_ORDER and isinstance(target, EObject) and (ordered := in_order(target, name)) is not None:
+        return ordered
+    return getattr(target, name)
+
+
+def _may_read(target: Any, name: str) -> bool:
+    if name.startswith("_"):
+        return False
+    part = of_models(target, name)
+    if part is not None:
+        return part
+    if isinstance(target, EolType):
+        return name == "name"
+    if isinstance(target, HeldByFeature) and name in CHANGING:
+        return False
+    return name not in _HIDDEN or isinstance(target, (collections.Q, Extended, collections.Tuple))
+
+
+class Caller:
+    """Calls what an expression may call.
+
+    Args:
+        named: the functions that it can name.
+        code: the expression's code, whose lambdas may be called, too.
+    """
+
+    def __init__(self, named: Mapping[str, Any], code: CodeType) -> None:
+        self._named = {id(value): name for name, value in named.items() if callable(value) and not isinstance(value, TypeHandle)}
+        self._codes: set[CodeType] = set()
+        pending = [code]
+        while pending:
+            one = pending.pop()
+            self._codes.add(one)
+            pending += [constant for constant in one.co_consts if isinstance(constant, CodeType)]
+
+    def __call__(self, function: Any, /, *arguments: Any, **options: Any) -> Any:
+        """What `function(...)` means in an expression.
+
+        Raises:
+            UsageError: it may not be called, or not with these arguments.
+        """
+        if isinstance(function, collections.Q):
+            raise UsageError(
+                "a collection cannot be called: the name before the bracket is no operation of collections, so it stands for the "
+                "values of a property",
+                fix="write an operation of EOL by its name in Python, as not_empty() for notEmpty()",
+            )
+        if not self._may_call(function):
+            raise UsageError(f"an expression may not call {_said(function)}", fix="use the functions of robosmi.query")
+        name = str(self._named.get(id(function)) or getattr(function, "__name__", ""))
+        self._check(name, function, arguments, options)
+        value = function(*arguments, **options)
+        if is_resource(value) or isinstance(value, type):
+            raise UsageError(f"an expression may not use a {type(value).__name__} of Python's", fix="ask for values")
+        return value
+
+    def _may_call(self, function: Any) -> bool:
+        if (
+            id(function) in self._named
+            or type(function) is InheritedOrHeld
+            or (type(function) is FunctionType and function.__code__ in self._codes)
+        ):
+            return True
+        if type(function) in (MethodType, BuiltinMethodType):
+            owner = function.__self__
+            return not isinstance(owner, type) and isinstance(owner, _READABLE) and _may_read(owner, function.__name__)
+        return False
+
+    def _check(self, name: str, function: Any, arguments: tuple[Any, ...], options: dict[str, Any]) -> None:
+        for value in (*arguments, *options.values()):  # called by another function, their arguments would not be looked at
+            if self._named.get(id(value)) in _UNSEEN:
+                raise UsageError(f"an expression may not pass '{self._named[id(value)]}' on", fix="give a lambda that calls it")
+        given = arguments
+        if id(function) in self._named and name in _BY_NAME:
+            name = options.get("name", arguments[1] if len(arguments) > 1 else "")
+            if not isinstance(name, str) or name.startswith("_"):
+                raise UsageError(
+                    f"an expression may not use '{name}'", fix="names with underscores in front belong to Python itself"
+                )
+            name, given = snake(name), arguments[2:]
+        if name in _CALLING:
+            given = given[1:] if given is arguments and name in ("both", "either", "implies", "elvis") else given
+            for value in [*given, *(value for option, value in options.items() if option != "kind")]:
+                if callable(value) and not isinstance(value, (EObject, TypeHandle)) and not self._may_call(value):
+                    raise UsageError(f"an expression may not call {_said(value)}", fix="give a lambda")
+            self._check_bodies(name, given, options)
+        if name in _GROWING:
+            _check_size(name, [*given, *options.values()])
+        if name == "powerset" and len(getattr(function, "__self__", arguments[0] if arguments else ())) > _MAX_POWERSET:
+            raise UsageError(f"the powerset of more than {_MAX_POWERSET} items is too large", fix="ask for less")
+
+    def _check_bodies(self, name: str, given: tuple[Any, ...], options: dict[str, Any]) -> None:
+        """Types are callable, too, and one in a function's place would make an element."""
+        places = len(given) if name not in FIRST_ORDER else 3 if name == "aggregate" else 1
+        bodies = [*given[:places], *(value for option, value in options.items() if option != "kind")]
+        for value in bodies:
+            if callable(value) and isinstance(value, (EObject, TypeHandle)) and name != "count":
+                raise UsageError(f"an expression may not call {_said(value)}", fix="give a lambda")
+
+
+def _said(function: Any) -> str:
+    if isinstance(function, (EObject, TypeHandle, type)):
+        name = getattr(function, "name", None)
+        return f"the type {name if isinstance(name, str) else type(function).__name__}"
+    return f"a {type(function).__name__}"
+
+
+def _check_size(name: str, given: list[Any]) -> None:
+    for value in given:
+        if isinstance(value, int) and abs(value) > MAX_ITEMS:
+            raise UsageError(f"{name} of {value:.3g} is more than {MAX_ITEMS:,}", fix="ask for less")
+
+
+def power(left: Any, right: Any) -> Any:
+    """`left ** right`.
+
+    Raises:
+        UsageError: the result is larger than an expression may make.
+    """
+    if isinstance(left, int) and isinstance(right, int) and right > 0 and abs(left) > 1:
+        _check_bits(left.bit_length() * right)
+    return left**right
+
+
+def product(left: Any, right: Any) -> Any:
+    """`left * right`, where a text or list times a number repeats it.
+
+    Raises:
+        UsageError: the result is larger than an expression may make.
+    """
+    if isinstance(left, int) and isinstance(right, int):
+        _check_bits(left.bit_length() + right.bit_length())
+    for one, other in ((left, right), (right, left)):
+        if isinstance(one, (str, bytes, list, tuple)) and isinstance(other, int) and len(one) * other > MAX_ITEMS:
+            raise UsageError(f"the repetition has more than {MAX_ITEMS:,} items", fix="ask for less")
+    return left * right
+
+
+def shifted(left: Any, right: Any) -> Any:
+    """`left << right`.
+
+    Raises:
+        UsageError: the result is larger than an expression may make.
+    """
+    if isinstance(left, int) and isinstance(right, int):
+        _check_bits(left.bit_length() + right)
+    return left << right
+
+
+def _check_bits(bits: int) -> None:
+    if bits > MAX_BITS:
+        raise UsageError(f"the number would have more than {MAX_BITS:,} bits", fix="ask for less")
+
+
+def remainder(left: Any, right: Any) -> Any:
+    """`left % right` of numbers; the formats of texts are `f"{x:04d}"` and `format_`.
+
+    Raises:
+        UsageError: the left side is a text whose format asks for a great width.
+    """
+    if isinstance(left, (str, bytes)):
+        check_format(str(left))
+        if "*" in str(left):
+            raise UsageError("a format may not take its width from a value", fix="write the width")
+    return left % right
+
+
+def check_format(specification: str) -> str:
+    """A format as it is, if its numbers are small.
+
+    Raises:
+        UsageError: it asks for a great width.
+    """
+    digits = 0
+    for letter in specification:
+        digits = digits + 1 if letter.isdigit() else 0
+        if digits > 6:
+            raise UsageError("the format asks for more than 999,999 characters", fix="ask for less")
+    return specification
+
+
+OPERATORS: dict[str, Callable[[Any, Any], Any]] = {"Pow": power, "Mult": product, "LShift": shifted, "Mod": remainder}
+"""Python operators whose results can be much larger than their operands."""
+
 
 _ALLOWED: tuple[type[ast.AST], ...] = (
     ast.Expression, ast.Constant, ast.Name, ast.Load, ast.Attribute, ast.Subscript, ast.Slice, ast.Call, ast.keyword, ast.Starred,
@@ -72,9 +314,7 @@ def evaluate(expression: str, given: Iterable[Model], then: Callable[[Any], Any]
         UsageError: it is no expression, uses what is not allowed, or fails.
         ModelError: it names a type, property or operation that there is not.
     """
-    views = [
-        reachable.LookedAt(model.model if isinstance(model, models.ModelView) else model, name=model.name) for model in given
-    ]
+    views = [LookedAt(model.model if isinstance(model, models.ModelView) else model, name=model.name) for model in given]
     tree = _checked(expression)
     known = NAMES | {view.name: view for view in views}
     bound = {node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)} | {
@@ -95,8 +335,8 @@ def evaluate(expression: str, given: Iterable[Model], then: Callable[[Any], Any]
             raise UsageError(f"the name '{name}' is unknown{near}", fix=fix)
     code = compile(_guarded(tree), "<expression>", "eval")
     try:
-        with Run(*views, closed=reachable.CLOSED):
-            return then(eval(code, {"__builtins__": {}, **_GUARDS, _CALL: reachable.Caller(NAMES, code), **known}))
+        with Run(*views, closed=CLOSED):
+            return then(eval(code, {"__builtins__": {}, **_GUARDS, _CALL: Caller(NAMES, code), **known}))
     except RobosmiError:
         raise
     except RecursionError as error:
@@ -119,9 +359,9 @@ def _type(view: models.ModelView, name: str) -> TypeHandle | None:
 _GET, _CALL, _FORMAT = "an attribute", "a call", "a format"
 """The names of the functions that read attributes, call, and look at formats; no expression can say them."""
 _GUARDS: dict[str, Any] = {
-    _GET: reachable.attribute,
-    _FORMAT: reachable.check_format,
-    **{f"a {n}": f for n, f in reachable.OPERATORS.items()},
+    _GET: attribute,
+    _FORMAT: check_format,
+    **{f"a {n}": f for n, f in OPERATORS.items()},
 }
 
 
@@ -162,7 +402,7 @@ class _Guard(ast.NodeTransformer):
     def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
         self.generic_visit(node)
         operator = type(node.op).__name__
-        return _asked(node, f"a {operator}", node.left, node.right) if operator in reachable.OPERATORS else node
+        return _asked(node, f"a {operator}", node.left, node.right) if operator in OPERATORS else node
 
     def visit_FormattedValue(self, node: ast.FormattedValue) -> ast.AST:
         self.generic_visit(node)

@@ -10,14 +10,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar, overload
 
-from robosmi.model.driver import DynamicNode, Kind, Model, Node, contents_of, walk
+from robosmi.model.elements.driver import DynamicNode, Kind, Model, Node, contents_of, walk
 from robosmi.query.collections import Q
 from robosmi.query.types import matching, resolve
 
 if TYPE_CHECKING:
-    from robosmi.model.driver import TypeHandle
-    from robosmi.model.ecore import EClassifier
-    from robosmi.model.strict import Element
+    from robosmi.model.elements.driver import TypeHandle
+    from robosmi.model.elements.ecore import EClassifier
+    from robosmi.model.elements.strict import Element
 
 T = TypeVar("T")
 

@@ -9,15 +9,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from robosmi.model.ecore import ECollection
-from robosmi.model.feature_values import queried_by
+from robosmi.model.elements.ecore import ECollection
+from robosmi.model.elements.feature_values import queried_by
 from robosmi.query.changes import Changeable
 from robosmi.query.collections import Bag, OrderedSet, Q, Set
 from robosmi.query.items import T
 from robosmi.query.values import collection_kind
 
 if TYPE_CHECKING:
-    from robosmi.model.dynamic import Dynamic
+    from robosmi.model.elements.dynamic import Dynamic
     from robosmi.query.maps import V
     from robosmi.query.values import Answer
 

@@ -32,7 +32,7 @@ class Entries(MutableMapping[K, V]):
             self[k] = v
 
     def _repr_html_(self) -> str:
-        from robosmi.model.show import pairs_html  # for notebooks only
+        from robosmi.model.elements.show import pairs_html  # for notebooks only
 
         return pairs_html(self)
 

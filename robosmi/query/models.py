@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import Never, TypeVar, cast, overload
 
 from robosmi.errors import ModelError
-from robosmi.model.driver import (
+from robosmi.model.ecore.metamodel import find_literal
+from robosmi.model.elements.driver import (
     DynamicNode,
     FeatureValue,
     Item,
@@ -24,13 +25,12 @@ from robosmi.model.driver import (
     TypeHandle,
     unknown_type,
 )
-from robosmi.model.ecore import DynamicEObject, EClassifier, EEnum, EEnumLiteral, EObject, EPackage, Package
+from robosmi.model.elements.ecore import DynamicEObject, EClassifier, EEnum, EEnumLiteral, EObject, EPackage, Package
+from robosmi.model.elements.fragments import fragment_of
+from robosmi.model.elements.making import new, refuse_unnamed, unlink
+from robosmi.model.elements.structure import root_of
 from robosmi.model.emf import EmfModel
-from robosmi.model.fragments import fragment_of
-from robosmi.model.making import new, refuse_unnamed, unlink
-from robosmi.model.metamodel import find_literal
 from robosmi.model.repository import Repository
-from robosmi.model.structure import root_of
 from robosmi.query.collections import Q
 from robosmi.query.run import current_run
 

@@ -10,8 +10,8 @@ import inspect
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from robosmi.errors import RobosmiError, UsageError
-from robosmi.model.driver import Model, TypeHandle, is_element
-from robosmi.model.ecore import EClass, ECollection, EEnumLiteral
+from robosmi.model.elements.driver import Model, TypeHandle, is_element
+from robosmi.model.elements.ecore import EClass, ECollection, EEnumLiteral
 from robosmi.query import types
 from robosmi.query.collections import Map, Q
 from robosmi.query.first_order import FIRST_ORDER
@@ -23,8 +23,8 @@ from robosmi.query.values import collection_kind, equal
 from robosmi.query.words import snake
 
 if TYPE_CHECKING:
-    from robosmi.functions import Function
-    from robosmi.model.dynamic import Dynamic
+    from robosmi.base.functions import Function
+    from robosmi.model.elements.dynamic import Dynamic
     from robosmi.query.types import AnyKind
 
 

@@ -22,7 +22,7 @@ from robosmi.query.values import key
 from robosmi.query.words import snake
 
 if TYPE_CHECKING:
-    from robosmi.functions import Function, NamedFunction
+    from robosmi.base.functions import Function, NamedFunction
     from robosmi.query.values import Answer
 
 

@@ -1,7 +1,7 @@
 """The errors of queries: a name that does not exist, a value that is not there, an operand of the wrong kind.
 
 All are `ModelError`s (exit code 3), with the nearest known name where there is one. What a lambda raises by itself is
-not caught here. Errors of elements' own features come from `robosmi.model.feature_errors`, those of types from
+not caught here. Errors of elements' own features come from `robosmi.model.elements.feature_errors`, those of types from
 `robosmi.model.driver`.
 """
 
@@ -11,8 +11,8 @@ from collections.abc import Iterable
 from typing import Any
 
 from robosmi.errors import ModelError, did_you_mean
-from robosmi.model.driver import UnknownTypeError, unknown_type
-from robosmi.model.ecore import EObject
+from robosmi.model.elements.driver import UnknownTypeError, unknown_type
+from robosmi.model.elements.ecore import EObject
 from robosmi.query.values import collection_kind
 
 __all__ = [

@@ -12,9 +12,9 @@ from operator import attrgetter
 from types import BuiltinFunctionType, CodeType, FrameType, FunctionType, GeneratorType, MethodType, ModuleType, TracebackType
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
-from robosmi.model.driver import ModelElement
-from robosmi.model.ecore import EClass, EEnumLiteral, EObject
-from robosmi.model.reachable import of_models
+from robosmi.model.elements.driver import ModelElement
+from robosmi.model.elements.ecore import EClass, EEnumLiteral, EObject
+from robosmi.model.elements.reachable import of_models
 from robosmi.query.collections import Map, Tuple
 from robosmi.query.held import collection
 from robosmi.query.operations import TABLES, has_plain_operation, plain_operation
@@ -24,7 +24,7 @@ from robosmi.query.values import EolType, collection_kind, compares_itself
 from robosmi.query.words import snake
 
 if TYPE_CHECKING:
-    from robosmi.model.dynamic import Dynamic
+    from robosmi.model.elements.dynamic import Dynamic
     from robosmi.query.values import Answer
 
 V = TypeVar("V")

@@ -11,12 +11,12 @@ from collections.abc import Hashable, Set
 from contextvars import ContextVar, Token
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from robosmi.model.driver import Model, ModelElement
-from robosmi.model.ecore import EObject
+from robosmi.model.elements.driver import Model, ModelElement
+from robosmi.model.elements.ecore import EObject
 from robosmi.query.values import key
 
 if TYPE_CHECKING:
-    from robosmi.functions import Function
+    from robosmi.base.functions import Function
     from robosmi.query.values import Answer
 
 V = TypeVar("V")

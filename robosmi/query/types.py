@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, TypeAlias, TypeVar
 
-from robosmi.model import driver
-from robosmi.model.driver import TypeHandle, is_element, unknown_type
-from robosmi.model.ecore import EClass
+from robosmi.model.elements import driver
+from robosmi.model.elements.driver import TypeHandle, is_element, unknown_type
+from robosmi.model.elements.ecore import EClass
 from robosmi.query.run import current_run
 from robosmi.query.values import INT_MAX, INT_MIN, EolType, Long, collection_kind
 
 if TYPE_CHECKING:
-    from robosmi.functions import Function
+    from robosmi.base.functions import Function
 
 
 V = TypeVar("V")

@@ -15,13 +15,13 @@ from collections.abc import Set as AbstractSet
 from decimal import Decimal
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard, TypeVar, cast
 
-from robosmi.model.ecore import ECollection, EEnumLiteral
+from robosmi.model.elements.ecore import ECollection, EEnumLiteral
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from robosmi.functions import Function
-    from robosmi.model.driver import Item, Model, Type
+    from robosmi.base.functions import Function
+    from robosmi.model.elements.driver import Item, Model, Type
 
 V = TypeVar("V")
 W = TypeVar("W")

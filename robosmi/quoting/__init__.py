@@ -7,7 +7,6 @@ template expression.
 
 from robosmi.quoting.code import c_block_comment, c_char, c_comment, c_header, c_string, c_word, file_name, identifier
 from robosmi.quoting.data import csv_cell, csv_record_cell, csv_text, json_text, toml, yaml, yaml_line
-from robosmi.quoting.markdown_text import markdown, markdown_block, markdown_cell, markdown_code, markdown_code_cell
 from robosmi.quoting.markup import (
     dot_label,
     dot_string,
@@ -15,6 +14,11 @@ from robosmi.quoting.markup import (
     html_attribute,
     html_comment,
     html_url,
+    markdown,
+    markdown_block,
+    markdown_cell,
+    markdown_code,
+    markdown_code_cell,
     plantuml,
     xml,
     xml_attribute,

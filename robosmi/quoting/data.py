@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from robosmi.data_text import Json, json_written
+from robosmi.base.data_text import Json, json_written
 from robosmi.quoting.text import one_line, visible
 
 _PLAIN = re.compile(r"[A-Za-z0-9_/(][\w./()+:@,;=<>~^*&!?$%-]*(?: +[\w./()+:@,;=<>~^*&!?$%-]+)*")

@@ -13,7 +13,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from robosmi import inputs
-from robosmi.data_text import json_of
+from robosmi.base.data_text import json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 

@@ -12,7 +12,7 @@ from datetime import date
 
 from msgspec.structs import asdict, astuple
 
-from robosmi.data_text import json_of, json_written
+from robosmi.base.data_text import json_of, json_written
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.quoting import csv_cell, csv_text

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from robosmi.errors import PlatformDataError, UsageError
-from robosmi.model.sqlite_files import writing
+from robosmi.files.sqlite_files import writing
 from robosmi.recommend.index import APPLICATION, FIELDS, FORMAT, is_named_like
 from robosmi.recommend.library_api import packed
 from robosmi.recommend.library_record import HeaderRecord, LibraryRecord, used_by

@@ -12,7 +12,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from robosmi.data_text import Json, as_list, as_table, as_text, as_texts, json_of, json_written
+from robosmi.base.data_text import Json, as_list, as_table, as_text, as_texts, json_of, json_written
 
 _LARGEST = 1 << 26  # bytes; the largest library of the shipped index has 0.4 MB
 

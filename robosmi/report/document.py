@@ -13,7 +13,7 @@ from robosmi.diagnostics import Finding, Severity
 from robosmi.project import Accepted
 
 if TYPE_CHECKING:
-    from robosmi.data_text import Json
+    from robosmi.base.data_text import Json
 
 SCHEMA = "robosmi/1"
 

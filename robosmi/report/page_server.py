@@ -14,7 +14,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from threading import Lock
 from typing import Any, Protocol
 
-from robosmi.data_text import json_of, json_written
+from robosmi.base.data_text import json_of, json_written
 from robosmi.errors import RobosmiError, UsageError
 from robosmi.quoting import html
 

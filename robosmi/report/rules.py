@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 
 from robosmi import inputs, resources
-from robosmi.data_text import toml_of
+from robosmi.base.data_text import toml_of
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
 from robosmi.plugins import registry

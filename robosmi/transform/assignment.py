@@ -8,9 +8,9 @@ from __future__ import annotations
 from typing import Any
 
 from robosmi.errors import ModelError, did_you_mean
-from robosmi.model.by_name import feature_value
-from robosmi.model.driver import FeatureValue, Node, features_of
-from robosmi.model.ecore import EObject
+from robosmi.model.elements.by_name import feature_value
+from robosmi.model.elements.driver import FeatureValue, Node, features_of
+from robosmi.model.elements.ecore import EObject
 from robosmi.query.values import collection_kind
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 if TYPE_CHECKING:
-    from robosmi.functions import Function as AnyFunction
+    from robosmi.base.functions import Function as AnyFunction
 
 
 class Mapping(Struct, eq=False):

@@ -12,11 +12,11 @@ from pathlib import Path
 from msgspec import Struct
 
 from robosmi.errors import RuleError
-from robosmi.model.ecore import EObject, Package
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.ecore.metamodels import Metamodels, built_in
+from robosmi.model.elements.ecore import EObject, Package
+from robosmi.model.elements.features import eclass_of
 from robosmi.model.emf import EmfModel
-from robosmi.model.features import eclass_of
-from robosmi.model.metamodel import Metamodel
-from robosmi.model.metamodels import Metamodels, built_in
 from robosmi.transform.flock import Flock
 from robosmi.transform.flock_rules import left_out_fix, left_out_text
 

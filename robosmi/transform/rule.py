@@ -17,17 +17,17 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 
 from robosmi.errors import InternalError, RuleError, did_you_mean
-from robosmi.model.driver import Model, TypeHandle, class_of
-from robosmi.model.feature_errors import ONE_LOAD
-from robosmi.model.ordering import post_order
-from robosmi.query.erl import RuleType, arity, called, failed, other_load, place_of, rule_type, type_name
-from robosmi.query.options import check_options
-from robosmi.query.verdicts import guarded
+from robosmi.model.elements.driver import Model, TypeHandle, class_of
+from robosmi.model.elements.feature_errors import ONE_LOAD
+from robosmi.model.elements.ordering import post_order
+from robosmi.query.rules.erl import RuleType, arity, called, failed, other_load, place_of, rule_type, type_name
+from robosmi.query.rules.options import check_options
+from robosmi.query.rules.verdicts import guarded
 
 if TYPE_CHECKING:
-    from robosmi.functions import Function, NamedFunction
-    from robosmi.model.driver import DynamicNode, Item, Node
-    from robosmi.query.erl import RuleKind
+    from robosmi.base.functions import Function, NamedFunction
+    from robosmi.model.elements.driver import DynamicNode, Item, Node
+    from robosmi.query.rules.erl import RuleKind
 
 
 class Rule(Struct, frozen=True, eq=False):

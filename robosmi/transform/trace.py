@@ -9,16 +9,16 @@ from collections.abc import Hashable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
 from robosmi.errors import ModelError
-from robosmi.model.driver import Model, is_element
-from robosmi.model.ecore import DynamicEObject, EObject
-from robosmi.model.pyecore_internals import own_resource_of
-from robosmi.model.structure import root_of
+from robosmi.model.elements.driver import Model, is_element
+from robosmi.model.elements.ecore import DynamicEObject, EObject
+from robosmi.model.elements.pyecore_internals import own_resource_of
+from robosmi.model.elements.structure import root_of
 from robosmi.query.values import key
 
 if TYPE_CHECKING:
     from robosmi.metamodels import trace
-    from robosmi.model.driver import Item, Node
-    from robosmi.model.dynamic import Dynamic
+    from robosmi.model.elements.driver import Item, Node
+    from robosmi.model.elements.dynamic import Dynamic
 
 _BY_VALUE = (int, float, bool)
 

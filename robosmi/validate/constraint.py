@@ -14,14 +14,14 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import RuleError, UsageError
-from robosmi.query.erl import code_of, place_of, type_name
-from robosmi.query.options import check_options
+from robosmi.query.rules.erl import code_of, place_of, type_name
+from robosmi.query.rules.options import check_options
 
 if TYPE_CHECKING:
-    from robosmi.functions import Function
-    from robosmi.model.driver import Held, TypeHandle
-    from robosmi.query.decorating import Decorator
-    from robosmi.query.erl import RuleKind
+    from robosmi.base.functions import Function
+    from robosmi.model.elements.driver import Held, TypeHandle
+    from robosmi.query.rules.decorating import Decorator
+    from robosmi.query.rules.erl import RuleKind
 
 R = TypeVar("R")
 E = TypeVar("E")

@@ -12,11 +12,11 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import InternalError, RuleError, UsageError, did_you_mean
-from robosmi.model.driver import Model
-from robosmi.model.feature_errors import ONE_LOAD
-from robosmi.query.deep import LEVELS, in_thread
-from robosmi.query.erl import RuleType, called, failed, other_load, place_of, rule_type, told
-from robosmi.query.verdicts import guarded, verdict_of
+from robosmi.model.elements.driver import Model
+from robosmi.model.elements.feature_errors import ONE_LOAD
+from robosmi.query.rules.deep import LEVELS, in_thread
+from robosmi.query.rules.erl import RuleType, called, failed, other_load, place_of, rule_type, told
+from robosmi.query.rules.verdicts import guarded, verdict_of
 from robosmi.validate.constraint import Constrained, Constraint, Fail
 from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
 

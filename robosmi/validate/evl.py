@@ -10,19 +10,19 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, overload
 
 from robosmi.diagnostics import Location, Severity
-from robosmi.model.driver import Model, TypeHandle
-from robosmi.model.ordering import post_order
-from robosmi.query.erl import Given, RuleBlocks, as_model, run_over
-from robosmi.query.options import with_options
-from robosmi.query.settings import Settings
+from robosmi.model.elements.driver import Model, TypeHandle
+from robosmi.model.elements.ordering import post_order
+from robosmi.query.rules.erl import Given, RuleBlocks, as_model, run_over
+from robosmi.query.rules.options import with_options
+from robosmi.query.rules.settings import Settings
 from robosmi.validate.constraint import Constrained, Constraint, Context, E, Fix, R
 from robosmi.validate.evaluation import Evaluation
 from robosmi.validate.findings import Applied, OfferedFix, Unsatisfied, Validation
 
 if TYPE_CHECKING:
-    from robosmi.functions import Function
-    from robosmi.model.driver import DynamicNode, Item
-    from robosmi.query.decorating import Decorator
+    from robosmi.base.functions import Function
+    from robosmi.model.elements.driver import DynamicNode, Item
+    from robosmi.query.rules.decorating import Decorator
 
 
 class EVL(Settings):

@@ -13,14 +13,14 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RuleError, UsageError
-from robosmi.model.driver import Model
-from robosmi.query.erl import failed, place_in_model, technology, told
+from robosmi.model.elements.driver import Model
+from robosmi.query.rules.erl import failed, place_in_model, technology, told
 from robosmi.query.values import as_string
 from robosmi.validate.constraint import Constraint, Fix
 
 if TYPE_CHECKING:
-    from robosmi.data_text import Json
-    from robosmi.model.driver import Held, Item
+    from robosmi.base.data_text import Json
+    from robosmi.model.elements.driver import Held, Item
 
 
 class OfferedFix:

@@ -15,9 +15,9 @@ from pathlib import Path
 from msgspec import Struct
 
 from robosmi import resources
+from robosmi.base.data_tables import KIND, DataTable
 from robosmi.errors import MissingToolError
 from robosmi.verify.simulation import DeviceUse
-from robosmi.verify.tables import KIND, DataTable
 
 TOOLS = ("command", "linker", "names", "rename", "coverage", "archiver", "places")
 """The programs that building takes, as `host.toml` names them."""

@@ -19,12 +19,12 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Location
 from robosmi.errors import InternalError, MissingToolError, VerificationError
-from robosmi.verify import archives
 from robosmi.verify.host_model import HostModel
-from robosmi.verify.machine_faults import check_machine
-from robosmi.verify.processes import in_parallel
-from robosmi.verify.temporary import temporary_folder
-from robosmi.verify.tools import run, tool_version
+from robosmi.verify.toolchains import archives
+from robosmi.verify.toolchains.machine_faults import check_machine
+from robosmi.verify.toolchains.processes import in_parallel
+from robosmi.verify.toolchains.temporary import temporary_folder
+from robosmi.verify.toolchains.tools import run, tool_version
 
 _MODEL_NAME = re.compile(r"host_|__gcov|__sanitizer|__(?:start|stop)_program_|_GLOBAL_OFFSET_TABLE_")
 _ARITHMETIC = re.compile(

@@ -17,7 +17,7 @@ from msgspec.structs import replace
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_run import OriginalRun, run_original
 from robosmi.verify.simulation import DeviceUse
-from robosmi.verify.tools import run
+from robosmi.verify.toolchains.tools import run
 
 _CALL_BYTES = 1
 """A return address minus this many bytes lies within the call instruction."""

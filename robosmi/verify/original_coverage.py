@@ -13,11 +13,11 @@ from typing import Any
 
 from msgspec import Struct
 
-from robosmi.data_text import as_table, json_of
+from robosmi.base.data_text import as_table, json_of
 from robosmi.errors import InternalError, MissingToolError
 from robosmi.verify.original_build import OriginalProgram
-from robosmi.verify.temporary import temporary_folder
-from robosmi.verify.tools import run
+from robosmi.verify.toolchains.temporary import temporary_folder
+from robosmi.verify.toolchains.tools import run
 
 _COUNTER_BYTES = 8
 

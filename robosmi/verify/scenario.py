@@ -22,7 +22,7 @@ from typing import Any
 from msgspec import Struct
 
 from robosmi import inputs
-from robosmi.data_text import toml_of
+from robosmi.base.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, did_you_mean
 from robosmi.quoting import toml

@@ -21,11 +21,11 @@ from typing import Any, NamedTuple, Protocol
 from msgspec import Struct
 from msgspec.structs import asdict, replace
 
-from robosmi.data_text import Json, as_table, json_of, json_written
+from robosmi.base.data_text import Json, as_table, json_of, json_written
 from robosmi.errors import EngineCrashError, InternalError, MissingToolError, UsageError, VerificationError
 from robosmi.plugins import content, registry
-from robosmi.verify.processes import ending_with_us
-from robosmi.verify.processor_time import HANGS
+from robosmi.verify.toolchains.processes import ending_with_us
+from robosmi.verify.toolchains.processor_time import HANGS
 
 LEVELS = (0, 1, "z", "p")
 """How a program drives a pin: low, high, not at all (an input), or weakly high (an input with its pull-up on)."""

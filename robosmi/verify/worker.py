@@ -11,11 +11,11 @@ import gc
 import sys
 from typing import Any
 
-from robosmi.data_text import as_number, as_table, json_of, json_written
+from robosmi.base.data_text import as_number, as_table, json_of, json_written
 from robosmi.errors import RobosmiError
 from robosmi.plugins import content
-from robosmi.verify.processor_time import bound_own
 from robosmi.verify.simulation import DeviceUse, Engine, Job, PinTrace
+from robosmi.verify.toolchains.processor_time import bound_own
 
 
 def answer(question: dict[str, Any]) -> dict[str, Any]:

@@ -16,15 +16,15 @@ from pathlib import Path
 
 from msgspec.structs import replace
 
-from robosmi.transformations.knowledge.adapter_files import read_adapter_file
-from robosmi.transformations.knowledge.adapter_model import adapter_element
-from robosmi.transformations.knowledge.adapter_records import AdapterPiece
+from robosmi.transformations.knowledge.adapters.adapter_files import read_adapter_file
+from robosmi.transformations.knowledge.adapters.adapter_model import adapter_element
+from robosmi.transformations.knowledge.adapters.adapter_records import AdapterPiece
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.adapter_text import adapter_text
-from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import DeviceUse, PinTrace, simulate
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain import compile_sketch
 
 ROOT = Path(__file__).parents[2]
 ADAPTERS = ROOT / "platform_repo" / "arduino" / "adapters" / "propeller"

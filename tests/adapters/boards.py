@@ -12,7 +12,7 @@ import tempfile
 from pathlib import Path
 
 from robosmi.transformations.knowledge.board_models import load_board, load_mapping, mapped_boards
-from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
 from tests.adapters.bench import pieces
 from tests.adapters.test_files import CORE, DEFINES, HEADERS, KEYS, folders, program
 

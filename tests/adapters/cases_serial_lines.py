@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import pytest
 
-from robosmi.data_text import as_whole
+from robosmi.base.data_text import as_whole
 from robosmi.verify.simulation import DeviceUse
 from tests.adapters.bench import Uno, proves
 

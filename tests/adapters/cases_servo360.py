@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.data_text import as_number
+from robosmi.base.data_text import as_number
 from robosmi.verify.simulation import DeviceUse, PinTrace
 from tests.adapters.bench import Uno, proves
 

@@ -12,8 +12,8 @@ from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.queries.analysis import analysis
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.queries.reports.analysis import analysis
 from robosmi.transformations.t2m.c_source import read_program
 from tests.adapters.bench import pieces
 from tests.corpus.migrate_corpus import programs

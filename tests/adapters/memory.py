@@ -14,12 +14,12 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from robosmi.transformations.knowledge.adapter_files import MARK
-from robosmi.transformations.knowledge.adapter_model import adapter_element
-from robosmi.transformations.knowledge.adapter_records import AdapterPiece
+from robosmi.transformations.knowledge.adapters.adapter_files import MARK
+from robosmi.transformations.knowledge.adapters.adapter_model import adapter_element
+from robosmi.transformations.knowledge.adapters.adapter_records import AdapterPiece
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.m2t.adapter_text import adapter_text
-from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
 from tests.adapters import bench, bench_c, test_files
 
 _SYMBOL = re.compile(

@@ -17,12 +17,12 @@ from pathlib import Path
 from typing import NamedTuple
 from unittest.mock import patch
 
-from robosmi.transformations.knowledge.adapter_files import MARK
-from robosmi.transformations.knowledge.adapter_records import AdapterPiece
-from robosmi.transformations.queries.stack_depth import CORE_INTERRUPT
-from robosmi.transformations.verification.machine_stack import StackParts, stack_parts
-from robosmi.verify.toolchain import compile_sketch
-from robosmi.verify.toolchain_data import load_toolchain
+from robosmi.transformations.knowledge.adapters.adapter_files import MARK
+from robosmi.transformations.knowledge.adapters.adapter_records import AdapterPiece
+from robosmi.transformations.queries.resources.stack_depth import CORE_INTERRUPT
+from robosmi.transformations.verification.stack.machine_stack import StackParts, stack_parts
+from robosmi.verify.toolchains.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain_data import load_toolchain
 from tests.adapters import bench
 from tests.adapters.memory import MCU
 
@@ -121,7 +121,7 @@ def code_of(piece: AdapterPiece, places: int) -> StackParts:
             folder = Path(place) / "case"
             folder.mkdir()
             (folder / "case.ino").write_text(text)
-            with patch("robosmi.verify.build.without_relocations", bytes):  # they tell what pointers reach
+            with patch("robosmi.verify.toolchains.build.without_relocations", bytes):  # they tell what pointers reach
                 report = compile_sketch(folder, "uno", keep=Path(place))
             if report.ok and report.elf is not None:
                 return stack_parts(listing(report.elf))

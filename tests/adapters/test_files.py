@@ -14,12 +14,12 @@ from pathlib import Path
 import clang.cindex
 import pytest
 
-from robosmi.transformations.knowledge.adapter_files import read_adapter_file
-from robosmi.transformations.knowledge.adapter_model import adapter_element
-from robosmi.transformations.knowledge.adapter_records import AdapterPiece
-from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.adapters.adapter_files import read_adapter_file
+from robosmi.transformations.knowledge.adapters.adapter_model import adapter_element
+from robosmi.transformations.knowledge.adapters.adapter_records import AdapterPiece
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2t.adapter_text import adapter_text
-from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
 from tests.adapters.bench import ADAPTERS, NO_PIN, pieces
 from tests.tools import require_tools
 

@@ -6,13 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.transformations.knowledge.adapter_model import adapter_element
+from robosmi.transformations.knowledge.adapters.adapter_model import adapter_element
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.adapter_text import adapter_text
-from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import simulate
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.adapters.bench import BESIDE, CASES, NO_PIN, NOT_IN_C, NOTHING_TO_DO, broken, notices
 from tests.adapters.bench_c import HEAD, MCUS, UnoInC, alone, pieces
 from tests.adapters.cases import load_cases

@@ -15,7 +15,7 @@ import robosmi
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import simulate
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain import compile_sketch
 
 LIBRARY = Path(__file__).parent / "library"
 _FLAGS = ("-m32", "-funsigned-char", "-std=gnu99", "-O0", "-w", "-fcommon", "-include", "by_line.h")

@@ -52,8 +52,8 @@ def headers() -> list[str]:
 
 def bare(path: Path, folders: Sequence[str]) -> None:
     """Let libclang parse a file, and nothing else."""
-    from robosmi.transformations.knowledge.platform_api import ApiIndex
-    from robosmi.transformations.t2m.c_source import clang
+    from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+    from robosmi.transformations.t2m.c_source.parsing import clang
 
     settings = ApiIndex.load(PLATFORM).settings["parser"]
     arguments = ["-x", "c", f"-std={settings['standard']}", "-nostdinc", "-target", settings["target"], "-Wno-everything"]
@@ -65,7 +65,7 @@ def bare(path: Path, folders: Sequence[str]) -> None:
 
 def partition(path: Path, folders: Sequence[str]) -> None:
     """Analyse a file up to its partition: what belongs to the platform, what is standard, what is unknown."""
-    from robosmi.transformations.knowledge.platform_api import ApiIndex
+    from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
     from robosmi.transformations.queries import code
     from robosmi.transformations.t2m.c_source import read_program
 
@@ -79,8 +79,8 @@ def partition(path: Path, folders: Sequence[str]) -> None:
 
 def everything(path: Path, folders: Sequence[str]) -> None:
     """Analyse a file up to the whole report, with all findings and pin uses."""
-    from robosmi.transformations.knowledge.platform_api import ApiIndex
-    from robosmi.transformations.queries.analysis import analysis
+    from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+    from robosmi.transformations.queries.reports.analysis import analysis
     from robosmi.transformations.t2m.c_source import read_program
 
     program, findings = read_program(path, platform=PLATFORM, include_dirs=folders)

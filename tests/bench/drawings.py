@@ -20,7 +20,7 @@ import sexpdata
 from lxml import etree
 
 from robosmi.plugins import content
-from robosmi.transformations.chains.readers import DRAWING
+from robosmi.transformations.chains.stages.readers import DRAWING
 from tests.transformations.t2m.eagle import support as eagle
 from tests.transformations.t2m.kicad import support as kicad
 

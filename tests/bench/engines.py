@@ -18,18 +18,18 @@ from pathlib import Path
 from msgspec.structs import replace
 
 import robosmi
-from robosmi.transformations.chains.models import load_models
+from robosmi.transformations.chains.stages.models import load_models
 from robosmi.transformations.chains.verify import FOLDER, verify
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.verification.bound_devices.played_devices import played
+from robosmi.transformations.verification.bound_devices.port_devices import bound_ports
 from robosmi.transformations.verification.jobs import job
 from robosmi.transformations.verification.original_side import channel_events
-from robosmi.transformations.verification.played_devices import played
-from robosmi.transformations.verification.port_devices import bound_ports
-from robosmi.verify.activity import ActivityEvent
-from robosmi.verify.comparison import NOT_EXERCISED, SAME, compare
 from robosmi.verify.scenario import read_scenario
 from robosmi.verify.simulation import simulate
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain import compile_sketch
+from robosmi.verify.traces.activity import ActivityEvent
+from robosmi.verify.traces.comparison import NOT_EXERCISED, SAME, compare
 
 ROOT = Path(__file__).resolve().parents[2]
 STUDIES = ("line_follower", "environmental_monitoring")

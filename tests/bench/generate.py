@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.generate import Gen
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 
 FILES = 10_000
 BOUND = 3.0

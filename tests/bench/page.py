@@ -25,8 +25,8 @@ from typing import Any
 import robosmi
 from robosmi.metamodels import migration
 from robosmi.report.page_server import PageServer
-from robosmi.transformations.chains.models import load_models
 from robosmi.transformations.chains.page import PlanPage
+from robosmi.transformations.chains.stages.models import load_models
 from tests.page.browsers import Served, chromium, task_seconds
 
 EXAMPLES = Path(__file__).parents[2] / "docs" / "examples"

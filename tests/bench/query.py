@@ -13,7 +13,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from robosmi.model.metamodel import Metamodel
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.query import ModelView, Q
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -24,7 +24,7 @@ import json, sys, time
 from pathlib import Path
 start = time.process_time()
 from robosmi.recommend.component import ComponentQuery
-from robosmi.transformations.knowledge.library_ranking import device_ranker, library_index
+from robosmi.transformations.knowledge.libraries.library_ranking import device_ranker, library_index
 imported = time.process_time()
 ranker = device_ranker(architecture="avr")
 opened = time.process_time()
@@ -63,7 +63,7 @@ def grow(count: int, target: Path) -> None:
     from robosmi.recommend.index import FIELDS
     from robosmi.recommend.index_writer import write_index
     from robosmi.recommend.library_record import HeaderRecord, LibraryRecord
-    from robosmi.transformations.knowledge.library_ranking import library_index
+    from robosmi.transformations.knowledge.libraries.library_ranking import library_index
 
     index, chance = library_index(), random.Random(1)
     said: list[dict[str, int]] = [{} for _ in range(len(index))]

@@ -15,12 +15,12 @@ from pathlib import Path
 
 import robosmi
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.verification.bound_devices.played_devices import played
+from robosmi.transformations.verification.bound_devices.port_devices import bound_ports
 from robosmi.transformations.verification.jobs import job
-from robosmi.transformations.verification.played_devices import played
-from robosmi.transformations.verification.port_devices import bound_ports
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import simulate
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain import compile_sketch
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "docs" / "examples" / "line_follower"
 SIMULATED_S = 16

@@ -23,10 +23,10 @@ from typing import Any
 
 from pyecore.resources import URI, ResourceSet
 
-from robosmi.model.files import write_atomic
-from robosmi.model.metamodel import Metamodel
-from robosmi.model.xmi_reader import read_models
-from robosmi.model.xmi_writer import to_xmi
+from robosmi.files.files import write_atomic
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.xmi.xmi_reader import read_models
+from robosmi.model.xmi.xmi_writer import to_xmi
 
 ROOT = Path(__file__).resolve().parents[2]
 BENCH = ROOT / "tests" / "emf" / "bench.ecore"
@@ -131,9 +131,9 @@ def compare(path: Path, count: int, runs: int, metamodel: Metamodel) -> tuple[bo
 GROWTH = """
 import gc, resource, sys, time
 from pathlib import Path
-from robosmi.model.metamodel import Metamodel
-from robosmi.model.xmi_reader import read_models
-from robosmi.model.xmi_writer import to_xmi
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.xmi.xmi_reader import read_models
+from robosmi.model.xmi.xmi_writer import to_xmi
 mm, path = Metamodel.load(sys.argv[1]), Path(sys.argv[2])
 start = time.perf_counter()
 root = next(iter(read_models(path, mm).values()))

@@ -17,8 +17,8 @@ from robosmi.chain import Chain, ChainResult, read_chain
 from robosmi.chain.languages import DOES
 from robosmi.errors import RobosmiError, RuleError, SourceError, StoppedError
 from robosmi.metamodels import trace
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.transform import ETL, Trace
 from tests.emf_judge import judge
 from tests.running import run as command

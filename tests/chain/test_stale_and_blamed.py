@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from robosmi.chain import read_chain
+from robosmi.chain.steps import files_of
 from robosmi.errors import RobosmiError, RuleError, SourceError
-from robosmi.model.ecore_references import files_of
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]

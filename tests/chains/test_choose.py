@@ -10,13 +10,13 @@ import pytest
 
 import robosmi
 from robosmi.errors import StoppedError, UsageError
+from robosmi.files.files import digest
 from robosmi.generate.undo import undo
 from robosmi.metamodels import migration
-from robosmi.model.files import digest
 from robosmi.recommend.history import History
 from robosmi.transformations.chains.choose import choose
-from robosmi.transformations.chains.models import load_models
-from robosmi.transformations.queries.choices import choices_json, offered_choices
+from robosmi.transformations.chains.stages.models import load_models
+from robosmi.transformations.queries.plans.choices import choices_json, offered_choices
 from tests.running import run, tree
 
 

@@ -11,12 +11,12 @@ from typing import Any
 import pytest
 
 from robosmi.plugins import content
-from robosmi.transformations.chains import completion, output
-from robosmi.transformations.chains.completion import Completed, completion_chain
 from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.chains.page import PlanPage
+from robosmi.transformations.chains.stages import completion, output
+from robosmi.transformations.chains.stages.completion import Completed, completion_chain
 from robosmi.transformations.m2t.program_files import report_file
-from robosmi.verify.build_record import BuildRecord
+from robosmi.verify.toolchains.build_record import BuildRecord
 from tests.running import run
 from tests.tools import require_verification
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.transformations.chains.edited_plan import beside_choices
+from robosmi.transformations.chains.stages.edited_plan import beside_choices
 
 PLAN = b'<plan><portBindings choice="%s" port="LED"/></plan>'
 

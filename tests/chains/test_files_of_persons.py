@@ -13,9 +13,9 @@ import pytest
 
 import robosmi
 from robosmi.errors import SourceError, StoppedError
-from robosmi.model import commit
+from robosmi.files import commit
 from robosmi.transformations.chains import generate as generate_chain
-from robosmi.transformations.chains import written_output
+from robosmi.transformations.chains.stages import written_output
 from robosmi.transformations.m2m import plan_tasks
 from tests.running import Outcome, run, tree
 

@@ -11,11 +11,11 @@ import pytest
 
 import robosmi
 from robosmi.errors import RobosmiError, SourceError, StoppedError
+from robosmi.files.files import digest
 from robosmi.generate import Gen
 from robosmi.generate.packages import generate_packages
-from robosmi.model.files import digest
 from robosmi.project import load_project
-from robosmi.verify.project_file import read_project_file
+from robosmi.verify.toolchains.sketch import read_project_file
 from tests.running import run
 
 

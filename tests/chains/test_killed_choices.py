@@ -16,11 +16,11 @@ from typing import Any, NoReturn
 import pytest
 
 from robosmi.errors import SourceError, StoppedError
+from robosmi.files.commit import commit, update
+from robosmi.files.recovery import interrupted, recover
 from robosmi.generate.undo import undo
-from robosmi.model.commit import commit, update
-from robosmi.model.recovery import interrupted, recover
-from robosmi.transformations.chains import written_output
 from robosmi.transformations.chains.choose import choose
+from robosmi.transformations.chains.stages import written_output
 from tests.chains.conftest import SETTINGS
 from tests.running import run, tree
 
@@ -122,7 +122,7 @@ def test_a_killed_choice_is_whole_or_not_at_all(begun: str, data: Path, robot: P
 def killed_before_moving(run: Callable[[], object], monkeypatch: pytest.MonkeyPatch) -> None:
     """Kill a run after its journal is written and before a file is moved."""
     with monkeypatch.context() as patched:
-        patched.setattr("robosmi.model.commit.finish", lambda _: os.kill(os.getpid(), signal.SIGKILL))
+        patched.setattr("robosmi.files.commit.finish", lambda _: os.kill(os.getpid(), signal.SIGKILL))
         assert killed(run, 0)
 
 

@@ -15,7 +15,7 @@ from typing import Any, get_type_hints
 
 import pytest
 
-from robosmi.chain.results import named
+from robosmi.chain.run import named
 from robosmi.chain.steps import Step, StepResult
 from robosmi.errors import RuleError
 from robosmi.metamodels import migration
@@ -25,7 +25,7 @@ from robosmi.transformations.chains.analyse import analyse
 from robosmi.transformations.chains.hardware import hardware, hardware_chain
 from robosmi.transformations.chains.library_steps import library_decisions
 from robosmi.transformations.chains.migrate import migrate, migration_chain, plan_migration
-from robosmi.transformations.m2m.library_choice import LibraryModels
+from robosmi.transformations.m2m.choices.library_choice import LibraryModels
 from tests.new_objects import only_new_objects
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -13,13 +13,13 @@ import pytest
 
 import robosmi
 from robosmi.errors import RuleError, SourceError
+from robosmi.files.files import digest
 from robosmi.metamodels import migration
 from robosmi.model import load_model, versions
-from robosmi.model.files import digest
 from robosmi.plugins import Registry, registry
 from robosmi.transform import Flock
 from robosmi.transform.migration import ModelMigration
-from robosmi.transformations.chains.models import load_models
+from robosmi.transformations.chains.stages.models import load_models
 from robosmi.transformations.queries.text_changes import all_changes
 from tests.running import run, tree
 

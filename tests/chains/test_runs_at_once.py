@@ -14,8 +14,8 @@ from filelock import FileLock
 
 import robosmi
 from robosmi.errors import StoppedError
-from robosmi.model import runs as at_work
-from robosmi.model.recovery import STAGE
+from robosmi.files import runs as at_work
+from robosmi.files.recovery import STAGE
 from robosmi.transformations.chains.generate import generate
 from tests.fuzz import runs
 from tests.running import tree
@@ -58,7 +58,7 @@ def test_a_lock_is_the_same_whether_it_is_taken_at_once_or_waited_for(tmp_path: 
 HOLDER = """
 import sys, time
 from pathlib import Path
-from robosmi.model.recovery import at_work
+from robosmi.files.recovery import at_work
 out, mark = map(Path, sys.argv[1:])
 with at_work(out):
     print("in", flush=True)
@@ -88,7 +88,7 @@ def test_generate_waits_for_a_living_writer_in_the_folder_of_its_plan(
     before = tree(out)
     with living_writer(out, mark) as writer:
         with monkeypatch.context() as patched:
-            patched.setattr("robosmi.model.runs.PATIENCE", 0.2)
+            patched.setattr("robosmi.files.runs.PATIENCE", 0.2)
             with pytest.raises(StoppedError, match=rf"process {writer.pid}\) is at work"):
                 generate(out / "models" / "plan.xmi", tmp_path / output)
         assert tree(out) == before

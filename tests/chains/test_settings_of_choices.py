@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.cli.asking import Answers
+from robosmi.cli.commands.migrate import Answers
 from robosmi.generate.undo import undo
 from robosmi.plugins import content
-from robosmi.transformations.chains.models import load_models
 from robosmi.transformations.chains.page import PlanPage
+from robosmi.transformations.chains.stages.models import load_models
 from tests.chains.conftest import SETTINGS
 from tests.running import run, tree
 

@@ -11,11 +11,11 @@ from typing import Any
 import pytest
 
 import robosmi
+from robosmi.files.files import digest
 from robosmi.metamodels import ccode, migration
-from robosmi.model.files import digest
-from robosmi.model.metamodels import BUILT_IN
-from robosmi.transformations.queries.plan import plan_json
-from robosmi.transformations.queries.work import work_json
+from robosmi.model.ecore.metamodels import BUILT_IN
+from robosmi.transformations.queries.plans.plan import plan_json
+from robosmi.transformations.queries.reports.work import work_json
 from tests.running import run
 from tests.tools import require_tools
 from tests.transformations.m2t.truth import report_faults

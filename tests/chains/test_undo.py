@@ -11,8 +11,8 @@ import pytest
 
 import robosmi
 from robosmi.errors import RobosmiError, SourceError, StoppedError
+from robosmi.files import runs
 from robosmi.generate.undo import undo
-from robosmi.model import runs
 from robosmi.transformations.chains.migrate import migrate
 from tests.running import run, tree
 

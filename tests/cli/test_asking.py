@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from robosmi.cli.asking import Answers, ask_libraries, ask_ports, may_ask
+from robosmi.cli.commands.migrate import Answers, ask_libraries, ask_ports, may_ask
 from robosmi.errors import SourceError
 from robosmi.generate.project_entries import added_to_project, with_entries
 from robosmi.plugins import content

@@ -13,7 +13,7 @@ from robosmi.cli.main import main
 from robosmi.metamodels import migration
 from robosmi.model import load_model, save_model
 from robosmi.plugins import registry
-from robosmi.transformations.chains.models import load_models
+from robosmi.transformations.chains.stages.models import load_models
 from robosmi.validate import EVL
 
 

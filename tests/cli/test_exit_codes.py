@@ -11,7 +11,7 @@ from typing import NoReturn
 
 import pytest
 
-from robosmi.cli import doctor
+from robosmi.cli.commands import doctor
 from robosmi.cli.main import main
 from robosmi.project import defaults
 from tests.running import run, tree

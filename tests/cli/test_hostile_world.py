@@ -86,7 +86,7 @@ def test_a_broken_package_is_named_and_no_bug_of_ours(name: str, words: list[str
 
 
 def test_a_libclang_of_another_version_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    from robosmi.transformations.t2m.c_source import clang
+    from robosmi.transformations.t2m.c_source.parsing import clang
 
     clang.library()
     monkeypatch.setattr(clang, "VERSION", 99)

@@ -14,11 +14,11 @@ from types import ModuleType
 import pytest
 
 from robosmi.__main__ import start
-from robosmi.ending_signals import ending_signals
-from robosmi.model import commit as commit_module
-from robosmi.model.commit import commit
-from robosmi.model.open_folder import OpenFolder
-from robosmi.model.recovery import STAGE, finish
+from robosmi.base.ending_signals import ending_signals
+from robosmi.files import commit as commit_module
+from robosmi.files.commit import commit
+from robosmi.files.open_folder import OpenFolder
+from robosmi.files.recovery import STAGE, finish
 from tests.fuzz import interrupts
 from tests.running import tree
 from tests.tools import require_tools

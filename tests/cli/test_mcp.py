@@ -20,8 +20,7 @@ from pydantic import ValidationError
 
 from robosmi.cli import landlock
 from robosmi.cli.mcp_commands import Commands
-from robosmi.cli.mcp_stream import answer_to
-from robosmi.cli.mcp_tools import Tools, make_server
+from robosmi.cli.mcp_tools import Tools, answer_to, make_server
 from robosmi.cli.root_folder import RootFolder
 from robosmi.errors import SourceError, UsageError
 from tests.running import check_document, run

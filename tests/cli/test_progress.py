@@ -8,10 +8,10 @@ import time
 
 import pytest
 
+from robosmi.base.doing import doing
 from robosmi.chain import Chain
 from robosmi.cli import progress as module
 from robosmi.cli.main import main
-from robosmi.doing import doing
 from robosmi.report import Report
 
 
@@ -105,7 +105,7 @@ def test_every_command_has_a_line_of_progress(monkeypatch: pytest.MonkeyPatch) -
         doing("something long")
         return Report("explain")
 
-    monkeypatch.setattr("robosmi.cli.explain.run", slow)
+    monkeypatch.setattr("robosmi.cli.commands.explain.run", slow)
     monkeypatch.setattr(module._Line, "said", lambda line, what: heard.append(what))
     monkeypatch.setattr(sys, "stderr", Terminal())
     assert main(["explain"]) == 0

@@ -10,8 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.cli.examples import EXAMPLES
-from robosmi.cli.main import COMMANDS, build_parser
+from robosmi.cli.main import COMMANDS, EXAMPLES, build_parser
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.report import Report, takes_colour, terminal_text
 from tests.running import run

@@ -11,13 +11,14 @@ from pathlib import Path
 
 import pytest
 
-from robosmi import inputs, resources, trust
+from robosmi import inputs, resources
+from robosmi.base import trust
+from robosmi.cli.commands.doctor import tools
 from robosmi.cli.main import main
 from robosmi.errors import SourceError
 from robosmi.generate import Gen
 from robosmi.generate.packages import generate_packages
-from robosmi.verify.doctor import tools
-from robosmi.verify.toolchain_data import load_toolchains
+from robosmi.verify.toolchains.toolchain_data import load_toolchains
 
 TOOLCHAIN = "platform_repo/arduino/toolchain.toml"
 

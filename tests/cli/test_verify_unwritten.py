@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.transformations.chains.verified_files import VerifiedFiles
+from robosmi.transformations.chains.stages.verified_files import VerifiedFiles
 from robosmi.transformations.m2t.task_list import PICTURE
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace

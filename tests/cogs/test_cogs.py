@@ -13,12 +13,12 @@ from pathlib import Path
 import pytest
 
 from robosmi.transformations.chains.migrate import migrate, plan_migration
-from robosmi.transformations.chains.output import Generated
+from robosmi.transformations.chains.stages.output import Generated
 from robosmi.transformations.knowledge.board_models import load_board
-from robosmi.transformations.queries.stack_depth import CORE_INTERRUPT
+from robosmi.transformations.queries.resources.stack_depth import CORE_INTERRUPT
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import PinTrace, simulate
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.tools import require_engine, require_tools
 
 PROGRAMS = Path(__file__).parent / "programs"

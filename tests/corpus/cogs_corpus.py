@@ -21,9 +21,9 @@ from robosmi.errors import RobosmiError
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.verification.jobs import job
-from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.simulation import PinTrace, simulate
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.compile_report import CompileReport
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.corpus.migrate_corpus import programs
 
 STARTS = re.compile(rb"\b(?:cog_run|cogstart|cogstart_stack|pthread_create)\s*\(")

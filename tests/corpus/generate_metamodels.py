@@ -28,12 +28,12 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from robosmi.errors import RobosmiError
-from robosmi.model.codegen import Rendered, render
-from robosmi.model.commit import update
-from robosmi.model.ecore_description import Class, Enumeration, Package, is_known
-from robosmi.model.ecore_loader import MetamodelError, load_metamodels
-from robosmi.model.package_names import PackageNames
-from robosmi.model.package_types import is_feature_map
+from robosmi.files.commit import update
+from robosmi.model.ecore.ecore_description import Class, Enumeration, Package, is_known
+from robosmi.model.ecore.ecore_loader import MetamodelError, load_metamodels
+from robosmi.model.generator.codegen import Rendered, render
+from robosmi.model.generator.package_names import PackageNames
+from robosmi.model.generator.package_types import is_feature_map
 
 
 def distinct(paths: list[Path]) -> Iterator[Path]:

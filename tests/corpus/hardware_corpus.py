@@ -71,8 +71,8 @@ class Table:
 
 def outcome(path: Path, corpus: Path) -> Outcome:
     """Load and map one sketch."""
-    from robosmi.transformations.chains.reading import read_drawing
-    from robosmi.transformations.queries.circuit import boards, hardware_report
+    from robosmi.transformations.chains.stages.reading import read_drawing
+    from robosmi.transformations.queries.circuits.circuit import boards, hardware_report
 
     shown = str(path.relative_to(corpus))
     started = time.perf_counter()

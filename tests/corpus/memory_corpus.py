@@ -21,12 +21,12 @@ from msgspec.structs import replace
 import robosmi
 from robosmi.errors import RobosmiError
 from robosmi.transformations.knowledge.board_models import load_board
-from robosmi.transformations.queries.memory import Memory, memory
-from robosmi.transformations.queries.waiting_calls import NO_SUPPORT, TO_WRITE, CallStates
+from robosmi.transformations.queries.plans.waiting_calls import NO_SUPPORT, TO_WRITE, CallStates
+from robosmi.transformations.queries.resources.memory import Memory, memory
 from robosmi.transformations.verification.jobs import job
-from robosmi.verify.compile_report import CompileReport
 from robosmi.verify.simulation import simulate
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.compile_report import CompileReport
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.corpus.migrate_corpus import programs
 
 NEAR = 0.1

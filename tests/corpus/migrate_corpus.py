@@ -207,7 +207,7 @@ def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
     """Migrate and compile one program."""
     import robosmi
     from robosmi.metamodels import migration
-    from robosmi.transformations.queries.plan import header_name
+    from robosmi.transformations.queries.plans.plan import header_name
     from tests.transformations.m2t.truth import verdict_faults
 
     path = str(files[0].relative_to(corpus))

@@ -16,9 +16,9 @@ import pytest
 
 import robosmi
 from robosmi.metamodels import migration
-from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.code import views
-from robosmi.transformations.queries.pin_uses import pin_uses
+from robosmi.transformations.queries.flows.pin_uses import pin_uses
 
 TABLES = sorted((Path(__file__).parent / "pin_tables").glob("*.csv"))
 BOUND = 123

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.t2m.platform_headers import read_headers
 
 RECALL = {"functions": 0.985, "macros": 0.975, "vars": 0.90, "consts": 1.0, "types": 0.985}

@@ -19,9 +19,9 @@ from robosmi.metamodels import migration
 from robosmi.project import Project
 from robosmi.transformations.chains.hardware import HardwareAnalysis, hardware
 from robosmi.transformations.chains.migrate import plan_migration
-from robosmi.transformations.m2m.wokwi_wiring import wokwi_wiring
+from robosmi.transformations.m2m.circuits.wokwi_wiring import wokwi_wiring
+from robosmi.transformations.m2t.circuits.wokwi_project import diagram_text
 from robosmi.transformations.m2t.pin_table import pin_table
-from robosmi.transformations.m2t.wokwi_project import diagram_text
 from robosmi.transformations.t2m.wokwi.document import read_diagram
 from tests.wiring.elements import wokwi_elements
 

@@ -21,7 +21,7 @@ from typing import Any
 import robosmi
 from robosmi.errors import RobosmiError
 from robosmi.transformations.chains.verify import verify
-from robosmi.verify.verdict import NO_DIFFERENCE, Verdict
+from robosmi.verify.traces.verdict import NO_DIFFERENCE, Verdict
 from tests.corpus.migrate_corpus import programs
 
 CHOSEN = Path(__file__).parent / "verified_programs.toml"

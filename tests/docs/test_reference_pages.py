@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.base.data_text import Json
 from robosmi.cli.main import COMMANDS, build_parser
-from robosmi.data_text import Json
 from robosmi.plugins import registry
 from tests.running import run
 from tests.tools import require_tools

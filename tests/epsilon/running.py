@@ -19,10 +19,10 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.errors import RobosmiError
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.query import ModelView
-from robosmi.query.erl import place_in_model
+from robosmi.query.rules.erl import place_in_model
 from robosmi.transform import ETL, Flock
 from robosmi.validate import EVL
 

@@ -15,7 +15,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from robosmi.data_text import toml_of
+from robosmi.base.data_text import toml_of
 from robosmi.plugins import content
 from robosmi.verify.simulation import PinTrace
 from tests.adapters.bench import broken, pieces

@@ -24,18 +24,17 @@ from msgspec.structs import replace
 
 import robosmi
 from robosmi.errors import RobosmiError
-from robosmi.transformations.chains.models import load_models
+from robosmi.transformations.chains.stages.models import load_models
 from robosmi.transformations.chains.verify import FOLDER, Verified, _board, _original, verify
-from robosmi.transformations.verification.after_the_end import simulated_longer
-from robosmi.transformations.verification.judging import judged
+from robosmi.transformations.verification.bound_devices.played_devices import played
+from robosmi.transformations.verification.bound_devices.port_devices import BoundPort, bound_ports, resting_pins
+from robosmi.transformations.verification.judgement.after_the_end import simulated_longer
+from robosmi.transformations.verification.judgement.judging import judged
+from robosmi.transformations.verification.judgement.scenario_verdicts import Case, looked_at_again
 from robosmi.transformations.verification.original_side import SourceRuns, run_further, run_source, run_varied
-from robosmi.transformations.verification.played_devices import played
-from robosmi.transformations.verification.port_devices import BoundPort, bound_ports, resting_pins
-from robosmi.transformations.verification.scenario_verdicts import Case
-from robosmi.transformations.verification.second_look import looked_at_again
 from robosmi.transformations.verification.target_side import TargetSide
 from robosmi.verify.scenario import Scenario, read_scenario
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.faults.executed_lines import built_for_lines, lines_of, run_addresses
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -16,14 +16,14 @@ from msgspec.structs import replace
 
 from robosmi.metamodels import platform
 from robosmi.transformations.verification.jobs import job
-from robosmi.verify.boards import load_boards
-from robosmi.verify.build import Build
-from robosmi.verify.compile_report import CompileReport
-from robosmi.verify.libraries import LibraryFolders
 from robosmi.verify.simulation import DeviceUse, simulate
-from robosmi.verify.sketch import choose_board, find_sketch
-from robosmi.verify.toolchain_data import load_toolchains
-from robosmi.verify.tools import find_installed
+from robosmi.verify.toolchains.boards import load_boards
+from robosmi.verify.toolchains.build import Build
+from robosmi.verify.toolchains.compile_report import CompileReport
+from robosmi.verify.toolchains.libraries import LibraryFolders
+from robosmi.verify.toolchains.sketch import choose_board, find_sketch
+from robosmi.verify.toolchains.toolchain_data import load_toolchains
+from robosmi.verify.toolchains.tools import find_installed
 
 _FLAGS = ("-fno-lto", "-gdwarf-4")
 _LIMIT_S = 300.0

@@ -10,12 +10,12 @@ import pytest
 
 import robosmi
 from robosmi.transformations.chains.verify import Verified
+from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.original_side import SourceRuns, channel_events
-from robosmi.transformations.verification.port_devices import BoundPort
 from robosmi.verify.original_run import OriginalRun
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinChange, PinTrace
-from robosmi.verify.verdict import Verdict
+from robosmi.verify.traces.verdict import Verdict
 from tests.faults import campaign
 from tests.faults.__main__ import stale
 from tests.faults.campaign import FOLDERS, ROOT, SKETCH_FILES, STUDIES, Study, executed

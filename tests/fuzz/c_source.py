@@ -78,8 +78,8 @@ def run_one(path: Path) -> str:
         Exception: a fault of ours.
     """
     from robosmi.errors import InternalError, RobosmiError
-    from robosmi.transformations.knowledge.platform_api import ApiIndex
-    from robosmi.transformations.queries.analysis import analysis
+    from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+    from robosmi.transformations.queries.reports.analysis import analysis
     from robosmi.transformations.t2m.c_source import read_program
 
     try:

@@ -20,7 +20,7 @@ from pathlib import Path
 
 from robosmi.diagnostics import Finding
 from robosmi.errors import RobosmiError, StoppedError
-from robosmi.transformations.chains.models import LAST
+from robosmi.transformations.chains.stages.models import LAST
 from robosmi.transformations.m2t.program_files import REPORT
 from tests.fuzz.edits_arenas import ARENAS, Arena
 from tests.fuzz.edits_judge import BOM, Round, faults

@@ -88,9 +88,9 @@ def run_one(path: Path) -> str:
     Raises:
         Exception: a fault of ours.
     """
-    from robosmi.transformations.chains.reading import read_drawing
-    from robosmi.transformations.m2t.circuit_picture import svg
-    from robosmi.transformations.queries.circuit import hardware_report
+    from robosmi.transformations.chains.stages.reading import read_drawing
+    from robosmi.transformations.m2t.circuits.circuit_picture import svg
+    from robosmi.transformations.queries.circuits.circuit import hardware_report
 
     try:
         drawing = read_drawing(path, {})

@@ -21,7 +21,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from robosmi.cli.main import main as command
-from robosmi.model.recovery import STAGE
+from robosmi.files.recovery import STAGE
 from tests.running import tree
 
 STEPS = frozenset(["open", "os.mkdir", "os.rename", "os.remove", "os.rmdir", "os.chmod", "os.listdir", "os.scandir", "import"])

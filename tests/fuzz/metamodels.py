@@ -152,7 +152,7 @@ def faults(made: dict[str, bytes], folder: Path) -> list[str]:
 def check(seed: int, folder: Path, costs: Costs | None = None) -> str:
     """The result for a metamodel: "inert", "refused" with a message, or what is wrong."""
     from robosmi.errors import RobosmiError
-    from robosmi.model.codegen import render
+    from robosmi.model.generator.codegen import render
 
     path = folder / "hostile.ecore"
     path.write_text(metamodel(seed), encoding="utf-8")

@@ -15,8 +15,9 @@ import time
 from pathlib import Path
 
 from robosmi.errors import RobosmiError
-from robosmi.model.xmi_writer import to_xmi
-from robosmi.transformations.t2m.c_source import precompiled, read_program
+from robosmi.model.xmi.xmi_writer import to_xmi
+from robosmi.transformations.t2m.c_source import read_program
+from robosmi.transformations.t2m.c_source.parsing import precompiled
 from tests.fuzz.c_source import mutated
 
 SOURCES = Path(__file__).resolve().parents[1] / "transformations" / "t2m" / "c_source"

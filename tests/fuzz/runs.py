@@ -22,8 +22,8 @@ from pathlib import Path
 
 import robosmi
 from robosmi.errors import StoppedError
+from robosmi.files.recovery import STAGE, interrupted
 from robosmi.generate import Gen
-from robosmi.model.recovery import STAGE, interrupted
 from tests.running import tree
 
 FILES = 40

@@ -16,18 +16,20 @@ from robosmi.errors import SourceError
 from robosmi.metamodels import ccode
 from robosmi.transform import Trace
 from robosmi.transformations.constraints.code import code as constraints
-from robosmi.transformations.knowledge.adapter_index import adapter_index
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.knowledge.target_platform import target_facts
-from robosmi.transformations.m2m.adapter_choice import AdapterChoice
-from robosmi.transformations.m2m.platform_dependence import partition
-from robosmi.transformations.m2m.refused_forms import remarks
-from robosmi.transformations.queries import call_graph, code, library_use, main_program
+from robosmi.transformations.knowledge.adapters.adapter_index import adapter_index
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.target_platform import target_facts
+from robosmi.transformations.m2m.adapters.adapter_choice import AdapterChoice
+from robosmi.transformations.m2m.language.refused_forms import remarks
+from robosmi.transformations.m2m.partition.platform_dependence import partition
+from robosmi.transformations.queries import code
 from robosmi.transformations.queries.adapter_signature import target_signature
-from robosmi.transformations.queries.analysis import analysis
-from robosmi.transformations.queries.cores import Cores
+from robosmi.transformations.queries.constants.ranges import Ranges
+from robosmi.transformations.queries.flows import call_graph, library_use
+from robosmi.transformations.queries.flows.cores import Cores
 from robosmi.transformations.queries.numbers import Machine, Numbers
-from robosmi.transformations.queries.ranges import Ranges
+from robosmi.transformations.queries.programs import main_program
+from robosmi.transformations.queries.reports.analysis import analysis
 from robosmi.transformations.queries.values import Values
 from robosmi.transformations.t2m.c_source import read_program
 from robosmi.transformations.t2m.c_source.on_demand import open_program

@@ -56,7 +56,7 @@ def faults(made: Program, path: Path, *, move: bool = True) -> list[str]:
     import robosmi
     from robosmi.metamodels import ccode
     from robosmi.model import load_model, save_model
-    from robosmi.model.xmi_writer import to_xmi
+    from robosmi.model.xmi.xmi_writer import to_xmi
     from robosmi.transformations.t2m.c_source import read_program
 
     model, _ = read_program(path)

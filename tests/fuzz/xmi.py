@@ -17,9 +17,9 @@ from collections import Counter
 from pathlib import Path
 
 from robosmi.errors import ModelError, RobosmiError, SourceError
-from robosmi.model.metamodel import Metamodel
-from robosmi.model.xmi_reader import read_documents
-from robosmi.model.xmi_writer import to_xmi
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.xmi.xmi_reader import read_documents
+from robosmi.model.xmi.xmi_writer import to_xmi
 from tests.fuzz.costs import Costs, TooLong
 
 TESTS = Path(__file__).resolve().parents[1]

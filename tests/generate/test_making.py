@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 from msgspec.structs import replace
 
+from robosmi.base.trust import trust
 from robosmi.errors import RuleError, SourceError
 from robosmi.generate import Gen
-from robosmi.trust import trust
 from tests.generate.support import library
 
 PARTS = """\

@@ -6,8 +6,8 @@ import codecs
 
 import pytest
 
+from robosmi.files.files import digest
 from robosmi.generate.text_form import has_digest, read, same_text
-from robosmi.model.files import digest
 
 FORMS = [
     b"", b"a", b"a\n", b"a\nb", b"a\r\nb\r\n", b"a\r\nb", b"a\rb\r", b"a\r\nb\nc\rd", b"\n\r\n\r", b"a\r\r\nb\n",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.data_text import as_list, as_number
+from robosmi.base.data_text import as_list, as_number
 from robosmi.verify.simulation import DeviceUse, PinTrace
 from tests.host_model.bench import run
 from tests.tools import require_tools

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.transformations.knowledge.adapter_files import read_adapter_file
-from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.adapters.adapter_files import read_adapter_file
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.verification.originals import original_program, stand_in_headers
 from robosmi.verify.original_run import run_original
 from tests.host_model.bench import ROOT, built, model

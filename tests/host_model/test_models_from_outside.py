@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.base.trust import acting
 from robosmi.cli.main import main
 from robosmi.errors import SourceError, VerificationError
 from robosmi.inputs import DATA, read_bytes
 from robosmi.transformations.verification.originals import original_program
-from robosmi.trust import acting
 from robosmi.verify.host_model import load_host_model
 from robosmi.verify.original_run import OriginalRun, run_original
 from tests.tools import require_verification

@@ -7,8 +7,7 @@ from itertools import pairwise
 
 import pytest
 
-from robosmi.verify.host_bench import HostBench
-from robosmi.verify.original_run import run_original
+from robosmi.verify.original_run import HostBench, run_original
 from robosmi.verify.simulation import DeviceUse, PinTrace
 from tests.host_model.bench import built, ended, run, said
 from tests.tools import require_tools

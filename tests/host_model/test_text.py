@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.data_text import as_whole
+from robosmi.base.data_text import as_whole
 from robosmi.verify.simulation import DeviceUse
 from tests.host_model.bench import ended, run, said
 from tests.tools import require_tools

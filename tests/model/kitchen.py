@@ -8,10 +8,10 @@ from typing import Any
 
 from pyecore.resources import URI, ResourceSet
 
-from robosmi.model.metamodel import Metamodel
-from robosmi.model.metamodels import Metamodels
-from robosmi.model.xmi_reader import read_documents
-from robosmi.model.xmi_writer import to_xmi
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.ecore.metamodels import Metamodels
+from robosmi.model.xmi.xmi_reader import read_documents
+from robosmi.model.xmi.xmi_writer import to_xmi
 
 FOLDER = Path(__file__).parent / "xmi"
 KITCHEN = Path(__file__).parents[1] / "emf" / "kitchen.ecore"

@@ -12,10 +12,10 @@ from pyecore.ecore import EObject
 from pyecore.valuecontainer import EAbstractSet, ECollection, EList, EOrderedSet, EValue
 
 from robosmi.model.changes import Recording
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.elements.features import all_features
+from robosmi.model.elements.structure import walk
 from robosmi.model.emf import EmfModel
-from robosmi.model.features import all_features
-from robosmi.model.metamodel import Metamodel
-from robosmi.model.structure import walk
 
 LIBRARY = Path(__file__).parents[1] / "epsilon" / "eol"
 

@@ -13,10 +13,10 @@ from typing import NoReturn
 import pytest
 
 from robosmi.errors import SourceError, StoppedError
+from robosmi.files.commit import commit
+from robosmi.files.recovery import STAGE, interrupted, recover
+from robosmi.files.runs import bind, own_stage
 from robosmi.generate import Gen
-from robosmi.model.commit import commit
-from robosmi.model.recovery import STAGE, interrupted, recover
-from robosmi.model.runs import bind, own_stage
 from tests.running import tree
 
 FILES = 40

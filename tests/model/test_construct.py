@@ -12,12 +12,12 @@ from pyecore.notification import EObserver
 
 import robosmi
 from robosmi.metamodels import ccode, hardware
-from robosmi.model import lean
 from robosmi.model.changes import Recording
-from robosmi.model.metamodels import built_in
-from robosmi.model.strict import FeatureValueError
-from robosmi.model.xmi_reader import read_documents
-from robosmi.model.xmi_writer import to_xmi
+from robosmi.model.ecore.metamodels import built_in
+from robosmi.model.elements import lean
+from robosmi.model.elements.strict import FeatureValueError
+from robosmi.model.xmi.xmi_reader import read_documents
+from robosmi.model.xmi.xmi_writer import to_xmi
 
 
 def slow(cls: Any, **features: Any) -> Any:

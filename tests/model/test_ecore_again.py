@@ -13,11 +13,11 @@ from pathlib import Path
 import pytest
 from pyecore import ecore
 
-from robosmi.model.ecore import EPackage
-from robosmi.model.ecore_loader import load_metamodels
+from robosmi.model.ecore.ecore_loader import load_metamodels
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.elements.ecore import EPackage
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
-from robosmi.model.xmi_writer import to_xmi
+from robosmi.model.xmi.xmi_writer import to_xmi
 from tests.emf_judge import JARS, ask, require_emf
 
 ROOT = Path(__file__).parents[2]

@@ -12,9 +12,9 @@ import pytest
 from pyecore import ecore
 
 from robosmi.chain import Chain
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.elements.feature_errors import UnknownFeatureError
 from robosmi.model.emf import EmfModel
-from robosmi.model.feature_errors import UnknownFeatureError
-from robosmi.model.metamodel import Metamodel
 from robosmi.query import ModelView
 from robosmi.transform import ETL, Flock
 from tests.emf_judge import ask, require_emf

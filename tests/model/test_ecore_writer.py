@@ -14,8 +14,8 @@ from pyecore.resources import URI, ResourceSet
 
 from robosmi import resources
 from robosmi.errors import ModelError
-from robosmi.model.metamodel import Metamodel
-from robosmi.model.xmi_writer import to_xmi
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.xmi.xmi_writer import to_xmi
 from tests.emf_judge import JARS, ask, require_emf
 from tests.model.kitchen import BENCH, KITCHEN
 

@@ -16,11 +16,11 @@ from pyecore.resources.xmi import XMIResource
 
 from robosmi.errors import ModelError
 from robosmi.metamodels import ccode
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.elements.show import rows, tree
+from robosmi.model.elements.structure import walk
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.model.repository import Repository
-from robosmi.model.show import rows, tree
-from robosmi.model.structure import walk
 from tests.new_objects import only_new_objects
 
 CASE = Path(__file__).parent / "drivers" / "cases" / "emf"

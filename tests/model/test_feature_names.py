@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 from robosmi.model.changes import Recording
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.query import ModelView, create
 
 METAMODEL = Path(__file__).parent / "metamodels" / "parameters.ecore"

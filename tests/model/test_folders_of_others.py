@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import StoppedError
-from robosmi.model.commit import commit
-from robosmi.model.recovery import STAGE, recover
-from robosmi.model.runs import own_stage
+from robosmi.files.commit import commit
+from robosmi.files.recovery import STAGE, recover
+from robosmi.files.runs import own_stage
 from tests.running import tree
 
 

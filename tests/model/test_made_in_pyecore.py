@@ -8,8 +8,8 @@ import pytest
 from pyecore.ecore import EAttribute, EClass, EEnum, EInt, EPackage, EReference, EString
 
 from robosmi.errors import ModelError
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.query import ModelView
 
 

@@ -11,10 +11,10 @@ from pyecore.resources import URI, ResourceSet
 from robosmi import resources
 from robosmi.errors import ModelError, SourceError, UsageError
 from robosmi.metamodels import hardware
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.elements.strict import Element
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.model.plantuml import to_plantuml
-from robosmi.model.strict import Element
 
 CASES = Path(__file__).parent / "metamodels"
 SHELF = Path(__file__).parent / "drivers" / "cases" / "emf" / "shelf.ecore"

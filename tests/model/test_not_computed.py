@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 
 from robosmi.errors import RobosmiError
+from robosmi.model.elements.show import element_html, items_html, rows
 from robosmi.model.emf import EmfModel
 from robosmi.model.plantuml import to_plantuml
-from robosmi.model.show import element_html, items_html, rows
 from robosmi.query import ModelView
 from robosmi.query.anything import e_cross_references
 from robosmi.query.expression import evaluate

@@ -13,9 +13,9 @@ from robosmi.chain import read_chain
 from robosmi.diagnostics import Severity
 from robosmi.errors import RobosmiError, RuleError
 from robosmi.model import Session, open_model, versions
-from robosmi.model.driver import Model
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.elements.driver import Model
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.plugins import Registry, registry
 from robosmi.query import ModelView
 from robosmi.query.expression import evaluate

@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import SourceError
-from robosmi.model import commit as commit_module
-from robosmi.model import open_folder
-from robosmi.model.commit import commit, update
-from robosmi.model.open_folder import OpenFolder
-from robosmi.model.recovery import STAGE, recover
-from robosmi.model.runs import bind
+from robosmi.files import commit as commit_module
+from robosmi.files import open_folder
+from robosmi.files.commit import commit, update
+from robosmi.files.open_folder import OpenFolder
+from robosmi.files.recovery import STAGE, recover
+from robosmi.files.runs import bind
 from tests.running import tree
 
 FOLDERS = [f"f{n}" for n in range(9)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.model.ordering import post_order
+from robosmi.model.elements.ordering import post_order
 
 DIAMOND = {"top": ["left", "right"], "left": ["bottom"], "right": ["bottom"], "bottom": []}
 RING = {"in": ["a"], "a": ["b"], "b": ["c", "end"], "c": ["a"], "end": []}

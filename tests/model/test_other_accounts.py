@@ -16,10 +16,10 @@ from unittest.mock import patch
 import pytest
 
 from robosmi.errors import RobosmiError
+from robosmi.files.commit import commit, update
+from robosmi.files.open_folder import OpenFolder
+from robosmi.files.recovery import STAGE, at_work, interrupted, recover
 from robosmi.generate import Gen
-from robosmi.model.commit import commit, update
-from robosmi.model.open_folder import OpenFolder
-from robosmi.model.recovery import STAGE, at_work, interrupted, recover
 from tests.running import tree
 
 OTHER = 65534
@@ -75,7 +75,7 @@ def killed_with_a_journal(folder: Path) -> None:
     """A run of this account that is killed after its journal is there."""
     child = os.fork()
     if child == 0:
-        with patch("robosmi.model.commit.finish", lambda _: os.kill(os.getpid(), signal.SIGKILL)):
+        with patch("robosmi.files.commit.finish", lambda _: os.kill(os.getpid(), signal.SIGKILL)):
             commit(folder, {"a": b"new", "b": b"new"})
     os.waitpid(child, 0)
     assert interrupted(folder)

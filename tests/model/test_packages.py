@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 from pyecore.resources import URI, ResourceSet
 
-from robosmi.model.codegen import render
 from robosmi.model.diagram import documentation, readme
-from robosmi.model.metamodels import BUILT_IN
+from robosmi.model.ecore.metamodels import BUILT_IN
+from robosmi.model.generator.codegen import render
 from tests.tools import require_tools
 
 FOLDER = Path(__file__).parents[2] / "metamodels"

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from robosmi.errors import ModelError, RobosmiError, SourceError
+from robosmi.model.elements.show import tree
 from robosmi.model.plain_xml import XmlModel
-from robosmi.model.show import tree
 from robosmi.query import ModelView, Q
 
 CASE = Path(__file__).parent / "drivers" / "cases" / "xml" / "shelf.xml"

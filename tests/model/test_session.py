@@ -10,8 +10,8 @@ import pytest
 
 from robosmi.errors import ModelError, RobosmiError
 from robosmi.model import Session, save_model
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.query import ModelView
 from robosmi.transform import ETL, Flock, Trace
 

@@ -10,8 +10,8 @@ import pytest
 
 from robosmi.cli.main import main
 from robosmi.errors import SourceError
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.model.session import Session
 from robosmi.query import ModelView
 

@@ -19,7 +19,7 @@ FULL = """
 import resource, signal, sys
 from pathlib import Path
 from robosmi.errors import SourceError
-from robosmi.model.sqlite_files import writing
+from robosmi.files.sqlite_files import writing
 signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))
 try:

@@ -14,10 +14,10 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import InternalError, RobosmiError, SourceError, StoppedError
+from robosmi.files.commit import commit, update
+from robosmi.files.recovery import STAGE, at_work, recover
+from robosmi.files.runs import alone, bind
 from robosmi.generate import Gen
-from robosmi.model.commit import commit, update
-from robosmi.model.recovery import STAGE, at_work, recover
-from robosmi.model.runs import alone, bind
 from tests.running import tree
 
 
@@ -149,7 +149,7 @@ def _none() -> None:
 HOLDER = """
 import sys, time
 from pathlib import Path
-from robosmi.model.recovery import at_work
+from robosmi.files.recovery import at_work
 with at_work(Path(sys.argv[1])):
     print("in", flush=True)
     time.sleep(60)

@@ -10,7 +10,7 @@ from pyecore.ecore import EObject
 
 from robosmi.errors import ModelError
 from robosmi.metamodels import ccode, hardware
-from robosmi.model.strict import FeatureValueError, UnknownFeatureError
+from robosmi.model.elements.strict import FeatureValueError, UnknownFeatureError
 
 
 def assign(name: str, value: Any) -> Callable[[], None]:

@@ -11,9 +11,9 @@ from pyecore.ecore import EAttribute, EClass, EPackage, EString
 
 from robosmi.errors import ModelError
 from robosmi.metamodels import ccode
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.elements.feature_errors import FeatureValueError
 from robosmi.model.emf import EmfModel
-from robosmi.model.feature_errors import FeatureValueError
-from robosmi.model.metamodel import Metamodel
 from robosmi.query import ModelView, create
 
 GRAPH = Metamodel.load(Path(__file__).parents[1] / "epsilon" / "cases" / "models" / "graph.ecore")

@@ -12,12 +12,12 @@ from pyecore.resources import URI, ResourceSet
 
 import robosmi
 from robosmi.errors import InternalError, ModelError, SourceError
+from robosmi.files.commit import update
+from robosmi.files.files import write_atomic
 from robosmi.metamodels import ccode, hardware, migration, platform, trace
-from robosmi.model.commit import update
-from robosmi.model.files import write_atomic
-from robosmi.model.metamodels import built_in
-from robosmi.model.xmi_reader import read_models, resolve
-from robosmi.model.xmi_writer import to_xmi
+from robosmi.model.ecore.metamodels import built_in
+from robosmi.model.xmi.xmi_reader import read_models, resolve
+from robosmi.model.xmi.xmi_writer import to_xmi
 from tests.model.kitchen import classes, kitchen, saved
 
 TEXTS = [

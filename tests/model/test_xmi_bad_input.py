@@ -18,10 +18,10 @@ from typing import Any
 import pytest
 
 from robosmi.errors import ModelError, RobosmiError, SourceError
-from robosmi.model.files import write_atomic
-from robosmi.model.structure import walk
-from robosmi.model.xmi_reader import DamagedModelError, UnreadableModelError, read_documents
-from robosmi.model.xmi_writer import to_xmi
+from robosmi.files.files import write_atomic
+from robosmi.model.elements.structure import walk
+from robosmi.model.xmi.xmi_reader import DamagedModelError, UnreadableModelError, read_documents
+from robosmi.model.xmi.xmi_writer import to_xmi
 from tests.emf_judge import judge
 from tests.model.kitchen import BENCH, FOLDER, KITCHEN, again, classes, kitchen, saved
 
@@ -196,7 +196,7 @@ def test_a_full_disk_leaves_the_old_file(tmp_path: Path) -> None:
 KILL = """
 import os, signal, sys
 from pathlib import Path
-import robosmi.model.files as files
+import robosmi.files.files as files
 from robosmi.model import save_model
 from robosmi.metamodels import ccode
 real = os.replace
@@ -242,7 +242,7 @@ def test_a_refused_model_leaves_the_old_file(tmp_path: Path) -> None:
 
 
 def test_a_metamodel_that_cannot_be_read_is_told_as_such(tmp_path: Path) -> None:
-    from robosmi.model.metamodels import Metamodels
+    from robosmi.model.ecore.metamodels import Metamodels
 
     (tmp_path / "kitchen.ecore").write_text("<nothing/>")
     file = tmp_path / "x.xmi"

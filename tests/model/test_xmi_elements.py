@@ -12,8 +12,8 @@ from pyecore.ecore import EObject
 from pyecore.resources import URI, ResourceSet
 
 from robosmi.errors import ModelError
-from robosmi.model.structure import walk
-from robosmi.model.xmi_reader import read_documents
+from robosmi.model.elements.structure import walk
+from robosmi.model.xmi.xmi_reader import read_documents
 from tests.model.kitchen import BENCH, KITCHEN, classes, kitchen, saved
 
 SAMPLE = """<?xml version="1.0" encoding="UTF-8"?>

@@ -19,9 +19,9 @@ from pyecore import ecore
 from pyecore.resources import URI, ResourceSet
 
 from robosmi.errors import ModelError
-from robosmi.model.features import class_in
-from robosmi.model.xmi_reader import read_documents
-from robosmi.model.xmi_writer import to_xmi
+from robosmi.model.elements.features import class_in
+from robosmi.model.xmi.xmi_reader import read_documents
+from robosmi.model.xmi.xmi_writer import to_xmi
 from tests.emf_judge import judge, judge_same, look
 from tests.model.kitchen import FOLDER, KITCHEN, again, classes, kitchen, saved
 
@@ -233,7 +233,7 @@ def test_a_metamodel_is_found_by_schema_location(tmp_path: Path) -> None:
     file = tmp_path / "x.xmi"
     text = (FOLDER / "good" / "schemalocation.xmi").read_text(encoding="utf-8")
     file.write_text(text.replace("../../../emf/kitchen.ecore", "mm/kitchen.ecore"), encoding="utf-8")
-    from robosmi.model.metamodels import Metamodels
+    from robosmi.model.ecore.metamodels import Metamodels
 
     found = [next(iter(read_documents(file, Metamodels()).values())).roots[0] for _ in range(2)]
     assert [type(root).__name__ for root in found] == ["Root", "Root"]

@@ -12,7 +12,7 @@ import zipfile
 import pytest
 
 from robosmi.errors import SourceError
-from robosmi.model.zip_archive import FREE_BYTES, MOST_RATIO, entries, unpacked
+from robosmi.files.zip_archive import FREE_BYTES, MOST_RATIO, entries, unpacked
 
 METHODS = [zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED, zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA]
 TEXT = b"".join(b"<wire number='%d'/>\n" % number for number in range(5000))
@@ -61,7 +61,7 @@ def test_a_bomb_takes_no_memory(method: int) -> None:
             entry.write(bytes(1 << 20))
     code = (
         "import sys\n"
-        "from robosmi.model.zip_archive import entries, unpacked\n"
+        "from robosmi.files.zip_archive import entries, unpacked\n"
         "data = sys.stdin.buffer.read()\n"
         "try: unpacked(data, entries(data, 'a', 9)[0], 'a', 64 << 20)\n"
         "except Exception as error: print(type(error).__name__, error)\n"

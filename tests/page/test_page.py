@@ -19,8 +19,8 @@ import robosmi
 from robosmi.generate.undo import undo
 from robosmi.metamodels import migration
 from robosmi.transformations.chains.choose import choose
-from robosmi.transformations.chains.models import load_models
-from robosmi.transformations.queries.choices import choices_json
+from robosmi.transformations.chains.stages.models import load_models
+from robosmi.transformations.queries.plans.choices import choices_json
 from tests.page.browsers import Served, task_seconds
 from tests.page.conftest import AXE
 from tests.running import run, tree

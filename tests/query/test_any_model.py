@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from robosmi.model.driver import Model
+from robosmi.model.elements.driver import Model
 from robosmi.model.opening import drivers, endings, open_model
 from tests.running import run
 

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 from robosmi.errors import ModelError
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.query import Bag, Lazy, ModelView, OrderedSet, Q, Run, Set, UndefinedError
 
 FOLDER = Path(__file__).parents[1] / "epsilon" / "eol"

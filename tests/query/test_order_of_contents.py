@@ -12,9 +12,9 @@ import pytest
 
 from robosmi.generate import Gen
 from robosmi.metamodels import trace
-from robosmi.model import ecore
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.elements import ecore
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.query import ModelView, get
 from robosmi.query.expression import evaluate
 

@@ -13,8 +13,8 @@ from typing import Any
 import pytest
 
 from robosmi.generate import Gen
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.query import (
     ModelView,
     OperandError,

@@ -12,8 +12,8 @@ from robosmi.errors import RobosmiError
 from robosmi.generate import Gen
 from robosmi.metamodels import trace
 from robosmi.model import load_model
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.query import Q, call, collection, get
 from robosmi.query.expression import evaluate
 from tests.library import library

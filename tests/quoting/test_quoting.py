@@ -17,8 +17,9 @@ from hypothesis import strategies as st
 from lxml import etree
 
 from robosmi import quoting
-from robosmi.data_text import Json
-from robosmi.quoting import code, data, markdown_text, markup, text
+from robosmi.base.data_text import Json
+from robosmi.quoting import code, data, markup, text
+from robosmi.quoting import markup as markdown_text
 from tests.quoting import judges
 from tests.quoting.judges import (
     ATTACKS,

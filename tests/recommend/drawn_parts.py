@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from robosmi.recommend.component import ComponentQuery
-from robosmi.transformations.knowledge.library_ranking import device_ranker
+from robosmi.transformations.knowledge.libraries.library_ranking import device_ranker
 
 TABLE = Path(__file__).with_name("data") / "drawn_parts.csv"
 LEAST = 0.85

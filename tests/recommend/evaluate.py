@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from robosmi.recommend.ranking import Recommendation
-from robosmi.transformations.knowledge.library_ranking import tfidf_ranker
+from robosmi.transformations.knowledge.libraries.library_ranking import tfidf_ranker
 from tests.recommend.fit import Sample, fit, samples
 from tests.recommend.labelled import VIEWS, Labelled, labelled, ranker
 

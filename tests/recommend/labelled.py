@@ -18,7 +18,7 @@ from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.decision import DecisionModel
 from robosmi.recommend.device_ranker import DeviceRanker
 from robosmi.recommend.ranking import Recommendation
-from robosmi.transformations.knowledge.library_ranking import device_ranker
+from robosmi.transformations.knowledge.libraries.library_ranking import device_ranker
 
 FOLDER = Path(__file__).resolve().parents[2].parent / "shared" / "arduino-libraries"
 

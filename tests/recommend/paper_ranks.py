@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 from robosmi.recommend.index import LibraryIndex
 from robosmi.recommend.tfidf import Postings, score_headers, words
-from robosmi.transformations.knowledge.library_ranking import library_index
+from robosmi.transformations.knowledge.libraries.library_ranking import library_index
 
 SERVO, DHT = "Basic Servo", "DHT22 Temperature and Humidity Sensor"
 OWN = {SERVO: ("Servo", "Servo.h"), DHT: ("DHT sensor library", "DHT.h")}

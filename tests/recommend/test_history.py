@@ -23,8 +23,7 @@ from robosmi.errors import MissingToolError, SourceError, UsageError
 from robosmi.model import load_model, save_model
 from robosmi.recommend.history import ForgivingHistory, History, HistoryEntry, Targets, chosen_from_history, default_place
 from robosmi.recommend.history_exchange import SCHEMA, from_csv, from_json, to_csv, to_json
-from robosmi.transformations.chains.history import export_history, import_history
-from robosmi.transformations.t2m.history_model import history_to_model, model_to_history
+from robosmi.transformations.chains.history import export_history, history_to_model, import_history, model_to_history
 from tests.fuzz.history import write_at_once
 
 DAY = date(2026, 11, 21)

@@ -11,7 +11,7 @@ import pytest
 from robosmi.errors import SourceError
 from robosmi.recommend.component import ComponentQuery
 from robosmi.transformations.chains.libraries import import_libraries
-from robosmi.transformations.knowledge.library_ranking import (
+from robosmi.transformations.knowledge.libraries.library_ranking import (
     device_ranker,
     libraries_by_header,
     library_api,

@@ -9,9 +9,9 @@ import pytest
 from robosmi.errors import PlatformDataError
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.lexicon import Lexicon
-from robosmi.recommend.recognition import Recognised, bus, recognise
+from robosmi.recommend.part_words import Recognised, bus, recognise
 from robosmi.recommend.words import plain
-from robosmi.transformations.knowledge.device_knowledge import device_knowledge
+from robosmi.transformations.knowledge.libraries.library_ranking import device_knowledge
 
 TABLE = Path(__file__).parent / "data" / "devices.csv"
 
@@ -143,7 +143,7 @@ def test_shipped_tables_say_every_name_once_and_know_their_needs() -> None:
 
 
 def test_usual_libraries_are_libraries_of_the_index_and_devices_of_the_tables() -> None:
-    from robosmi.transformations.knowledge.library_ranking import library_index
+    from robosmi.transformations.knowledge.libraries.library_ranking import library_index
 
     knowledge, known = device_knowledge("arduino"), set(library_index().names())
     assert knowledge.lexicon is not None

@@ -13,7 +13,7 @@ import pytest
 from robosmi.errors import PlatformDataError, SourceError, UsageError
 from robosmi.recommend.index import LibraryIndex
 from robosmi.recommend.library_api import ApiClass, ApiFunction, HeaderApi, LibraryApi, packed, unpacked
-from robosmi.transformations.knowledge.library_ranking import library_api
+from robosmi.transformations.knowledge.libraries.library_ranking import library_api
 from robosmi.transformations.t2m.library_index import build
 from tests.running import run
 

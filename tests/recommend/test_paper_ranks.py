@@ -8,7 +8,7 @@ import pytest
 
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.history import History
-from robosmi.transformations.knowledge.library_ranking import tfidf_ranker
+from robosmi.transformations.knowledge.libraries.library_ranking import tfidf_ranker
 from tests.recommend.paper_ranks import DHT, HEADERS, SERVO, WAYS, Experiment
 
 DRAWS = 60

@@ -1,6 +1,6 @@
 """Records every model that any test writes, so that real EMF can judge them all at the end of the run.
 
-`start()` waits for the import of the writer (`robosmi.model.xmi_writer`) and wraps its one function; nothing is imported
+`start()` waits for the import of the writer (`robosmi.model.xmi.xmi_writer`) and wraps its one function; nothing is imported
 before a test does so. What is written goes to the folder that `ROBOSMI_WRITTEN_MODELS` names, once for every content: the files
 that were asked for, those that they refer to, and the metamodels. Programs that a test starts record through `sitecustomize`
 beside this file; so nothing of the tests is imported here. `tests/written_models_judge.py` judges.
@@ -27,7 +27,7 @@ from urllib.parse import unquote
 
 FOLDER = "ROBOSMI_WRITTEN_MODELS"
 """The environment variable that names the folder."""
-WRITER = "robosmi.model.xmi_writer"
+WRITER = "robosmi.model.xmi.xmi_writer"
 
 Write = Callable[..., dict[str, bytes]]
 
@@ -131,14 +131,14 @@ def _referred(files: Mapping[str, bytes]) -> set[str]:
 
 def _roots(given: Any) -> list[Any]:
     """The root elements of a model; modules of generated packages as their packages."""
-    from robosmi.model.features import as_package
+    from robosmi.model.elements.features import as_package
 
     return [as_package(r) if isinstance(r, ModuleType) else r for r in (given if isinstance(given, (list, tuple)) else [given])]
 
 
 def _closed(packages: Iterable[Any]) -> dict[str, Any]:
     """Packages and all that they use, but for those that every EMF has, by namespace."""
-    from robosmi.model.ecore_description import KNOWN
+    from robosmi.model.ecore.ecore_description import KNOWN
 
     pending = list(packages)
     found: dict[str, Any] = {}
@@ -163,8 +163,8 @@ def _metamodels(to_xmi: Write, roots: list[Any]) -> dict[str, bytes]:
     """The .ecore files that EMF needs to read models: file name -> text, in an order in which they can be read."""
     from pyecore import ecore
 
-    from robosmi.model.features import root_package
-    from robosmi.model.structure import walk
+    from robosmi.model.elements.features import root_package
+    from robosmi.model.elements.structure import walk
 
     elements = [root for root in roots if isinstance(root, ecore.EObject) and not isinstance(root, ecore.EPackage)]
     classes = {element.__class__: element.eClass for root in elements for element in walk(root)}
@@ -185,8 +185,8 @@ def _neighbours(package: Any) -> list[Any]:
     """The packages whose classifiers a package uses; one may be named more than once."""
     from pyecore import ecore
 
-    from robosmi.model.datatypes import is_data_type
-    from robosmi.model.features import declared_type, root_package, subpackages, supertypes
+    from robosmi.model.elements.datatypes import is_data_type
+    from robosmi.model.elements.features import declared_type, root_package, subpackages, supertypes
 
     used = []
     for one in (package, *subpackages(package)):

@@ -15,8 +15,8 @@ from robosmi.errors import PlatformDataError, UsageError
 from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.report.rules import FindingRule, finding_rules, page, plain_text, rule_called, sentence
-from robosmi.transformations.chains.models import MigrationModels
-from robosmi.transformations.queries.plan import said
+from robosmi.transformations.chains.stages.models import MigrationModels
+from robosmi.transformations.queries.plans.plan import said
 from tests.running import run
 
 ROOT = Path(__file__).resolve().parents[2]

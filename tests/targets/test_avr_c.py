@@ -10,7 +10,7 @@ import pytest
 
 import robosmi
 from robosmi.errors import SourceError, UsageError
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.running import run
 from tests.tools import require_tools
 

@@ -13,8 +13,8 @@ import pytest
 
 import robosmi
 from robosmi.plugins import registry
-from robosmi.transformations.chains.models import load_models
-from robosmi.transformations.knowledge.target_platform import LANGUAGES, target_facts, target_names
+from robosmi.transformations.chains.stages.models import load_models
+from robosmi.transformations.knowledge.platforms.target_platform import LANGUAGES, target_facts, target_names
 from tests.running import tree
 from tests.tools import require_tools
 

@@ -14,8 +14,8 @@ from robosmi import resources
 from robosmi.errors import PlatformDataError, SourceError, UsageError
 from robosmi.generate.templates import Templates
 from robosmi.project import defaults
-from robosmi.transformations.chains.models import load_models
-from robosmi.transformations.knowledge.target_platform import target_facts
+from robosmi.transformations.chains.stages.models import load_models
+from robosmi.transformations.knowledge.platforms.target_platform import target_facts
 from tests.running import run
 
 PROGRAM = Path(__file__).parent / "program"

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import robosmi
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.tools import require_tools
 
 PROGRAM = sorted((Path(__file__).parent / "two_units").glob("*.c"))

@@ -10,7 +10,7 @@ import pytest
 
 from robosmi.errors import RuleError, UsageError
 from robosmi.metamodels import ccode, trace
-from robosmi.model.driver import UnknownTypeError
+from robosmi.model.elements.driver import UnknownTypeError
 from robosmi.model.opening import open_model
 from robosmi.query import ModelView
 from robosmi.transform import ETL

@@ -9,8 +9,8 @@ import pytest
 
 from robosmi.errors import RuleError, UsageError
 from robosmi.metamodels import ccode, trace
+from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.model.opening import open_model
 from robosmi.query import ModelView
 from robosmi.transform import Flock

@@ -10,7 +10,7 @@ import pytest
 
 from robosmi.chain import read_chain
 from robosmi.errors import RobosmiError, SourceError, UsageError
-from robosmi.model.driver import UnknownTypeError
+from robosmi.model.elements.driver import UnknownTypeError
 from robosmi.transform import ETL
 from robosmi.validate import EVL
 from tests.library import empty, library

@@ -9,9 +9,9 @@ import pytest
 
 from robosmi.errors import RuleError
 from robosmi.model import Session
-from robosmi.model.driver import class_of
+from robosmi.model.elements.driver import class_of
+from robosmi.model.elements.feature_errors import FeatureValueError
 from robosmi.model.emf import EmfModel
-from robosmi.model.feature_errors import FeatureValueError
 from robosmi.query import ModelView
 from robosmi.transform import ETL
 from robosmi.validate import EVL

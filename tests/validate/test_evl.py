@@ -11,7 +11,7 @@ import pytest
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import RuleError, UsageError
 from robosmi.generate import Gen
-from robosmi.model.driver import UnknownTypeError
+from robosmi.model.elements.driver import UnknownTypeError
 from robosmi.transform import ETL, Flock
 from robosmi.validate import EVL, Fail, Fix
 from tests.library import empty, library

@@ -8,8 +8,8 @@ from collections.abc import Iterable, Sequence
 import pytest
 from msgspec.structs import replace
 
-from robosmi.verify.activity import IDLE, LEVEL, WAVE, Sight, activity, console_lines
 from robosmi.verify.simulation import ConsoleByte, PinChange, PinTrace, Wave
+from robosmi.verify.traces.activity import IDLE, LEVEL, WAVE, Sight, activity, console_lines
 
 
 def trace(

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.verify.activity import IDLE, LEVEL, LINE, PULSES, ActivityEvent
-from robosmi.verify.alignment import aligned
+from robosmi.verify.traces.activity import IDLE, LEVEL, LINE, PULSES, ActivityEvent
+from robosmi.verify.traces.alignment import aligned
 
 
 def frames(*told: tuple[float, float, int]) -> list[ActivityEvent]:

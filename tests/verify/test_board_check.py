@@ -10,11 +10,11 @@ import pytest
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import PlatformDataError
 from robosmi.resources import built_in
-from robosmi.verify.board_check import arrays, board_findings
-from robosmi.verify.boards import load_boards
-from robosmi.verify.toolchain import compile_sketch
-from robosmi.verify.toolchain_data import load_toolchains
-from robosmi.verify.tools import find_installed
+from robosmi.verify.toolchains.board_check import arrays, board_findings
+from robosmi.verify.toolchains.boards import load_boards
+from robosmi.verify.toolchains.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain_data import load_toolchains
+from robosmi.verify.toolchains.tools import find_installed
 from tests.running import run
 from tests.tools import require_tools
 

@@ -13,8 +13,8 @@ from robosmi.errors import PlatformDataError, UsageError
 from robosmi.metamodels import platform
 from robosmi.transformations.knowledge.board_models import board_file, board_names, load_board, load_mapping, table_of
 from robosmi.transformations.knowledge.drawn_boards import drawn_board
-from robosmi.verify.boards import find_board, load_boards
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.boards import find_board, load_boards
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.tools import KNOWN_PLACES, require_tools
 
 ARDUINO = "arduino"

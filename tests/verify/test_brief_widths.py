@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import pytest
 
-from robosmi.verify.activity import LEVEL, PULSES, ActivityEvent
-from robosmi.verify.comparison import DIFFERENT, SAME, compare
+from robosmi.verify.traces.activity import LEVEL, PULSES, ActivityEvent
+from robosmi.verify.traces.comparison import DIFFERENT, SAME, compare
 
 Shown = Sequence[tuple[float, float, int]]
 """When a width begins (ms), the width (us; 0 for no pulses), and for how many frames it is shown."""

@@ -10,7 +10,7 @@ import pytest
 
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.verify.build_record import BuildRecord, record_at
+from robosmi.verify.toolchains.build_record import BuildRecord, record_at
 
 
 @pytest.mark.parametrize(

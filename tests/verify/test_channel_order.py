@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.verify.activity import IDLE, LEVEL, LINE, PULSES, WAVE, ActivityEvent
-from robosmi.verify.channel_order import first_disorder
+from robosmi.transformations.verification.judgement.judging import first_disorder
+from robosmi.verify.traces.activity import IDLE, LEVEL, LINE, PULSES, WAVE, ActivityEvent
 
 
 def wave(at_ms: float, hz: float = 38_000.0) -> list[ActivityEvent]:

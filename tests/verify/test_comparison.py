@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.verify.activity import LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
-from robosmi.verify.comparison import ClosedLoop, compare
+from robosmi.verify.traces.activity import LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
+from robosmi.verify.traces.comparison import ClosedLoop, compare
 
 Told = list[tuple[float, str, tuple[float | str, ...]]]
 

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import MissingToolError, SourceError, UsageError
-from robosmi.verify.compile_report import RULES, CompileReport
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.compile_report import RULES, CompileReport
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.tools import require_tools
 
 CASES = Path(__file__).parent / "cases"

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.cli.commands.doctor import tools
 from robosmi.errors import PlatformDataError, SourceError
-from robosmi.verify import messages
-from robosmi.verify.doctor import tools
-from robosmi.verify.libraries import missing_headers
-from robosmi.verify.project_file import ProjectFile, read_project_file
-from robosmi.verify.toolchain_data import fill, load_toolchains, version_key
+from robosmi.verify.toolchains import messages
+from robosmi.verify.toolchains.libraries import missing_headers
+from robosmi.verify.toolchains.sketch import ProjectFile, read_project_file
+from robosmi.verify.toolchains.toolchain_data import fill, load_toolchains, version_key
 
 VERIFY = Path(messages.__file__).parent
 CASES = Path(__file__).parent / "cases"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.verify.activity import LEVEL, LINE, PULSES, READING, ActivityEvent
-from robosmi.verify.comparison import compare
+from robosmi.verify.traces.activity import LEVEL, LINE, PULSES, READING, ActivityEvent
+from robosmi.verify.traces.comparison import compare
 
 Told = list[tuple[float, float | str]]
 

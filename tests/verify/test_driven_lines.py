@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from robosmi.verify.activity import HELD, ActivityEvent
-from robosmi.verify.alignment import alike
-from robosmi.verify.comparison import DIFFERENT, compare
-from robosmi.verify.driven_lines import DRIVEN_LOW, LET_GO, NO_MORE, held_levels, let_go_levels, pulse_lengths
 from robosmi.verify.simulation import PinChange, PinTrace, Wave
+from robosmi.verify.traces.activity import HELD, ActivityEvent
+from robosmi.verify.traces.alignment import alike
+from robosmi.verify.traces.comparison import DIFFERENT, compare
+from robosmi.verify.traces.driven_lines import DRIVEN_LOW, LET_GO, NO_MORE, held_levels, let_go_levels, pulse_lengths
 
 
 def held(lengths: Iterable[tuple[float, int, float]], until_us: float = 0.0) -> list[tuple[float, int, float]]:

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.verify.elf_file import without_relocations
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.build import without_relocations
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.tools import require_tools
 
 

@@ -19,9 +19,9 @@ import pytest
 from clang import cindex
 
 from robosmi.errors import SourceError, StoppedError
-from robosmi.verify.kept_program import compile_into, folder_of, read_record
-from robosmi.verify.sketch import find_sketch
-from robosmi.verify.toolchain_data import load_toolchains
+from robosmi.verify.toolchains.kept_program import compile_into, folder_of, read_record
+from robosmi.verify.toolchains.sketch import find_sketch
+from robosmi.verify.toolchains.toolchain_data import load_toolchains
 from tests.running import run, tree
 from tests.tools import require_tools
 

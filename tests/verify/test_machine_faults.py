@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import SourceError
-from robosmi.verify.machine_faults import check_machine
-from robosmi.verify.tools import run
+from robosmi.verify.toolchains.machine_faults import check_machine
+from robosmi.verify.toolchains.tools import run
 from tests.tools import require_tools
 
 LET_DOWN = {

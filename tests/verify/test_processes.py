@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.verify.processes import ending_with_us, in_parallel
+from robosmi.verify.toolchains.processes import ending_with_us, in_parallel
 from tests.running import alive
 
 _SLEEPS = [sys.executable, "-c", "import time; time.sleep(60)"]

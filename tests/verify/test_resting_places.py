@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.verify.comparison import DIFFERENT, NOT_EXERCISED, SAME
-from robosmi.verify.goals_of_motions import Driven, Rest, RestKind
-from robosmi.verify.resting_places import compare_rests
+from robosmi.transformations.verification.places_seen import compare_rests
+from robosmi.verify.traces.comparison import DIFFERENT, NOT_EXERCISED, SAME
+from robosmi.verify.traces.goals_of_motions import Driven, Rest, RestKind
 
 PLACED, TIMED = RestKind("ticks", 1.6, timed=False), RestKind("ticks", 0.0, timed=True)
 

@@ -9,11 +9,11 @@ from itertools import pairwise
 import pytest
 
 from robosmi.transformations.verification.original_side import compared
-from robosmi.verify.activity import activity
-from robosmi.verify.comparison import DIFFERENT, RACY, SAME, compare
-from robosmi.verify.pulses import Pulse
-from robosmi.verify.servo_widths import servo_widths
 from robosmi.verify.simulation import PinChange, PinTrace
+from robosmi.verify.traces.activity import activity
+from robosmi.verify.traces.comparison import DIFFERENT, RACY, SAME, compare
+from robosmi.verify.traces.pulses import Pulse
+from robosmi.verify.traces.servo_widths import servo_widths
 
 HORIZON_US = 8_000_000.0
 

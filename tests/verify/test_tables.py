@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from robosmi.base.data_tables import DataTable
 from robosmi.errors import PlatformDataError
-from robosmi.verify.tables import DataTable
 
 TABLE = DataTable(
     Path("board.toml"),

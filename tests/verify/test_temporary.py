@@ -11,7 +11,7 @@ from time import time
 
 import pytest
 
-from robosmi.verify.temporary import sweep, temporary_folder
+from robosmi.verify.toolchains.temporary import sweep, temporary_folder
 
 
 def gone() -> int:
@@ -65,7 +65,7 @@ def test_what_was_killed_just_now_is_removed_where_nobody_holds_it(tmp_path: Pat
 
 KILLED = """
 import os, signal
-from robosmi.verify.temporary import temporary_folder
+from robosmi.verify.toolchains.temporary import temporary_folder
 with temporary_folder("tool") as place:
     print(place, flush=True)
     os.kill(os.getpid(), signal.SIGKILL)

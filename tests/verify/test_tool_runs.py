@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import MissingToolError, VerificationError
-from robosmi.verify.tools import run
+from robosmi.verify.toolchains.tools import run
 from tests.running import alive
 from tests.tools import require_tools
 

@@ -7,8 +7,8 @@ from xml.etree import ElementTree
 
 import pytest
 
-from robosmi.verify.activity import BURST, IDLE, LEVEL, LINE, PULSES, WAVE, ActivityEvent
-from robosmi.verify.trace_picture import WIDTH, trace_svg
+from robosmi.verify.traces.activity import BURST, IDLE, LEVEL, LINE, PULSES, WAVE, ActivityEvent
+from robosmi.verify.traces.trace_picture import WIDTH, trace_svg
 
 SVG = "{http://www.w3.org/2000/svg}"
 WIDEST = 6.6  # pixels of a letter

@@ -20,10 +20,10 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import MissingToolError, RobosmiError, SourceError, UploadError, UsageError
-from robosmi.verify import serial_ports
-from robosmi.verify.boards import load_boards
-from robosmi.verify.kept_program import compile_into
-from robosmi.verify.upload import _alone, upload_sketch
+from robosmi.verify.toolchains.boards import load_boards
+from robosmi.verify.toolchains.kept_program import compile_into
+from robosmi.verify.uploads import serial_ports
+from robosmi.verify.uploads.upload import _alone, upload_sketch
 from tests.running import run
 from tests.tools import require_tools
 from tests.verify.boot_loaders import waiting
@@ -87,7 +87,9 @@ def stand_in(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> StandIn:
     tool.write_text(f"#!{sys.executable}\n" + (Path(__file__).parent / "stand_in_avrdude.py").read_text())
     tool.chmod(tool.stat().st_mode | stat.S_IXUSR)
     monkeypatch.setenv("PATH", f"{folder}:{os.environ['PATH']}")
-    monkeypatch.setattr("robosmi.verify.upload.cache_dir", lambda: tmp_path / "cache")  # other tests use the same port meanwhile
+    monkeypatch.setattr(
+        "robosmi.verify.uploads.upload.cache_dir", lambda: tmp_path / "cache"
+    )  # other tests use the same port meanwhile
     return StandIn(folder)
 
 
@@ -378,7 +380,7 @@ def test_a_tool_that_does_not_end_is_ended(
 ) -> None:
     out = blink("uno")
     (stand_in.folder / "avrdude").write_text('#!/bin/sh\n[ "$1" = -v ] && exit 0\nsleep 60\n')
-    monkeypatch.setattr("robosmi.verify.tables.DataTable.decimal", lambda self, key: 0.5)
+    monkeypatch.setattr("robosmi.base.data_tables.DataTable.decimal", lambda self, key: 0.5)
     started = time.monotonic()
     with pytest.raises(RobosmiError, match="did not end within") as ended:
         upload_sketch(out, "/dev/null")

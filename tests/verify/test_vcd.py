@@ -8,7 +8,7 @@ from io import BytesIO
 from vcd.reader import RealChange, ScalarChange, TokenKind, VectorChange, tokenize
 
 from robosmi.verify.simulation import ConsoleByte, PinChange, PinTrace, Wave
-from robosmi.verify.vcd import vcd_text
+from robosmi.verify.traces.vcd import vcd_text
 
 TRACE = PinTrace(
     "engine 1", "running", 2000.0,

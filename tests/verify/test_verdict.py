@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.verify.comparison import ChannelComparison, FirstDifference
 from robosmi.verify.missed_places import line_ranges
 from robosmi.verify.original_calls import LibraryCall
 from robosmi.verify.scenario import Scenario
-from robosmi.verify.verdict import CallsAround, ScenarioVerdict, Verdict
+from robosmi.verify.traces.comparison import ChannelComparison, FirstDifference
+from robosmi.verify.traces.verdict import CallsAround, ScenarioVerdict, Verdict
 
 CRASH = FirstDifference(400.0, "program", "the migrated program crashes", None, None)
 

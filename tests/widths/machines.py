@@ -15,7 +15,7 @@ import robosmi
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import simulate
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain import compile_sketch
 
 _CASE = re.compile(r"\bcase_(\w+)\s*\(void\)")
 _END = "void setup() {\n}\n"

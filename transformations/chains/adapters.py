@@ -13,27 +13,27 @@ from pathlib import Path
 from msgspec import Struct
 
 from robosmi import inputs
-from robosmi.data_text import Json, as_texts
+from robosmi.base.data_text import Json, as_texts
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, SourceError, UsageError, did_you_mean
+from robosmi.files.files import write_atomic
 from robosmi.generate.places import Places, free_name
 from robosmi.generate.text_form import read
 from robosmi.metamodels import migration, platform
-from robosmi.model.files import write_atomic
 from robosmi.project import FILE_NAME, default_text, load_project
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.chains.models import stored_models
-from robosmi.transformations.chains.own_adapters import fault_of_saved
-from robosmi.transformations.knowledge.adapter_checks import parameters_of
-from robosmi.transformations.knowledge.adapter_files import DIRECTIONS, MARK, adapter_file
-from robosmi.transformations.knowledge.adapter_index import ENDING_OF, AdapterIndex, adapter_index, own_folders
-from robosmi.transformations.knowledge.adapter_records import AdapterPiece
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.knowledge.target_platform import target_facts
+from robosmi.transformations.chains.stages.models import stored_models
+from robosmi.transformations.chains.stages.own_adapters import fault_of_saved
+from robosmi.transformations.knowledge.adapters.adapter_checks import parameters_of
+from robosmi.transformations.knowledge.adapters.adapter_files import DIRECTIONS, MARK, adapter_file
+from robosmi.transformations.knowledge.adapters.adapter_index import ENDING_OF, AdapterIndex, adapter_index, own_folders
+from robosmi.transformations.knowledge.adapters.adapter_records import AdapterPiece
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.target_platform import target_facts
 from robosmi.transformations.m2t.task_list import RELATIONS
-from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
+from robosmi.transformations.queries.reports.written_bodies import Body, bodies
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE
-from robosmi.transformations.queries.written_bodies import Body, bodies
 
 _INCLUDE = re.compile(r"^#include\s+(<[^>]+>|\"[^\"]+\")", re.MULTILINE)
 

@@ -16,9 +16,9 @@ from robosmi.inputs import read_once
 from robosmi.metamodels import ccode
 from robosmi.project import default_text, project_of
 from robosmi.resources import project_of_input
-from robosmi.transformations.chains.reading import check_source_platform, read_program
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.queries.analysis import UNKNOWN, analysis
+from robosmi.transformations.chains.stages.reading import check_source_platform, read_program
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.queries.reports.analysis import UNKNOWN, analysis
 from robosmi.transformations.t2m.c_source.side_file import ENDING as PROJECT
 from robosmi.transformations.t2m.c_source.side_file import read_side
 
@@ -99,8 +99,8 @@ def analysed(read: tuple[ccode.Program, list[Finding]], api: ApiIndex, paths: Se
     program, findings = read
     result = analysis(program, findings, api)
     if any(finding.rule in UNKNOWN for finding in findings):
-        from robosmi.transformations.chains.own_adapters import adapter_files_of, still_unknown  # most programs are known
-        from robosmi.transformations.knowledge.target_platform import target_facts
+        from robosmi.transformations.chains.stages.own_adapters import adapter_files_of, still_unknown  # most programs are known
+        from robosmi.transformations.knowledge.platforms.target_platform import target_facts
 
         settings = project_of(Path(paths[0]))
         index = adapter_files_of(settings, target_facts(settings.target or default_text("migrate", "target")), api)

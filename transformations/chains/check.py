@@ -14,19 +14,19 @@ from typing import Any
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import hardware, migration
 from robosmi.model import EmfModel, Metamodel, Model, open_model
-from robosmi.model.codegen import render
-from robosmi.model.ecore_doubts import doubts
-from robosmi.model.ecore_loader import load_metamodels
-from robosmi.model.metamodels import built_in
+from robosmi.model.ecore.ecore_doubts import doubts
+from robosmi.model.ecore.ecore_loader import load_metamodels
+from robosmi.model.ecore.metamodels import built_in
+from robosmi.model.generator.codegen import render
 from robosmi.model.versions import read_current
 from robosmi.plugins import registry
 from robosmi.project import project_of
 from robosmi.query import root_of
 from robosmi.report.notebook import Findings
 from robosmi.resources import project_of_input
-from robosmi.transformations.chains.constraint_sets import KIND, constraints_of
-from robosmi.transformations.chains.readers import is_drawing
-from robosmi.transformations.chains.reading import read_drawing
+from robosmi.transformations.chains.stages.constraint_sets import KIND, constraints_of
+from robosmi.transformations.chains.stages.readers import is_drawing
+from robosmi.transformations.chains.stages.reading import read_drawing
 from robosmi.transformations.constraints.electrical_plan import wired
 from robosmi.transformations.constraints.places import in_file
 

@@ -18,30 +18,30 @@ from msgspec.structs import asdict, replace
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError, UsageError, did_you_mean
+from robosmi.files.commit import again_when_changed
+from robosmi.files.files import digest
+from robosmi.files.recovery import at_work, look_only
+from robosmi.files.runs import alone
 from robosmi.generate.places import Places
 from robosmi.generate.project_entries import ProjectChange, changed_project, key_of, said_place
 from robosmi.metamodels import migration
-from robosmi.model.commit import again_when_changed
-from robosmi.model.files import digest
-from robosmi.model.recovery import at_work, look_only
-from robosmi.model.runs import alone
 from robosmi.project import FILE_NAME, Project, load_project
 from robosmi.query import Q
-from robosmi.transformations.chains.edited_plan import STORED
 from robosmi.transformations.chains.migrate import migrate
-from robosmi.transformations.chains.models import CODE, FOLDER, HARDWARE, MigrationModels, stored_models
-from robosmi.transformations.chains.output import Generated, produce, remember
-from robosmi.transformations.chains.renewed import renew_findings
-from robosmi.transformations.chains.sources import last_run, project_folder
+from robosmi.transformations.chains.stages.edited_plan import STORED
+from robosmi.transformations.chains.stages.models import CODE, FOLDER, HARDWARE, MigrationModels, stored_models
+from robosmi.transformations.chains.stages.output import Generated, produce, remember
+from robosmi.transformations.chains.stages.renewed import renew_findings
+from robosmi.transformations.chains.stages.sources import last_run, project_folder
 from robosmi.transformations.constraints.plan_edits import refuse_nonsense
 from robosmi.transformations.knowledge.part import ROLES
-from robosmi.transformations.knowledge.target_platform import target_facts
-from robosmi.transformations.m2m.library_choice import LibraryModels
+from robosmi.transformations.knowledge.platforms.target_platform import target_facts
+from robosmi.transformations.m2m.choices.library_choice import LibraryModels
 from robosmi.transformations.m2m.plan_tasks import settle
-from robosmi.transformations.m2m.port_binding import bind_by_hand
-from robosmi.transformations.queries.answers import answer
-from robosmi.transformations.queries.choices import NO_LIBRARY, Choice, choices_json, the_choice
-from robosmi.transformations.queries.plan import open_choices
+from robosmi.transformations.m2m.ports.port_binding import bind_by_hand
+from robosmi.transformations.queries.plans.answers import answer
+from robosmi.transformations.queries.plans.choices import NO_LIBRARY, Choice, choices_json, the_choice
+from robosmi.transformations.queries.plans.plan import open_choices
 
 ROLE = "role:"
 """Prefix of the identity of a choice about a component's role."""

@@ -6,12 +6,12 @@ import os
 from contextlib import nullcontext
 from pathlib import Path
 
+from robosmi.files.recovery import at_work, look_only
+from robosmi.files.runs import alone
 from robosmi.generate.places import Places
-from robosmi.model.recovery import at_work, look_only
-from robosmi.model.runs import alone
-from robosmi.transformations.chains.models import FOLDER, PLAN, MigrationModels, load_models
-from robosmi.transformations.chains.output import Generated, produce
-from robosmi.transformations.chains.renewed import renew_findings
+from robosmi.transformations.chains.stages.models import FOLDER, PLAN, MigrationModels, load_models
+from robosmi.transformations.chains.stages.output import Generated, produce
+from robosmi.transformations.chains.stages.renewed import renew_findings
 from robosmi.transformations.constraints.plan_edits import refuse_nonsense
 from robosmi.transformations.m2m.plan_tasks import settle
 

@@ -15,14 +15,14 @@ from robosmi.inputs import read_once
 from robosmi.metamodels import hardware as hw
 from robosmi.metamodels import migration, platform
 from robosmi.resources import project_of_input
-from robosmi.transformations.chains.constraint_sets import added_hardware_findings
-from robosmi.transformations.chains.reading import HEADERS_ONLY, NO_BOARD, Drawing, read_drawing
+from robosmi.transformations.chains.stages.constraint_sets import added_hardware_findings
+from robosmi.transformations.chains.stages.reading import HEADERS_ONLY, NO_BOARD, Drawing, read_drawing
 from robosmi.transformations.constraints.electrical import electrical_findings
-from robosmi.transformations.queries.circuit import boards, hardware_report, of_board, pin_label, the_board
-from robosmi.transformations.queries.connector_names import told_name, told_names
+from robosmi.transformations.queries.circuits.circuit import boards, hardware_report, of_board, pin_label, the_board
+from robosmi.transformations.queries.circuits.connector_names import told_name, told_names
 
 if TYPE_CHECKING:
-    from robosmi.transformations.knowledge.target_platform import TargetFacts
+    from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
 
 
 class HardwareAnalysis(Struct, frozen=True):
@@ -54,7 +54,7 @@ class HardwareAnalysis(Struct, frozen=True):
 
     def picture(self) -> str:
         """The circuit as SVG, with the findings at their places."""
-        from robosmi.transformations.m2t.circuit_picture import svg  # wanted with --svg only
+        from robosmi.transformations.m2t.circuits.circuit_picture import svg  # wanted with --svg only
 
         return svg(self.circuit, self.findings)
 
@@ -124,7 +124,7 @@ def drawing(path: Path, roles: Mapping[str, str], target_name: str | None) -> Dr
         SourceError: the drawing cannot be read, has no board and is no schematic, or has another board than the target's.
         UsageError: there is no such target.
     """
-    from robosmi.transformations.knowledge.target_platform import target_facts  # wanted with --target only
+    from robosmi.transformations.knowledge.platforms.target_platform import target_facts  # wanted with --target only
 
     facts = target_facts(target_name) if target_name else None
     made = read_drawing(path, roles, facts.board if facts is not None else None)
@@ -137,7 +137,7 @@ def drawing(path: Path, roles: Mapping[str, str], target_name: str | None) -> Dr
 
 def _check_target(made: Drawing, facts: TargetFacts, path: Path) -> None:
     """Refuse a drawing with boards of which none is the target's."""
-    from robosmi.transformations.chains.drawn import checked_board  # wanted with --target only
+    from robosmi.transformations.chains.stages.drawn import checked_board  # wanted with --target only
 
     drawn = [(board, made.board_models.get(board.elementId)) for board in boards(made.circuit)]
     if drawn and not any(model is not None and model.name == facts.board for _, model in drawn):

@@ -13,11 +13,16 @@ from typing import Any, cast
 
 from msgspec import Struct
 
-from robosmi.data_text import json_of
-from robosmi.model.files import write_atomic
-from robosmi.model.packed_lines import packed_lines
+from robosmi.base.data_text import json_of
+from robosmi.files.files import write_atomic
+from robosmi.files.packed_lines import packed_lines
 from robosmi.recommend.library_api import LibraryApi
-from robosmi.transformations.knowledge.library_ranking import LibraryFacts, installed_index, library_api, library_by_name
+from robosmi.transformations.knowledge.libraries.library_ranking import (
+    LibraryFacts,
+    installed_index,
+    library_api,
+    library_by_name,
+)
 from robosmi.transformations.t2m.installed_libraries import read_libraries
 from robosmi.transformations.t2m.library_index import build
 from robosmi.transformations.t2m.library_rows import LibraryRow

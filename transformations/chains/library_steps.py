@@ -7,10 +7,10 @@ from robosmi.plugins import content
 from robosmi.project import default_text
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.recommend.ranking import Ranker
-from robosmi.transformations.chains.drawn import StoredDrawing
-from robosmi.transformations.chains.earlier import earlier_choices
-from robosmi.transformations.knowledge.target_platform import TargetFacts
-from robosmi.transformations.m2m.library_choice import LibraryModels
+from robosmi.transformations.chains.stages.drawn import StoredDrawing
+from robosmi.transformations.chains.stages.earlier import earlier_choices
+from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
+from robosmi.transformations.m2m.choices.library_choice import LibraryModels
 from robosmi.transformations.m2m.migration_plan import LibrariesSaid, decide_libraries
 
 

@@ -17,47 +17,47 @@ from robosmi.chain import Chain
 from robosmi.chain.run import ChainRun, Progress
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import UsageError
+from robosmi.files.commit import again_when_changed
+from robosmi.files.elsewhere import Elsewhere
+from robosmi.files.recovery import recover
 from robosmi.inputs import read_once
 from robosmi.metamodels import ccode, migration, platform
-from robosmi.model.commit import again_when_changed
-from robosmi.model.elsewhere import Elsewhere
-from robosmi.model.recovery import recover
 from robosmi.plugins import content
 from robosmi.project import Project, default_number, default_text, project_of
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.resources import project_of_input
 from robosmi.transform import Trace
-from robosmi.transformations.chains.adopted import adopt
-from robosmi.transformations.chains.constraint_sets import added_findings
-from robosmi.transformations.chains.drawn import StoredDrawing, stored_drawing
-from robosmi.transformations.chains.earlier import history_findings
 from robosmi.transformations.chains.library_steps import earlier, library_decisions, ranker
-from robosmi.transformations.chains.models import MigrationModels
-from robosmi.transformations.chains.output import Generated, produce, remember
-from robosmi.transformations.chains.own_adapters import adapter_files_of, check_own_adapters, unread_adapters
-from robosmi.transformations.chains.ports import bindings, pins_to_choose, ports
-from robosmi.transformations.chains.program import ProgramFiles, StoredProgram, program_files, stored_program
-from robosmi.transformations.chains.reading import check_source_platform
-from robosmi.transformations.chains.sources import remember_sources
-from robosmi.transformations.chains.widths import FIX, KEEP, widened
+from robosmi.transformations.chains.stages.adopted import adopt
+from robosmi.transformations.chains.stages.constraint_sets import added_findings
+from robosmi.transformations.chains.stages.drawn import StoredDrawing, stored_drawing
+from robosmi.transformations.chains.stages.earlier import history_findings
+from robosmi.transformations.chains.stages.models import MigrationModels
+from robosmi.transformations.chains.stages.output import Generated, produce, remember
+from robosmi.transformations.chains.stages.own_adapters import adapter_files_of, check_own_adapters, unread_adapters
+from robosmi.transformations.chains.stages.ports import bindings, pins_to_choose, ports
+from robosmi.transformations.chains.stages.program import ProgramFiles, StoredProgram, program_files, stored_program
+from robosmi.transformations.chains.stages.reading import check_source_platform
+from robosmi.transformations.chains.stages.sources import remember_sources
+from robosmi.transformations.chains.stages.widths import FIX, KEEP, widened
 from robosmi.transformations.constraints.code_rules import move_findings
 from robosmi.transformations.constraints.electrical_plan import plan_faults
 from robosmi.transformations.constraints.plan_ports import port_faults
-from robosmi.transformations.knowledge.adapter_pins import AdapterPins
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.knowledge.target_platform import TargetFacts, target_facts
-from robosmi.transformations.m2m.adapter_choice import adapter_choice
-from robosmi.transformations.m2m.connector_mapping import keep_apart
-from robosmi.transformations.m2m.library_choice import LibraryModels
+from robosmi.transformations.knowledge.adapters.adapter_pins import AdapterPins
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_facts
+from robosmi.transformations.m2m.adapters.adapter_choice import adapter_choice
+from robosmi.transformations.m2m.choices.library_choice import LibraryModels
+from robosmi.transformations.m2m.choices.stored_choices import NOTHING, StoredChoices, differences
+from robosmi.transformations.m2m.circuits.connector_mapping import keep_apart
+from robosmi.transformations.m2m.circuits.output_settings import set_rest_levels, set_servo_trims
 from robosmi.transformations.m2m.migration_plan import Decided, LibrariesSaid, judge_program, put_together
-from robosmi.transformations.m2m.output_settings import set_rest_levels, set_servo_trims
+from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.plan_tasks import plan_findings
-from robosmi.transformations.m2m.platform_dependence import Dependence
-from robosmi.transformations.m2m.port_texts import looked_up
-from robosmi.transformations.m2m.stored_choices import NOTHING, StoredChoices, differences
-from robosmi.transformations.m2m.widths import Widened, lost_findings, text_findings
-from robosmi.transformations.queries.plan import binding_json, library_json
-from robosmi.transformations.queries.ports import ProgramPorts
+from robosmi.transformations.m2m.ports.port_texts import looked_up
+from robosmi.transformations.m2m.widths.widths import Widened, lost_findings, text_findings
+from robosmi.transformations.queries.plans.plan import binding_json, library_json
+from robosmi.transformations.queries.ports.ports import ProgramPorts
 from robosmi.transformations.queries.record_members import outside_members
 
 GIVEN = (

@@ -12,29 +12,29 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import inputs, templates
-from robosmi.data_text import Json
+from robosmi.base.data_text import Json
 from robosmi.errors import RobosmiError, SourceError, StoppedError, UsageError
+from robosmi.files.commit import update
+from robosmi.files.files import digest
+from robosmi.files.recovery import at_work
 from robosmi.generate import Gen
 from robosmi.generate.manifest import Manifest
 from robosmi.generate.places import Places
 from robosmi.generate.undo import undo
 from robosmi.metamodels import migration
-from robosmi.model.commit import update
-from robosmi.model.files import digest
-from robosmi.model.lean import collector_at_rest
-from robosmi.model.recovery import at_work
+from robosmi.model.elements.lean import collector_at_rest
 from robosmi.transformations.chains.choose import STAYS, choose
-from robosmi.transformations.chains.edited_plan import STORED
 from robosmi.transformations.chains.generate import generate
-from robosmi.transformations.chains.models import FOLDER, MigrationModels, stored_models
+from robosmi.transformations.chains.stages.edited_plan import STORED
+from robosmi.transformations.chains.stages.models import FOLDER, MigrationModels, stored_models
 from robosmi.transformations.m2t import page_code, page_sections
 from robosmi.transformations.m2t.first_screen import Counted
 from robosmi.transformations.m2t.program_files import REPORT
 from robosmi.transformations.m2t.task_list import PICTURE
-from robosmi.transformations.queries.choices import choices
-from robosmi.transformations.queries.plan import open_choices
-from robosmi.transformations.queries.work import Work
-from robosmi.transformations.queries.written_bodies import AS_BYTES, task_key, ticks, with_ticks
+from robosmi.transformations.queries.plans.choices import choices
+from robosmi.transformations.queries.plans.plan import open_choices
+from robosmi.transformations.queries.reports.work import Work
+from robosmi.transformations.queries.reports.written_bodies import AS_BYTES, task_key, ticks, with_ticks
 
 SECTIONS = {
     "works": "What works", "decide": "Decide", "write": "Write", "check": "Check", "code": "Side by side", "wiring": "Wiring",

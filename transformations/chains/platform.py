@@ -15,13 +15,13 @@ from typing import Any, cast
 from msgspec import Struct
 
 from robosmi import inputs, resources
-from robosmi.data_text import as_table, json_of, json_written
+from robosmi.base.data_text import as_table, json_of, json_written
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, UsageError, did_you_mean
-from robosmi.model.files import write_atomic
+from robosmi.files.files import write_atomic
 from robosmi.project import default_text
 from robosmi.transformations.knowledge.api_data import HeaderContent, PlatformSettings
-from robosmi.transformations.knowledge.platform_api import ApiIndex, forget_platforms
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex, forget_platforms
 from robosmi.transformations.t2m.platform_headers import read_headers
 
 _NAME = re.compile(r"[A-Za-z][\w-]{0,63}")

@@ -16,11 +16,11 @@ from robosmi.query import Q
 from robosmi.recommend.component import ComponentQuery, read_components
 from robosmi.recommend.ranking import Recommendation
 from robosmi.resources import project_of_input
-from robosmi.transformations.chains.earlier import earlier_choices, history_findings
-from robosmi.transformations.chains.reading import read_drawing
-from robosmi.transformations.knowledge.target_platform import target_facts
-from robosmi.transformations.m2m.library_choice import component_query
-from robosmi.transformations.queries.circuit import boards, the_board
+from robosmi.transformations.chains.stages.earlier import earlier_choices, history_findings
+from robosmi.transformations.chains.stages.reading import read_drawing
+from robosmi.transformations.knowledge.platforms.target_platform import target_facts
+from robosmi.transformations.m2m.choices.library_choice import component_query
+from robosmi.transformations.queries.circuits.circuit import boards, the_board
 
 
 class Recommendations(Struct, frozen=True):

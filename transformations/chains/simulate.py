@@ -12,25 +12,25 @@ from typing import Any
 
 from msgspec import Struct
 
+from robosmi.base.doing import doing
 from robosmi.diagnostics import Finding, Severity
-from robosmi.doing import doing
 from robosmi.errors import SourceError, UsageError
+from robosmi.files.files import write_atomic
 from robosmi.metamodels import platform
-from robosmi.model.files import write_atomic
-from robosmi.transformations.chains.models import stored_models
+from robosmi.transformations.chains.stages.models import stored_models
 from robosmi.transformations.knowledge.board_models import load_board
+from robosmi.transformations.verification.bound_devices.played_devices import devices_at, played
+from robosmi.transformations.verification.bound_devices.port_devices import BoundPort, bound_ports
 from robosmi.transformations.verification.jobs import job
-from robosmi.transformations.verification.played_devices import devices_at, played
-from robosmi.transformations.verification.port_devices import BoundPort, bound_ports
-from robosmi.verify.activity import activity
-from robosmi.verify.compile_report import CompileReport
-from robosmi.verify.libraries import STAND_IN
 from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.simulation import PinTrace
 from robosmi.verify.simulation import simulate as run_job
-from robosmi.verify.temporary import temporary_folder
-from robosmi.verify.toolchain import compile_sketch
-from robosmi.verify.vcd import vcd_text
+from robosmi.verify.toolchains.compile_report import CompileReport
+from robosmi.verify.toolchains.libraries import STAND_IN
+from robosmi.verify.toolchains.temporary import temporary_folder
+from robosmi.verify.toolchains.toolchain import compile_sketch
+from robosmi.verify.traces.activity import activity
+from robosmi.verify.traces.vcd import vcd_text
 
 CRASHED = "RS854"
 """The rule for a program that crashed."""

@@ -12,21 +12,33 @@ from typing import Any
 
 from msgspec import Struct
 
+from robosmi.base.doing import doing
+from robosmi.base.trust import acting
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.doing import doing
 from robosmi.errors import SourceError, VerificationError
 from robosmi.inputs import read_once
 from robosmi.metamodels import migration, platform
-from robosmi.transformations.chains.models import MigrationModels, stored_models
-from robosmi.transformations.chains.output import Generated, produce
 from robosmi.transformations.chains.simulate import plan_beside
-from robosmi.transformations.chains.verified_files import VerifiedFiles
+from robosmi.transformations.chains.stages.models import MigrationModels, stored_models
+from robosmi.transformations.chains.stages.output import Generated, produce
+from robosmi.transformations.chains.stages.verified_files import VerifiedFiles
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.m2t.task_list import PICTURE
+from robosmi.transformations.queries.constants.step_counts import most_steps
 from robosmi.transformations.queries.source_text import is_header
-from robosmi.transformations.queries.step_counts import most_steps
-from robosmi.transformations.verification.difference_calls import calls_around
-from robosmi.transformations.verification.judging import why_nothing_was_compared
+from robosmi.transformations.verification.bound_devices.played_devices import signals_of
+from robosmi.transformations.verification.bound_devices.port_devices import (
+    BoundPort,
+    bound_ports,
+    numbers_understood,
+    reads_console,
+    resting_pins,
+    texts_understood,
+)
+from robosmi.transformations.verification.judgement.difference_calls import calls_around
+from robosmi.transformations.verification.judgement.judging import why_nothing_was_compared
+from robosmi.transformations.verification.judgement.scenario_verdicts import Case, compare_scenarios
+from robosmi.transformations.verification.judgement.source_reached import cover
 from robosmi.transformations.verification.original_side import (
     CONSOLE_CHANNEL,
     Place,
@@ -35,28 +47,16 @@ from robosmi.transformations.verification.original_side import (
     run_varied,
 )
 from robosmi.transformations.verification.originals import original_program, with_stored_names
-from robosmi.transformations.verification.played_devices import signals_of
-from robosmi.transformations.verification.port_devices import (
-    BoundPort,
-    bound_ports,
-    numbers_understood,
-    reads_console,
-    resting_pins,
-    texts_understood,
-)
-from robosmi.transformations.verification.scenario_search import search
-from robosmi.transformations.verification.scenario_verdicts import Case, compare_scenarios
-from robosmi.transformations.verification.source_reached import cover
+from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.transformations.verification.target_side import LIMIT_S, TargetSide
-from robosmi.trust import acting
-from robosmi.verify.compile_report import LITTLE_RAM, CompileReport
 from robosmi.verify.host_model import load_host_model
-from robosmi.verify.libraries import STAND_IN
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.scenario import Scenario, read_scenario
-from robosmi.verify.temporary import temporary_folder
-from robosmi.verify.toolchain import compile_sketch
-from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_COMPILED, NOT_DECIDABLE, Verdict
+from robosmi.verify.toolchains.compile_report import LITTLE_RAM, CompileReport
+from robosmi.verify.toolchains.libraries import STAND_IN
+from robosmi.verify.toolchains.temporary import temporary_folder
+from robosmi.verify.toolchains.toolchain import compile_sketch
+from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_COMPILED, NOT_DECIDABLE, Verdict
 
 FOLDER = "scenarios"
 """The folder of stored scenarios, beside the models."""

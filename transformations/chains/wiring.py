@@ -16,20 +16,20 @@ from msgspec import Struct
 from robosmi import __version__, inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
+from robosmi.files.commit import update
+from robosmi.files.files import refuse_link, write_atomic
 from robosmi.generate.places import Places
 from robosmi.metamodels import migration
-from robosmi.model.commit import update
-from robosmi.model.files import refuse_link, write_atomic
 from robosmi.plugins import content
 from robosmi.query import Q
-from robosmi.transformations.chains.models import MigrationModels, stored_models
+from robosmi.transformations.chains.stages.models import MigrationModels, stored_models
 from robosmi.transformations.knowledge.electrical_facts import rests_beyond_names
-from robosmi.transformations.m2m.wokwi_wiring import wokwi_wiring
-from robosmi.transformations.m2t.circuit_picture import svg
+from robosmi.transformations.m2m.circuits.wokwi_wiring import wokwi_wiring
+from robosmi.transformations.m2t.circuits.circuit_picture import svg
+from robosmi.transformations.m2t.circuits.wokwi_project import project_files
 from robosmi.transformations.m2t.pin_table import pin_table
 from robosmi.transformations.m2t.sketch_project import project
-from robosmi.transformations.m2t.wokwi_project import project_files
-from robosmi.transformations.queries.plan import ports_by_pin, said
+from robosmi.transformations.queries.plans.plan import ports_by_pin, said
 
 FORM: Final = "wiring form"
 """The registry's kind for formats: functions of `(models, OUT, path)` that return `Handed`."""

@@ -8,10 +8,10 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind
 from robosmi.transformations.constraints.code_move import moved, place, the_move, together
-from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.own_headers import unit_of
-from robosmi.transformations.queries.unreached import Unreached
-from robosmi.transformations.queries.unsaid_parameters import unsaid_pointers
+from robosmi.transformations.queries.programs.main_function import main_of
+from robosmi.transformations.queries.programs.unreached import Unreached
+from robosmi.transformations.queries.programs.unsaid_parameters import unsaid_pointers
 from robosmi.validate import Fail
 
 units = moved.context(ccode.SourceUnit)

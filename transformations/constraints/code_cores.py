@@ -10,13 +10,13 @@ from collections import Counter
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
-from robosmi.model.strict import Element
+from robosmi.model.elements.strict import Element
 from robosmi.query import all_contents, ancestor_of_kind
 from robosmi.transformations.constraints.code_move import FLOW, move, moved, place, the_move, together
-from robosmi.transformations.queries.cores import reached, written
-from robosmi.transformations.queries.main_program import main_function
+from robosmi.transformations.queries.flows.cores import reached, written
 from robosmi.transformations.queries.own_headers import own_macro
-from robosmi.transformations.queries.plan import called
+from robosmi.transformations.queries.plans.plan import called
+from robosmi.transformations.queries.programs.main_program import main_function
 from robosmi.validate import Fail
 
 

@@ -11,8 +11,8 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.constraints.code_move import Move, move, moved, place, the_move, together
 from robosmi.transformations.queries.expression_type import expectations, of_use, parse
+from robosmi.transformations.queries.resources.type_sizes import TypeSizes
 from robosmi.transformations.queries.signature_text import function_type
-from robosmi.transformations.queries.type_sizes import TypeSizes
 from robosmi.validate import Fail
 
 _LONG_DOUBLE = "long double"

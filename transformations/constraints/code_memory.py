@@ -9,14 +9,14 @@ from collections.abc import Iterable
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
-from robosmi.model.strict import Element
+from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.constraints.code_move import move, moved, place, the_move, together
-from robosmi.transformations.queries.cores import reached
 from robosmi.transformations.queries.expression_type import ARITHMETIC
+from robosmi.transformations.queries.flows.cores import reached
 from robosmi.transformations.queries.initialisers import record_of
 from robosmi.transformations.queries.names import named_type
-from robosmi.transformations.queries.type_sizes import on_source, on_target
+from robosmi.transformations.queries.resources.type_sizes import on_source, on_target
 from robosmi.validate import Fail
 
 SMALL = 65536

@@ -16,26 +16,26 @@ from typing import TYPE_CHECKING, Any
 from robosmi.diagnostics import Location
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.model import EmfModel
-from robosmi.model.strict import Element, enum_literal
+from robosmi.model.elements.strict import Element, enum_literal
 from robosmi.query import ancestor_of_kind
 from robosmi.query.run import current_run
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.knowledge.platform_model import split_parameters
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_model import split_parameters
 from robosmi.transformations.queries.adapter_signature import target_types
 from robosmi.transformations.queries.code import CodeView, views
-from robosmi.transformations.queries.cooperation import giving_way
-from robosmi.transformations.queries.cores import Cores
 from robosmi.transformations.queries.expression_type import FunctionType
+from robosmi.transformations.queries.flows.cores import Cores
 from robosmi.transformations.queries.numbers import Machine, Numbers
-from robosmi.transformations.queries.plan import keeps_main
-from robosmi.transformations.queries.port_masks import PortMasks
+from robosmi.transformations.queries.plans.plan import keeps_main
+from robosmi.transformations.queries.ports.port_masks import PortMasks
+from robosmi.transformations.queries.resources.cooperation import giving_way
 from robosmi.transformations.queries.signature_text import function_type
 from robosmi.transformations.queries.values import Values
 from robosmi.validate import EVL, Fail, Unsatisfied
 
 if TYPE_CHECKING:
-    from robosmi.model.driver import Held
-    from robosmi.transformations.queries.ranges import Ranges
+    from robosmi.model.elements.driver import Held
+    from robosmi.transformations.queries.constants.ranges import Ranges
 
 moved = EVL()
 """The constraints on a program that is moved; evaluate them on its plan and its model."""
@@ -92,7 +92,7 @@ class Move:
     @cached_property
     def ranges(self) -> Ranges:
         """The value ranges of the program's expressions on the source."""
-        from robosmi.transformations.queries.ranges import Ranges  # few rules ask, and few programs give them cause
+        from robosmi.transformations.queries.constants.ranges import Ranges  # few rules ask, and few programs give them cause
 
         functions = _functions(self.views)
         functions.update({a.name: function_type(a.signature) for a in self.plan.adapterUses})

@@ -11,11 +11,11 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.constraints.code_move import in_lines, move, moved, place, the_move, together
-from robosmi.transformations.queries.made_calls import MadeCalls
-from robosmi.transformations.queries.pin_uses import PinUse, made_uses_of, negative_uses_of, pin_uses_of, says_its_ports
-from robosmi.transformations.queries.pointers import pointed_functions
-from robosmi.transformations.queries.register_bits import register_bits
-from robosmi.transformations.queries.waiting_calls import kept_raw, ports_of_runs_bound
+from robosmi.transformations.queries.flows.pin_uses import PinUse, made_uses_of, negative_uses_of, pin_uses_of, says_its_ports
+from robosmi.transformations.queries.flows.pointers import pointed_functions
+from robosmi.transformations.queries.plans.waiting_calls import kept_raw, ports_of_runs_bound
+from robosmi.transformations.queries.ports.made_calls import MadeCalls
+from robosmi.transformations.queries.ports.register_bits import register_bits
 from robosmi.validate import Fail
 
 _SHOWN = 4

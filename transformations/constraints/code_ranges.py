@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.transformations.constraints.code_move import Move, move, moved, place, the_move
-from robosmi.transformations.queries.plan_adapters import emitted
+from robosmi.transformations.queries.plans.plan_adapters import emitted
 from robosmi.validate import Fail
 
 calls = moved.context(ccode.Call, guard=lambda c: move() is not None and bool(_ranges(c)))

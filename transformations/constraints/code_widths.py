@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, TypeGuard
 
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
-from robosmi.model.strict import Element
+from robosmi.model.elements.strict import Element
 from robosmi.transformations.constraints.code_move import Move, is_narrower, move, moved, place, the_move, together
 from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.names import named_type
@@ -20,7 +20,7 @@ from robosmi.transformations.queries.numbers import COMPARISONS, Number
 from robosmi.validate import Fail
 
 if TYPE_CHECKING:
-    from robosmi.transformations.queries.ranges import Range
+    from robosmi.transformations.queries.constants.ranges import Range
 
 ARITHMETIC = frozenset(["+", "-", "*", "<<"])
 _CUT = ARITHMETIC | {"&", "|", "^"}

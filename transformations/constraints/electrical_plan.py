@@ -10,14 +10,14 @@ from collections.abc import Iterator
 from robosmi.diagnostics import Finding, Location
 from robosmi.metamodels import migration, platform
 from robosmi.model import EmfModel
-from robosmi.model.strict import Element
+from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind, root_of
 from robosmi.transformations.constraints.electrical import electrical
 from robosmi.transformations.constraints.places import drawing, fault, worst_first
-from robosmi.transformations.knowledge.library_takes import taken_of
-from robosmi.transformations.queries.circuit import role_on
-from robosmi.transformations.queries.electrical import Kind, Role, Wiring, listed, who, wiring
-from robosmi.transformations.queries.port_pins import of_own_serial_port
+from robosmi.transformations.knowledge.libraries.library_takes import taken_of
+from robosmi.transformations.queries.circuits.circuit import role_on
+from robosmi.transformations.queries.circuits.electrical import Kind, Role, Wiring, listed, who, wiring
+from robosmi.transformations.queries.plans.port_pins import of_own_serial_port
 from robosmi.validate import EVL, Fail
 
 together = EVL()

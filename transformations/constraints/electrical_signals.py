@@ -11,8 +11,8 @@ from functools import partial
 from robosmi.metamodels import hardware
 from robosmi.transformations.constraints.electrical_supply import wiring_of
 from robosmi.transformations.constraints.places import drawing, fault
-from robosmi.transformations.queries.connector_names import told_name
-from robosmi.transformations.queries.electrical import BoardPin, Kind, Role, Wiring, listed, who
+from robosmi.transformations.queries.circuits.connector_names import told_name
+from robosmi.transformations.queries.circuits.electrical import BoardPin, Kind, Role, Wiring, listed, who
 from robosmi.validate import EVL, Fail
 
 signals = EVL()

@@ -9,9 +9,9 @@ from collections.abc import Iterator
 
 from robosmi.metamodels import hardware
 from robosmi.transformations.constraints.places import drawing, fault
-from robosmi.transformations.queries.circuit_walk import behind
-from robosmi.transformations.queries.connector_names import told_name
-from robosmi.transformations.queries.electrical import Kind, Role, Wiring, listed, stated_volts, who, wiring
+from robosmi.transformations.queries.circuits.circuit_walk import behind
+from robosmi.transformations.queries.circuits.connector_names import told_name
+from robosmi.transformations.queries.circuits.electrical import Kind, Role, Wiring, listed, stated_volts, who, wiring
 from robosmi.validate import EVL, Fail
 
 supply = EVL()

@@ -15,7 +15,7 @@ from robosmi.metamodels import hardware
 from robosmi.validate import Fail
 
 if TYPE_CHECKING:
-    from robosmi.model.driver import Held
+    from robosmi.model.elements.driver import Held
 
 
 def drawing(element: hardware.Component | hardware.Net) -> Location | None:

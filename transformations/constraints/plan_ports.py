@@ -11,16 +11,16 @@ from itertools import takewhile
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model import EmfModel
-from robosmi.model.strict import Element
+from robosmi.model.elements.strict import Element
 from robosmi.query import root_of
 from robosmi.transformations.constraints.electrical_plan import terminal_functions
-from robosmi.transformations.knowledge.adapter_ranges import parameter_names
-from robosmi.transformations.queries.component_kinds import kinds_of
-from robosmi.transformations.queries.connector_names import told_names
-from robosmi.transformations.queries.macro_calls import MacroCalls
+from robosmi.transformations.knowledge.adapters.adapter_ranges import parameter_names
+from robosmi.transformations.queries.circuits.component_kinds import kinds_of
+from robosmi.transformations.queries.circuits.connector_names import told_names
 from robosmi.transformations.queries.names import name_of
-from robosmi.transformations.queries.plan_adapters import closure
-from robosmi.transformations.queries.waiting_calls import unwired_needs
+from robosmi.transformations.queries.plans.plan_adapters import closure
+from robosmi.transformations.queries.plans.waiting_calls import unwired_needs
+from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 from robosmi.validate import EVL, Fail
 
 ports = EVL()

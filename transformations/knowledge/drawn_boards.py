@@ -13,9 +13,9 @@ from pathlib import Path
 
 from msgspec import Struct
 
+from robosmi.base.data_tables import DataTable
 from robosmi.errors import did_you_mean
 from robosmi.transformations.knowledge.board_models import board_file, check_drawn, drawing_files, only_draws, table_of, text_of
-from robosmi.verify.tables import DataTable
 
 PIN_TABLE = "pin table"
 """The "drawing tool" of pin tables, which name a board by its short name and its connectors by their labels."""

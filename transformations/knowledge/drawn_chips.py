@@ -12,9 +12,9 @@ from pathlib import Path
 
 from msgspec import Struct
 
+from robosmi.base.data_tables import DataTable
 from robosmi.transformations.knowledge.board_models import drawing_files, only_draws, table_of, text_of
 from robosmi.transformations.knowledge.drawn_boards import DrawnBoard
-from robosmi.verify.tables import DataTable
 
 _PORT = re.compile(r"(?<![A-Z0-9])(P[A-L][0-7]|ADC[67])(?![0-9])", re.IGNORECASE)
 _CHIP = re.compile(r"(?<![A-Z])(?:AT)?((?:MEGA|TINY)[0-9]+[A-Z0-9]*)", re.IGNORECASE)

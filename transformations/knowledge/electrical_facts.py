@@ -15,7 +15,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi import inputs
-from robosmi.data_text import Json, as_list, as_number, as_table, as_text, as_texts, as_whole, line_of_key, line_of_value
+from robosmi.base.data_text import Json, as_list, as_number, as_table, as_text, as_texts, as_whole, line_of_key, line_of_value
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.metamodels import hardware

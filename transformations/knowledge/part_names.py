@@ -14,12 +14,12 @@ from pathlib import Path
 from msgspec import Struct
 
 from robosmi import inputs
-from robosmi.data_text import Json, data_toml
+from robosmi.base.data_tables import DataTable
+from robosmi.base.data_text import Json, data_toml
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.resources import folders
 from robosmi.transformations.knowledge.wildcards import fits
-from robosmi.verify.tables import DataTable
 
 _LISTS = ("supply", "ground", "idle", "polarity", "control", "bus", "write", "read", "read_chip", "write_chip")
 _WORD = re.compile(r"[^\W_]+")

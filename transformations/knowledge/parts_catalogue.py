@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from robosmi import inputs
-from robosmi.data_text import Json, as_list, as_table, as_text, as_texts, line_of_key
+from robosmi.base.data_text import Json, as_list, as_table, as_text, as_texts, line_of_key
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
 from robosmi.resources import folders

@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from robosmi import inputs
-from robosmi.data_text import Json, as_list, as_table, as_text, as_texts, as_whole, json_of, json_written
+from robosmi.base.data_text import Json, as_list, as_table, as_text, as_texts, as_whole, json_of, json_written
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
-from robosmi.model.sqlite_files import writing
+from robosmi.files.sqlite_files import writing
 from robosmi.transformations.knowledge.part import Part, PartConnector
 from robosmi.transformations.knowledge.part_names import PartNames, connector_kind
 

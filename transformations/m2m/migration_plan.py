@@ -2,6 +2,8 @@
 
 Each decision is made by a module of its own; here they get a common trace and become one model. The digests of the inputs are
 recorded, so that a stored plan can tell whether it still belongs to its sources.
+
+Closes open choices of libraries that would change nothing, because the adapters handle the component without a library.
 """
 
 from __future__ import annotations
@@ -11,26 +13,26 @@ from collections.abc import Callable, Mapping, Sequence
 from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Location
+from robosmi.files.files import digest
 from robosmi.metamodels import ccode, hardware, migration, platform
-from robosmi.model.files import digest
 from robosmi.query import Q
 from robosmi.recommend.ranking import Choices as EarlierChoices
 from robosmi.recommend.ranking import Ranker
 from robosmi.transform import Trace
-from robosmi.transformations.knowledge.target_platform import TargetFacts, target_repository
-from robosmi.transformations.m2m.adapter_choice import AdapterChoice, settle_libraries
-from robosmi.transformations.m2m.idle_libraries import close_idle_choices
-from robosmi.transformations.m2m.library_choice import LibraryModels, choose_libraries
-from robosmi.transformations.m2m.plan_checks import plan_checks
+from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_repository
+from robosmi.transformations.m2m.adapters.adapter_choice import AdapterChoice, settle_libraries
+from robosmi.transformations.m2m.choices.library_choice import NO_LIBRARY, LibraryModels, choose_libraries
+from robosmi.transformations.m2m.choices.plan_checks import plan_checks, port_calls
+from robosmi.transformations.m2m.choices.stored_choices import Said
+from robosmi.transformations.m2m.partition.platform_dependence import Dependence, partition
+from robosmi.transformations.m2m.partition.text_changes import mark_rewritten
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
-from robosmi.transformations.m2m.platform_dependence import Dependence, partition
-from robosmi.transformations.m2m.port_texts import port_changes
-from robosmi.transformations.m2m.stored_choices import Said
-from robosmi.transformations.m2m.text_changes import mark_rewritten
-from robosmi.transformations.m2m.widths import Widened
-from robosmi.transformations.queries.binding_edits import TRACED
+from robosmi.transformations.m2m.ports.port_texts import port_changes
+from robosmi.transformations.m2m.widths.widths import Widened
 from robosmi.transformations.queries.code import CodeView
-from robosmi.transformations.queries.ports import ProgramPorts
+from robosmi.transformations.queries.plans.binding_edits import TRACED
+from robosmi.transformations.queries.plans.plan_adapters import closure
+from robosmi.transformations.queries.ports.ports import ProgramPorts
 from robosmi.transformations.queries.source_text import words_of
 
 
@@ -234,3 +236,39 @@ def complete(plan: migration.MigrationPlan, findings: list[Finding], paths: Mapp
 
 def _is_source(path: str, program: ccode.Program) -> bool:
     return any(unit.path == path for unit in program.units)
+
+
+_READY = (migration.AdapterStatus.filled, migration.AdapterStatus.care)
+
+
+def close_idle_choices(plan: migration.MigrationPlan) -> None:
+    """Choose no library for a component if all calls at its ports have adapters with bodies, and none of these uses a
+    candidate.
+    """
+    uses = {str(use.name): use for use in plan.adapterUses}
+    for choice in plan.libraryChoices:
+        if not choice.open or choice.component is None:
+            continue
+        calls = _calls(plan, choice.component)
+        told = [uses.get(str(call.calleeName)) for call in calls]
+        pieces = [use.adapter for use in told if use is not None and use.adapter is not None and use.status in _READY]
+        if not calls or len(pieces) < len(calls):
+            continue
+        names = {str(name) for piece in closure(pieces) for name in piece.libraries}
+        if names.isdisjoint(str(library.name) for library in choice.candidates):
+            functions = ", ".join(dict.fromkeys(str(call.calleeName) for call in calls))
+            choice.chosenBy, choice.open, choice.choice = migration.ChosenBy.rule, False, NO_LIBRARY
+            choice.evidence.append(f"what the program does here needs none: {functions}")
+
+
+def _calls(plan: migration.MigrationPlan, component: hardware.Component) -> list[ccode.Call]:
+    """The platform calls at the ports of a component; empty if one of these ports is open or has no known call."""
+    found: list[ccode.Call] = []
+    for binding in plan.portBindings:
+        connections = [each for each in (binding.connection, binding.answer) if each is not None]
+        if any(each.component is component for each in connections):
+            calls = port_calls(plan, binding)
+            if binding.open or not calls:
+                return []
+            found += calls
+    return found

@@ -11,22 +11,22 @@ from collections.abc import Callable, Iterator, Mapping
 
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import ccode, hardware, migration
-from robosmi.model.strict import enum_literal
+from robosmi.model.elements.strict import enum_literal
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.m2m.adapter_choice import NO_ADAPTER, settle_libraries, settle_use
-from robosmi.transformations.m2m.library_choice import NO_LIBRARY
-from robosmi.transformations.m2m.plan_checks import plan_checks
-from robosmi.transformations.m2m.source_assembler import LEFT_OUT
-from robosmi.transformations.m2m.text_changes import settle_bindings
+from robosmi.transformations.m2m.adapters.adapter_choice import NO_ADAPTER, settle_libraries, settle_use
+from robosmi.transformations.m2m.choices.library_choice import NO_LIBRARY
+from robosmi.transformations.m2m.choices.plan_checks import plan_checks
+from robosmi.transformations.m2m.language.source_assembler import LEFT_OUT
+from robosmi.transformations.m2m.partition.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
-from robosmi.transformations.queries.binding_edits import binding_links, referred, trace_binding
-from robosmi.transformations.queries.idle_ports import is_idle
-from robosmi.transformations.queries.macro_calls import MacroCalls
 from robosmi.transformations.queries.names import name_of
-from robosmi.transformations.queries.plan import beside_its_declaration, called, needs_own_types
-from robosmi.transformations.queries.port_pins import NOT_WIRED
+from robosmi.transformations.queries.plans.binding_edits import binding_links, referred, trace_binding
+from robosmi.transformations.queries.plans.plan import beside_its_declaration, called, needs_own_types
+from robosmi.transformations.queries.plans.port_pins import NOT_WIRED
+from robosmi.transformations.queries.plans.verdicts import UNDEFINED, body_effort, unserved_headers
+from robosmi.transformations.queries.ports.idle_ports import is_idle
+from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 from robosmi.transformations.queries.source_text import SourceText
-from robosmi.transformations.queries.verdicts import UNDEFINED, body_effort, unserved_headers
 
 _BARE_KEY = re.compile(r"[\w-]+")
 """A TOML key that needs no quotation marks."""

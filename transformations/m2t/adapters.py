@@ -15,13 +15,13 @@ from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import all_of_kind, ancestor_of_kind
 from robosmi.transformations.m2t.adapter_text import apart, comment, declarations, includes, shared
 from robosmi.transformations.queries.adapter_signature import target_signature
-from robosmi.transformations.queries.circuit import pin_literal
-from robosmi.transformations.queries.main_function import main_of
-from robosmi.transformations.queries.plan import beside_its_declaration, needs_own_types, target_of
-from robosmi.transformations.queries.plan_adapters import emitted
-from robosmi.transformations.queries.port_pins import UNBOUND, port_literals
+from robosmi.transformations.queries.circuits.circuit import pin_literal
+from robosmi.transformations.queries.plans.plan import beside_its_declaration, needs_own_types, target_of
+from robosmi.transformations.queries.plans.plan_adapters import emitted
+from robosmi.transformations.queries.plans.port_pins import UNBOUND, port_literals
+from robosmi.transformations.queries.ports.split_wires import answering_pin, asking_pin
+from robosmi.transformations.queries.programs.main_function import main_of
 from robosmi.transformations.queries.source_text import is_header
-from robosmi.transformations.queries.split_wires import answering_pin, asking_pin
 
 
 class Adapter(Struct, frozen=True):

@@ -13,12 +13,12 @@ from msgspec.structs import replace
 
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.queries.answers import answer
-from robosmi.transformations.queries.board_needs import BoardNeeds, board_needs, needs_in_words, shortages
-from robosmi.transformations.queries.plan import called
-from robosmi.transformations.queries.verdicts import EFFORTS, Construct, constructs
-from robosmi.transformations.queries.waiting_calls import NO_SUPPORT, NOT_WIRED_CALL, TO_WRITE, WAITS, WITH_CARE
-from robosmi.transformations.queries.work import Work
+from robosmi.transformations.queries.plans.answers import answer
+from robosmi.transformations.queries.plans.plan import called
+from robosmi.transformations.queries.plans.verdicts import EFFORTS, Construct, constructs
+from robosmi.transformations.queries.plans.waiting_calls import NO_SUPPORT, NOT_WIRED_CALL, TO_WRITE, WAITS, WITH_CARE
+from robosmi.transformations.queries.reports.board_needs import BoardNeeds, board_needs, needs_in_words, shortages
+from robosmi.transformations.queries.reports.work import Work
 
 LINES = 40
 """Greatest number of lines of the first screen."""

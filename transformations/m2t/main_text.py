@@ -17,13 +17,13 @@ from robosmi.query import ancestor_of_kind
 from robosmi.quoting import c_comment
 from robosmi.transformations.queries.block_braces import inside
 from robosmi.transformations.queries.expression_type import of_use
-from robosmi.transformations.queries.plan import RUN_IN_SETUP
-from robosmi.transformations.queries.plan_adapters import rest_levels, setup_statements
+from robosmi.transformations.queries.plans.plan import RUN_IN_SETUP
+from robosmi.transformations.queries.plans.plan_adapters import rest_levels, setup_statements
 from robosmi.transformations.queries.source_text import Piece, SourceText, reindent
 from robosmi.transformations.queries.text_changes import decision_of
 
 if TYPE_CHECKING:
-    from robosmi.model.driver import Item
+    from robosmi.model.elements.driver import Item
 
 
 class MainPart(Struct, frozen=True):

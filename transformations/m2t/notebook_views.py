@@ -9,10 +9,10 @@ from collections.abc import Iterator
 
 from robosmi.metamodels import hardware, migration
 from robosmi.report.notebook import bar, picture, quoted, table
-from robosmi.transformations.m2t.circuit_picture import svg
-from robosmi.transformations.queries.choices import reason
-from robosmi.transformations.queries.macro_calls import MacroCalls
-from robosmi.transformations.queries.plan import call_sites, open_choices, ports_by_pin
+from robosmi.transformations.m2t.circuits.circuit_picture import svg
+from robosmi.transformations.queries.plans.choices import reason
+from robosmi.transformations.queries.plans.plan import call_sites, open_choices, ports_by_pin
+from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 
 
 def circuit_html(circuit: hardware.Circuit) -> str:

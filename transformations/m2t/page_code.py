@@ -10,7 +10,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from robosmi.data_text import Json
+from robosmi.base.data_text import Json
 from robosmi.metamodels import ccode, migration, trace
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.page_sections import chunked

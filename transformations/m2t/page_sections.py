@@ -2,6 +2,8 @@
 
 These are values for templates, from the same queries as the report and the terminal. `page_code` makes the program beside its
 sketch; `chains.page` composes the page and answers its requests.
+
+Lines of the source that elements of the code model are in.
 """
 
 from __future__ import annotations
@@ -10,21 +12,20 @@ import base64
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from robosmi.data_text import Json
+from robosmi.base.data_text import Json
 from robosmi.diagnostics import Finding
-from robosmi.metamodels import migration, platform
-from robosmi.query import Q
-from robosmi.transformations.m2t.circuit_picture import svg
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.query import Q, ancestor_of_kind
+from robosmi.transformations.m2t.circuits.circuit_picture import svg
 from robosmi.transformations.m2t.first_screen import Counted, counted, first_screen, task_place
 from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO
-from robosmi.transformations.queries.answers import answer
-from robosmi.transformations.queries.choices import Choice, OfferedChoice, Option, choices, offered_choices, reason
-from robosmi.transformations.queries.connector_names import told_names
-from robosmi.transformations.queries.plan import said
-from robosmi.transformations.queries.source_lines import line_of
-from robosmi.transformations.queries.verdicts import verdict_counts
-from robosmi.transformations.queries.work import Work
-from robosmi.transformations.queries.written_bodies import task_key
+from robosmi.transformations.queries.circuits.connector_names import told_names
+from robosmi.transformations.queries.plans.answers import answer
+from robosmi.transformations.queries.plans.choices import Choice, OfferedChoice, Option, choices, offered_choices, reason
+from robosmi.transformations.queries.plans.plan import said
+from robosmi.transformations.queries.plans.verdicts import verdict_counts
+from robosmi.transformations.queries.reports.work import Work
+from robosmi.transformations.queries.reports.written_bodies import task_key
 
 CHUNK = 25
 """Rows that a browser lays out together; chunks out of sight are laid out later."""
@@ -262,3 +263,23 @@ def history(plan: migration.MigrationPlan) -> dict[str, Any]:
     ]
     return {"rows": sorted(rows, key=lambda row: (row[0] == "", row[0])), "tool": str(plan.toolVersion),
             "inputs": [(str(i.kind), str(i.origin), str(i.digest)[:12]) for i in plan.inputs]}  # fmt: skip
+
+
+_LONGEST = 120
+
+
+def line_of(element: ccode.Located | None, sources: Mapping[str, bytes]) -> str:
+    """The source line of an element with its number in front; empty if the source is not stored.
+
+    Args:
+        element: an element of the code model.
+        sources: path of a unit -> its bytes.
+    """
+    unit = ancestor_of_kind(element, ccode.SourceUnit) if element is not None else None
+    if element is None or unit is None or unit.path not in sources:
+        return ""
+    lines = sources[unit.path].decode("utf-8", "replace").splitlines()
+    if not 0 < element.line <= len(lines):
+        return ""
+    text = " ".join(lines[element.line - 1].split())
+    return f"{element.line}: {text if len(text) <= _LONGEST else f'{text[:_LONGEST]} ...'}"

@@ -14,8 +14,8 @@ from pathlib import Path
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import migration
 from robosmi.quoting import csv_cell, toml
-from robosmi.transformations.queries.circuit import pin_label
-from robosmi.transformations.queries.connector_names import told_name
+from robosmi.transformations.queries.circuits.circuit import pin_label
+from robosmi.transformations.queries.circuits.connector_names import told_name
 
 _ENDINGS = (".csv", ".toml")
 _COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "rest", "board")

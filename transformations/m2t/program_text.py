@@ -15,14 +15,14 @@ from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.adapters import adapters, handles_interrupts
 from robosmi.transformations.m2t.main_text import MainPart, heading, hoisted_parts, main_parts
-from robosmi.transformations.queries.main_function import main_of
 from robosmi.transformations.queries.own_headers import headers_of_types, undeclared, undeclared_variables, unit_of
-from robosmi.transformations.queries.plan import keeps_main, target_of
-from robosmi.transformations.queries.plan_adapters import rest_levels
+from robosmi.transformations.queries.plans.plan import keeps_main, target_of
+from robosmi.transformations.queries.plans.plan_adapters import rest_levels
+from robosmi.transformations.queries.plans.verdicts import IN_PLACE
+from robosmi.transformations.queries.programs.main_function import main_of
 from robosmi.transformations.queries.signature_text import declare
 from robosmi.transformations.queries.source_text import HEADERS, Piece, SourceText, header_file, is_header
 from robosmi.transformations.queries.text_changes import decision_of
-from robosmi.transformations.queries.verdicts import IN_PLACE
 from robosmi.transformations.queries.width_types import retyped
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from robosmi.metamodels import migration
-from robosmi.transformations.queries.plan_adapters import emitted
+from robosmi.transformations.queries.plans.plan_adapters import emitted
 
 
 def project(plan: migration.MigrationPlan) -> dict[str, Any]:

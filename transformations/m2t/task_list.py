@@ -9,15 +9,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from robosmi.data_text import Json
+from robosmi.base.data_text import Json
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, task_place
-from robosmi.transformations.queries.choices import reason
-from robosmi.transformations.queries.connector_names import told_names
-from robosmi.transformations.queries.macro_calls import MacroCalls
-from robosmi.transformations.queries.plan import called, header_name
-from robosmi.transformations.queries.plan_adapters import limits
-from robosmi.transformations.queries.verdicts import CARE, Construct, verdict_counts
+from robosmi.transformations.queries.circuits.connector_names import told_names
+from robosmi.transformations.queries.plans.choices import reason
+from robosmi.transformations.queries.plans.plan import called, header_name
+from robosmi.transformations.queries.plans.plan_adapters import limits
+from robosmi.transformations.queries.plans.verdicts import CARE, Construct, verdict_counts
+from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 
 RELATIONS = {"oneToOne": "1:1", "oneToMany": "1:n", "manyToOne": "n:1", "semantic": "semantic"}
 """Kind of an adapter -> its notation in the paper (3.4)."""

@@ -16,14 +16,14 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi.metamodels import ccode
-from robosmi.model.strict import Element
+from robosmi.model.elements.strict import Element
 from robosmi.query import Q, all_contents
 from robosmi.transformations.knowledge.api_facts import ApiEntry
-from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.queries.macros.tokens import names_in
 from robosmi.transformations.queries.names import name_or_text
 from robosmi.transformations.queries.own_headers import all_includes
 from robosmi.transformations.queries.reached_values import ReachedValues
-from robosmi.transformations.queries.tokens import names_in
 from robosmi.transformations.queries.values import Values
 
 T = TypeVar("T")

@@ -7,7 +7,7 @@ their text from the file itself.
 from __future__ import annotations
 
 from robosmi.metamodels import ccode
-from robosmi.model.strict import Element
+from robosmi.model.elements.strict import Element
 
 _LEVELS = ["*/%", "+-", ("<<", ">>"), ("<", ">", "<=", ">="), ("==", "!="), "&", "^", "|", ("&&",), ("||",), ","]
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Hashable
 
 from robosmi.metamodels import ccode
-from robosmi.model.strict import Element
+from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.queries.expression_type import ValueType, of_use, type_of
 

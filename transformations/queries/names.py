@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from robosmi.metamodels import ccode
-from robosmi.model.strict import Element
+from robosmi.model.elements.strict import Element
 
 _WRITTEN = (
     ccode.IntegerLiteral, ccode.FloatingLiteral, ccode.CharacterLiteral, ccode.StringLiteral, ccode.UnknownExpression,

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from robosmi.metamodels import ccode
-from robosmi.model.strict import Element
+from robosmi.model.elements.strict import Element
 from robosmi.query import all_contents
 
 

@@ -7,9 +7,9 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.model import Model
-from robosmi.model.driver import Node
-from robosmi.model.fragments import fragment_of, resolve
-from robosmi.model.strict import Element
+from robosmi.model.elements.driver import Node
+from robosmi.model.elements.fragments import fragment_of, resolve
+from robosmi.model.elements.strict import Element
 from robosmi.query import all_contents, root_of
 from robosmi.transformations.queries.code import CodeView
 

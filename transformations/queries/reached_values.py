@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from robosmi.metamodels import ccode
-from robosmi.model.strict import Element
+from robosmi.model.elements.strict import Element
 from robosmi.transformations.queries.values import LIMIT, RUNTIME, Value, Values, passed_arguments
 
 _UP = {"<": -1, "<=": 0, ">": 0, ">=": -1, "!=": -1, "==": 0}

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from msgspec import Struct
 
-from robosmi.transformations.queries.macro_definitions import TextPlace
+from robosmi.transformations.queries.macros.macro_definitions import TextPlace
 from robosmi.transformations.queries.numbers import Number
 
 DEEP = 6000

@@ -14,7 +14,7 @@ from pathlib import Path, PurePosixPath, PureWindowsPath
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.model.files import within
+from robosmi.files.files import within
 
 MOST_FILES = 1_000
 """Companions of one drawing; the largest public one has under a hundred sheets."""

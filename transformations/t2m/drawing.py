@@ -3,20 +3,33 @@
 A reader tells, in its tool's own words, which parts are placed (`Placed`), which connectors form one net, and which wires there
 are; `CircuitBuilder` adds what is known of parts and boards, roles with their evidence, pins, rails and findings about parts.
 Files, identities and the joining of connectors are left to the readers (docs/how-to/add-a-drawing-reader.md).
+
+Which nets distribute a supply or ground, why, and at what voltage.
+
+A net is a rail if it holds a supply or ground pin of a board, a terminal of a supply or of a power symbol, or the connectors
+of at least two components that are named like a supply or ground: supplies are not always drawn, and a single name may lie.
+The rules are those measured as V2 and V3 on public sketches (docs/method/connector-mapping.md).
+
+The records by which a reader describes a drawing: connectors (`End`), placed parts (`Placed`), known parts (`KnownPart`).
+
+`drawing.CircuitBuilder` makes the hardware model of them.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Container, Iterable, Mapping, Sequence
 from pathlib import Path
+from typing import NamedTuple
 
+from msgspec import Struct
 from msgspec.structs import replace
 
-from robosmi.data_text import Json
+from robosmi.base.data_text import Json
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.metamodels import hardware
-from robosmi.model.strict import enum_literal
+from robosmi.model.elements.strict import enum_literal
 from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, drawn_board, normalised_label
 from robosmi.transformations.knowledge.drawn_chips import port_of
 from robosmi.transformations.knowledge.part import GIVEN, KINDS, ROLES, Part, PartConnector
@@ -29,10 +42,8 @@ from robosmi.transformations.knowledge.part_names import (
 )
 from robosmi.transformations.knowledge.part_roles import classify, classify_by_id, classify_drawn
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
-from robosmi.transformations.knowledge.rails import Terminal, rail
 from robosmi.transformations.t2m.connectivity import bus_leaders, natural
 from robosmi.transformations.t2m.given_roles import given_roles
-from robosmi.transformations.t2m.placed import End, KnownPart, Placed
 
 __all__ = ["CircuitBuilder", "End", "KnownPart", "Placed", "free_identity"]
 
@@ -389,3 +400,137 @@ def _properties(part: Part, own: Mapping[str, str]) -> dict[str, str]:
 def _volts(properties: Mapping[str, str]) -> str:
     value = next((value for key, value in properties.items() if key.lower() == "voltage"), "")
     return f"{value}V" if value and value[-1].isdigit() else value
+
+
+class Terminal(Struct, frozen=True):
+    """A connector as the rules see it: its component's identity, title, role (none where it only steers a supply) and stated
+    voltage, its own id, name and kind."""
+
+    component: str
+    title: str
+    role: str
+    volts: str
+    connector: str
+    name: str
+    kind: str
+
+
+class Rail(Struct, frozen=True):
+    """The reason why a net is a rail, and the label of its supply (empty when unknown)."""
+
+    evidence: str
+    voltage: str
+
+
+_SHOWN = 3
+_STATED = re.compile(r"[-+]?(\d[\d.]*) ?v\d*|[+]?(\d)v(\d)", re.IGNORECASE)
+
+
+def rail(terminals: Sequence[Terminal]) -> Rail | None:
+    """The rail that a net of these connectors is, or None for a net that carries a signal.
+
+    Args:
+        terminals: the net's connectors, in the order in which they are to be named as evidence.
+    """
+    powered = [t for t in terminals if t.kind in ("supply", "ground")]
+    board = [t for t in powered if t.role == "Board"]
+    supplies = [t for t in terminals if t.role == "Power"]
+    named = [t for t in powered if t.role not in ("Board", "Power")]
+    reasons = list(dict.fromkeys(f"{t.name or t.connector} of {_who(t)}" for t in (*board, *supplies)))
+    if not reasons and len({t.component for t in named}) > 1:
+        reasons = list(dict.fromkeys(f"{t.name} of {_who(t)}" for t in named))
+    if not reasons:
+        return None
+    more = f" and {len(reasons) - _SHOWN} more" if len(reasons) > _SHOWN else ""
+    return Rail(", ".join(reasons[:_SHOWN]) + more, _voltage(board, supplies, named))
+
+
+def _who(terminal: Terminal) -> str:
+    return terminal.title or f"#{terminal.component}"
+
+
+def _voltage(board: Sequence[Terminal], supplies: Sequence[Terminal], named: Sequence[Terminal]) -> str:
+    """The label of a rail: from a board, else from supplies, else from names; supply and ground of one rank are both named.
+
+    So a net keeps the label of its source: 5 V of a board stay that even if the ground of a servo is wired to them.
+    """
+    supplied = False
+    for terminals in (board, supplies, named):
+        labels = (str(terminal.volts if terminals is supplies else terminal.name).strip() for terminal in terminals)
+        label = next((text for text in labels if _STATED.fullmatch(text)), "")
+        grounded = any(terminal.kind == "ground" for terminal in terminals)
+        if grounded and not supplied:
+            return f"{label}/GND" if label else "GND"
+        if label:
+            return label
+        supplied = supplied or any(terminal.kind == "supply" for terminal in terminals)
+    return ""
+
+
+class End(NamedTuple):
+    """A connector of a placed part: the part's identity and the connector's."""
+
+    component: str
+    connector: str
+
+
+class Placed(Struct, frozen=True):
+    """A part that is placed in a drawing, as the drawing has it.
+
+    Attributes:
+        identity: the tool's own identity of it, unique in the drawing; it becomes `#model_index`.
+        part_id: the part's id in the tool's catalogue, as given to `know`.
+        title: its label in the drawing.
+        properties: its own properties.
+        used: the connectors that the drawing connects, in any order; those that its part lacks are left out, and said (RS208).
+        mentioned: further connectors that the drawing names; they count where nothing defines the part.
+        names: names that the drawing gives to connectors of this placement, by connector.
+        line: its line in the file, for findings.
+        hint: name of the file that its missing definition was in, or empty.
+        symbol: whether it only names a net, so that nothing needs to be known of it.
+        listed_as: its id in the tool's catalogue, where `part_id` tells of one variant of it; empty: `part_id`.
+    """
+
+    identity: str
+    part_id: str
+    title: str = ""
+    properties: Mapping[str, str] = {}
+    used: Iterable[str] = ()
+    mentioned: Iterable[str] = ()
+    names: Mapping[str, str] = {}
+    line: int | None = None
+    hint: str = ""
+    symbol: bool = False
+    listed_as: str = ""
+
+
+class KnownPart(Struct, frozen=True):
+    """What is known about a part of a drawing.
+
+    Attributes:
+        part: its description, with a role where one is known.
+        board: the board that it is drawn as, if any.
+        numbered: whether its pin labels are plain numbers, RX and TX included.
+        by_bus: whether it only joins connectors by its buses (breadboards, headers): only used ones become elements.
+        defined: whether the catalogue or the drawing defines it.
+        leaders: connector that it joins to others -> the representative of all of them.
+        own: whether the user has made it, so that names say nothing about what it does.
+        by_name: whether the board was recognised by the part's name or chip and its pins by labels, not by the tool's id.
+    """
+
+    part: Part
+    board: DrawnBoard | None
+    numbered: bool
+    by_bus: bool
+    defined: bool
+    leaders: dict[str, str]
+    own: bool = False
+    by_name: bool = False
+
+    def leader(self, connector: str) -> str:
+        """The representative (a connector or the name of a strip) of all connectors that the part joins to this one."""
+        return self.leaders.get(connector) or self.part.bus_of(connector) or connector
+
+    def has(self, connector: str) -> bool:
+        """Whether the part has a connector of that identity; an undefined part may have any."""
+        return not self.defined or self.part.has(connector) or (self.board is not None and connector in self.board.pins)

@@ -17,7 +17,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from robosmi import inputs
-from robosmi.data_text import Json, json_of
+from robosmi.base.data_text import Json, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.recommend.words import chunks, words

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Required, TypedDict
 
-from robosmi.data_text import Json
+from robosmi.base.data_text import Json
 
 
 class HeaderRow(TypedDict, total=False):

@@ -18,11 +18,11 @@ from typing import Any
 from msgspec import Struct
 
 from robosmi import inputs
-from robosmi.data_text import toml_of
+from robosmi.base.data_text import toml_of
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, did_you_mean
 from robosmi.metamodels import hardware, platform
-from robosmi.model.strict import enum_literal
+from robosmi.model.elements.strict import enum_literal
 from robosmi.project import default_text, project_of
 from robosmi.quoting import csv_text
 from robosmi.transformations.knowledge.board_models import load_board
@@ -31,7 +31,7 @@ from robosmi.transformations.knowledge.electrical_facts import REST
 from robosmi.transformations.knowledge.part import GIVEN, ROLES, Part
 from robosmi.transformations.knowledge.part_names import PartNames, connector_kind, names, passive_named
 from robosmi.transformations.knowledge.part_roles import classify
-from robosmi.transformations.knowledge.target_platform import target_facts
+from robosmi.transformations.knowledge.platforms.target_platform import target_facts
 from robosmi.transformations.t2m.given_roles import given_roles
 
 COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "rest", "board")

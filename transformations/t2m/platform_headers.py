@@ -17,9 +17,9 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.api_data import HeaderContent
-from robosmi.transformations.knowledge.api_spelling import tidy
 from robosmi.transformations.knowledge.lexer import TYPE_WORDS, definition_parts, directive_parts, tokens
-from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.api_spelling import tidy
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import read_unit
 
 ENDINGS = (".h", ".hh", ".hpp")

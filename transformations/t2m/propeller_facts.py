@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import TypedDict, cast
 
 from robosmi import inputs, resources
-from robosmi.data_text import Json, json_of, json_written
+from robosmi.base.data_text import Json, json_of, json_written
 from robosmi.transformations.knowledge.api_data import FunctionPins
-from robosmi.transformations.knowledge.api_spelling import tidy
+from robosmi.transformations.knowledge.platforms.api_spelling import tidy
 
 PLATFORM = "propeller"
 

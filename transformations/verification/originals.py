@@ -12,7 +12,7 @@ from pathlib import Path
 
 from robosmi import inputs
 from robosmi.metamodels import ccode
-from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.original_build import VARIANT, OriginalProgram, build_original
 

@@ -10,13 +10,13 @@ from collections.abc import Iterator, Sequence
 
 from robosmi.errors import EngineCrashError, VerificationError
 from robosmi.metamodels import platform
+from robosmi.transformations.verification.bound_devices.played_devices import brief_pins, played
+from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.jobs import job, shows_console
-from robosmi.transformations.verification.played_devices import brief_pins, played
-from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.verify.compile_report import CompileReport
-from robosmi.verify.processes import in_parallel
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace, engines_for, simulate
+from robosmi.verify.toolchains.compile_report import CompileReport
+from robosmi.verify.toolchains.processes import in_parallel
 
 LIMIT_S = 60.0
 """Seconds of processor time for each run of the target, the nominal run of the source, and all its varied runs together."""

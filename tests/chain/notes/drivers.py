@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from robosmi.generate import Gen
-from robosmi.model.driver import Model, ModelElement, Type
+from robosmi.model.elements.driver import Model, ModelElement, Type
 
 
 class Note(ModelElement):

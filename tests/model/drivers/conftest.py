@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from robosmi.model.driver import Model
+from robosmi.model.elements.driver import Model
 from robosmi.model.opening import open_model
 
 CASES = Path(__file__).parent / "cases"

@@ -9,9 +9,18 @@ from typing import Any
 import pytest
 
 from robosmi.errors import ModelError, RobosmiError, SourceError
-from robosmi.model.driver import Model, ReadOnlyError, UnknownTypeError, contents_of, features_of, is_element, type_of, walk
+from robosmi.model.elements.driver import (
+    Model,
+    ReadOnlyError,
+    UnknownTypeError,
+    contents_of,
+    features_of,
+    is_element,
+    type_of,
+    walk,
+)
+from robosmi.model.elements.show import rows, tree
 from robosmi.model.plantuml import to_plantuml
-from robosmi.model.show import rows, tree
 from robosmi.query import ModelView, Q, Run, all_instances, all_of_kind, call, get, id_of, is_kind_of, is_type_of, type_named
 from robosmi.query.expression import evaluate
 from tests.model.drivers.conftest import Driver

@@ -11,9 +11,9 @@ import pytest
 from robosmi.errors import ModelError
 from robosmi.generate.packages import generate_packages
 from robosmi.model import Metamodel
-from robosmi.model.codegen import render
-from robosmi.model.python_names import python_name
-from robosmi.model.source_text import docstring, string
+from robosmi.model.ecore.source_text import docstring, string
+from robosmi.model.elements.python_names import python_name
+from robosmi.model.generator.codegen import render
 from tests.fuzz.metamodels import CANARY, check, faults
 
 HEAD = (

@@ -17,11 +17,11 @@ from pyecore.resources import URI, ResourceSet
 
 from robosmi.generate.packages import generate_packages
 from robosmi.model import save_model
-from robosmi.model.datatypes import default
+from robosmi.model.ecore.metamodel import Metamodel
+from robosmi.model.elements.datatypes import default
 from robosmi.model.emf import EmfModel
-from robosmi.model.metamodel import Metamodel
 from robosmi.model.strict_package import EStringToStringMapEntry
-from robosmi.model.xmi_writer import to_xmi
+from robosmi.model.xmi.xmi_writer import to_xmi
 from tests.emf_judge import judge
 
 CASES = Path(__file__).parent / "cases"

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from robosmi.model.driver import Model, Type
+from robosmi.model.elements.driver import Model, Type
 from robosmi.plugins import Registry
 
 KIND, NAME, WRONG = os.environ["WRONG_PLUGIN"].split("=")

@@ -19,9 +19,9 @@ from robosmi.query import Q
 from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.constraints.code_move import MANY, move_findings
 from robosmi.transformations.constraints.code_rules import MODULES, moved
-from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.code import views
-from robosmi.transformations.queries.plan import said
+from robosmi.transformations.queries.plans.plan import said
 
 FOLDER = Path(__file__).parent / "moves"
 RULES = sorted({c.id for context in moved.contexts for c in context.constraints})

@@ -22,8 +22,8 @@ from robosmi.transformations.constraints.electrical_plan import plan_faults, tog
 from robosmi.transformations.knowledge.electrical_facts import FILE, ElectricalFacts
 from robosmi.transformations.knowledge.electrical_facts import electrical as facts
 from robosmi.transformations.m2t.terminal_text import terminal_lines
-from robosmi.transformations.queries.electrical import stated_volts, wiring
-from robosmi.transformations.queries.plan import said
+from robosmi.transformations.queries.circuits.electrical import stated_volts, wiring
+from robosmi.transformations.queries.plans.plan import said
 from robosmi.transformations.t2m.fritzing import read_circuit
 from robosmi.validate import Constraint
 from tests.running import run

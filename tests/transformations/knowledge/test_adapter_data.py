@@ -9,14 +9,14 @@ from pathlib import Path
 import pytest
 
 from robosmi import resources
+from robosmi.base.user_cache import CachedResults
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.knowledge import adapter_data
-from robosmi.transformations.knowledge.adapter_data import adapter_paths, load
-from robosmi.transformations.knowledge.adapter_files import AdapterFile, adapter_file
-from robosmi.transformations.knowledge.adapter_index import AdapterIndex, adapter_index
-from robosmi.transformations.queries.adapter_needs import AdapterPieces
-from robosmi.user_cache import CachedResults
+from robosmi.transformations.knowledge.adapters import adapter_data
+from robosmi.transformations.knowledge.adapters.adapter_data import adapter_paths, load
+from robosmi.transformations.knowledge.adapters.adapter_files import AdapterFile, adapter_file
+from robosmi.transformations.knowledge.adapters.adapter_index import AdapterIndex, adapter_index
+from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
 
 FOLDERS = sorted(path for path in resources.built_in("platform_repo").glob("*/adapters/*") if path.is_dir())
 LOW = """//# header tools.h

@@ -6,9 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.transformations.knowledge.drawn_symbols import drawn_symbol
 from robosmi.transformations.t2m.drawing import CircuitBuilder
-from robosmi.transformations.t2m.schematic import Schematic, SchematicPart, circuit_of
+from robosmi.transformations.t2m.schematic import Schematic, SchematicPart, circuit_of, drawn_symbol
 
 LABELS = {
     "numbered": ["D0", "D2", "D3", "D9", "D13", "A0"],

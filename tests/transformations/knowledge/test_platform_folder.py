@@ -9,8 +9,8 @@ import pytest
 
 from robosmi import resources
 from robosmi.transformations.knowledge.api_facts import ApiEntry
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.knowledge.platform_folder import FolderFacts
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_folder import FolderFacts
 
 HEADERS = {
     "a.h": {

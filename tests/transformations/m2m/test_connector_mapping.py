@@ -16,8 +16,8 @@ from robosmi.diagnostics import Finding
 from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import migration
 from robosmi.transformations.knowledge.board_models import load_board, load_mapping
-from robosmi.transformations.m2m.connector_mapping import algorithm_1_as_printed, identifier, map_connectors
-from robosmi.transformations.queries.circuit import boards, component_named, hardware_report, port_interfaces, the_board
+from robosmi.transformations.m2m.circuits.connector_mapping import algorithm_1_as_printed, identifier, map_connectors
+from robosmi.transformations.queries.circuits.circuit import boards, component_named, hardware_report, port_interfaces, the_board
 from robosmi.transformations.t2m.fritzing import read_circuit
 from robosmi.transformations.t2m.pin_table import read_circuit as read_table
 from tests.growing import DRAWINGS, drawing

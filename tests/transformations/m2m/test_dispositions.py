@@ -11,9 +11,9 @@ import robosmi
 from robosmi.metamodels import ccode, migration
 from robosmi.query import all_contents, all_of_kind, all_of_type
 from robosmi.transform import Trace
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.knowledge.target_platform import target_facts
-from robosmi.transformations.m2m.dispositions import Known, dispositions
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.target_platform import target_facts
+from robosmi.transformations.m2m.partition.dispositions import Known, dispositions
 from robosmi.transformations.queries.code import views
 from robosmi.transformations.queries.program_model import ProgramModel
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import robosmi
 from robosmi.metamodels import migration
-from robosmi.transformations.queries.board_needs import board_needs
+from robosmi.transformations.queries.reports.board_needs import board_needs
 
 CASES = Path(__file__).parent / "idle"
 

@@ -15,11 +15,10 @@ from robosmi.recommend.history import History
 from robosmi.recommend.index import LibraryIndex
 from robosmi.recommend.index_writer import write_index
 from robosmi.transformations.knowledge.board_models import load_board
-from robosmi.transformations.knowledge.device_knowledge import device_knowledge
-from robosmi.transformations.knowledge.library_ranking import library_index
-from robosmi.transformations.knowledge.library_takes import Takes, library_takes
-from robosmi.transformations.knowledge.target_platform import target_facts
-from robosmi.transformations.m2m.library_choice import LibraryModels, choose_libraries
+from robosmi.transformations.knowledge.libraries.library_ranking import device_knowledge, library_index
+from robosmi.transformations.knowledge.libraries.library_takes import Takes, library_takes
+from robosmi.transformations.knowledge.platforms.target_platform import target_facts
+from robosmi.transformations.m2m.choices.library_choice import LibraryModels, choose_libraries
 
 
 def test_shipped_entries_name_libraries_timers_and_pins_that_exist() -> None:

@@ -19,7 +19,7 @@ from robosmi.metamodels import migration
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import DeviceUse, simulate
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.tools import require_engine, require_tools
 
 PROGRAMS = sorted((Path(__file__).parent / "moved_ports").glob("*.c"))

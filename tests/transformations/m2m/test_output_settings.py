@@ -12,7 +12,7 @@ from robosmi.errors import SourceError
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import PinTrace, simulate
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.running import run
 from tests.tools import require_engine, require_tools
 

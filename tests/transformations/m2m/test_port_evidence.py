@@ -9,8 +9,8 @@ import pytest
 
 import robosmi
 from robosmi.metamodels import migration
-from robosmi.transformations.queries.choices import offered_choices
-from robosmi.transformations.queries.component_kinds import said
+from robosmi.transformations.queries.circuits.component_kinds import said
+from robosmi.transformations.queries.plans.choices import offered_choices
 
 CASES = sorted((Path(__file__).parent / "port_evidence").iterdir())
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import robosmi
 from robosmi.transformations.m2t.first_screen import written
-from robosmi.transformations.queries.work import Work
+from robosmi.transformations.queries.reports.work import Work
 
 PROGRAM = Path(__file__).parent / "refused_forms" / "refused_forms.c"
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import robosmi
 from robosmi.metamodels import migration
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.tools import require_tools
 
 PROGRAM = Path(__file__).parent / "programs" / "source_assembler.c"

@@ -6,8 +6,8 @@ import re
 from pathlib import Path
 
 import robosmi
-from robosmi.transformations.knowledge.adapter_files import read_adapter_file
-from robosmi.transformations.knowledge.adapter_model import adapter_element
+from robosmi.transformations.knowledge.adapters.adapter_files import read_adapter_file
+from robosmi.transformations.knowledge.adapters.adapter_model import adapter_element
 from robosmi.transformations.m2t.adapter_text import adapter_text, shared
 
 FILE = """//# header pins.h

@@ -17,9 +17,9 @@ import pytest
 import robosmi
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
-from robosmi.verify.boards import load_boards
 from robosmi.verify.simulation import DeviceUse, simulate
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.boards import load_boards
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.running import run, tree
 from tests.tools import require_engine, require_tools
 

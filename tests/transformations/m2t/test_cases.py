@@ -27,7 +27,7 @@ import robosmi
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.chains.migrate import migrate
-from robosmi.transformations.chains.output import Generated
+from robosmi.transformations.chains.stages.output import Generated
 from tests.running import tree
 from tests.tools import require_tools
 from tests.transformations.m2t.truth import overlaps, verdict_faults

@@ -15,9 +15,8 @@ from lxml import etree
 from robosmi.errors import RobosmiError
 from robosmi.metamodels import hardware as hw
 from robosmi.transformations.chains.hardware import hardware
-from robosmi.transformations.m2t.circuit_colours import net_colours, rail_names
-from robosmi.transformations.m2t.circuit_layout import text_width
-from robosmi.transformations.m2t.circuit_picture import MOST_LINES, circuit_picture, svg
+from robosmi.transformations.m2t.circuits.circuit_layout import text_width
+from robosmi.transformations.m2t.circuits.circuit_picture import MOST_LINES, circuit_picture, net_colours, rail_names, svg
 from robosmi.transformations.t2m.fritzing import read_circuit
 from tests.transformations.t2m.eagle import support as eagle
 from tests.transformations.t2m.fritzing.support import CASES, FIXTURES

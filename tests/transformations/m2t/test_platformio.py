@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import robosmi
-from robosmi.verify.boards import load_boards
+from robosmi.verify.toolchains.boards import load_boards
 from tests.running import run
 
 IDLE = Path(__file__).parent / "bench" / "idle.c"

@@ -15,8 +15,8 @@ import pytest
 import robosmi
 from robosmi.metamodels import migration
 from robosmi.transformations.m2t.first_screen import LINES
-from robosmi.transformations.queries.plan import open_choices
-from robosmi.transformations.queries.verdicts import VERDICTS, constructs
+from robosmi.transformations.queries.plans.plan import open_choices
+from robosmi.transformations.queries.plans.verdicts import VERDICTS, constructs
 from tests.running import run, tree
 from tests.tools import require_tools
 from tests.transformations.m2t.truth import report_faults

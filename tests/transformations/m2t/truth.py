@@ -10,9 +10,9 @@ from typing import Any
 
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.task_list import VERDICT_WORDS
+from robosmi.transformations.queries.plans.verdicts import EFFORTS, VERDICTS, constructs
+from robosmi.transformations.queries.plans.waiting_calls import CALL_STATES, NO_SUPPORT, TO_WRITE
 from robosmi.transformations.queries.text_changes import all_changes
-from robosmi.transformations.queries.verdicts import EFFORTS, VERDICTS, constructs
-from robosmi.transformations.queries.waiting_calls import CALL_STATES, NO_SUPPORT, TO_WRITE
 
 
 def verdict_faults(plan: migration.MigrationPlan) -> list[str]:

@@ -16,9 +16,9 @@ from robosmi.cli.main import main as command
 from robosmi.metamodels import ccode
 from robosmi.model import EmfModel, Model, load_model
 from robosmi.query import ModelView, ancestor_of_kind
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.queries.call_graph import all_callees, all_callers, callees, callers, computed_calls
-from robosmi.transformations.queries.library_use import LibraryNames, client_files, library_uses
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.queries.flows.call_graph import all_callees, all_callers, callees, callers, computed_calls
+from robosmi.transformations.queries.flows.library_use import LibraryNames, client_files, library_uses
 from robosmi.transformations.t2m.c_source import read_program
 from robosmi.transformations.t2m.c_source.on_demand import open_program
 

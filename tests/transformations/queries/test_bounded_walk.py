@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.transformations.queries.bounded_walk import DEEPEST, BoundedWalk
+from robosmi.transformations.queries.values import DEEPEST, BoundedWalk
 
 
 def pins(source: str, folder: Path) -> set[int | None]:

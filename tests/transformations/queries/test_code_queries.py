@@ -9,12 +9,12 @@ from typing import Any
 import pytest
 
 from robosmi.diagnostics import Finding
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.knowledge.platform_model import platform_part
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_model import platform_part
 from robosmi.transformations.queries import code
-from robosmi.transformations.queries.analysis import analysis
-from robosmi.transformations.queries.main_program import main_structure
-from robosmi.transformations.queries.pin_uses import pin_uses
+from robosmi.transformations.queries.flows.pin_uses import pin_uses
+from robosmi.transformations.queries.programs.main_program import main_structure
+from robosmi.transformations.queries.reports.analysis import analysis
 from robosmi.transformations.t2m.c_source import read_program
 
 PROGRAMS = Path(__file__).parent / "programs"

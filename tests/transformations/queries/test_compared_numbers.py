@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.transformations.queries.compared_numbers import compared_numbers
 from robosmi.transformations.t2m.c_source import read_program
+from robosmi.transformations.verification.bound_devices.port_devices import compared_numbers
 
 READS = frozenset(["getDec", "scan"])
 

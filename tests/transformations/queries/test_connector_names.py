@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.transformations.chains.hardware import hardware
-from robosmi.transformations.queries.connector_names import told_name, wire_name
+from robosmi.transformations.queries.circuits.connector_names import told_name, wire_name
 from tests.running import run
 from tests.transformations.t2m.eagle import support as eagle
 from tests.transformations.t2m.kicad import support as kicad

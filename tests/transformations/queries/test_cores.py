@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from robosmi import resources
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.knowledge.platform_model import platform_part
-from robosmi.transformations.queries.analysis import analysis
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_model import platform_part
+from robosmi.transformations.queries.reports.analysis import analysis
 from robosmi.transformations.t2m.c_source import read_program
 
 TABLE = resources.built_in("platform_repo") / "propeller" / "cogs.toml"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.transformations.queries.interrupt_stack import HandlerBytes, upon_each_other
+from robosmi.transformations.queries.resources.interrupt_stack import HandlerBytes, upon_each_other
 
 
 @pytest.mark.parametrize(

@@ -13,8 +13,8 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.queries.analysis import analysis
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.queries.reports.analysis import analysis
 from robosmi.transformations.t2m.c_source import read_program
 from tests.bench.c_source import headers
 

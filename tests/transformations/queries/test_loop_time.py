@@ -12,7 +12,7 @@ import pytest
 
 import robosmi
 from robosmi.transformations.chains.migrate import plan_migration
-from robosmi.transformations.queries.loop_time import Time, loop_time
+from robosmi.transformations.queries.resources.loop_time import Time, loop_time
 from tests.running import run
 from tests.tools import require_engine, require_tools
 

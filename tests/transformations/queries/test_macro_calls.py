@@ -11,10 +11,10 @@ from robosmi.metamodels import ccode
 from robosmi.transformations.chains.analyse import analyse
 from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.m2t.first_screen import works
-from robosmi.transformations.queries.expansion import MacroTexts
-from robosmi.transformations.queries.plan import call_sites, plan_json
-from robosmi.transformations.queries.waiting_calls import CallStates
-from robosmi.transformations.queries.work import Work
+from robosmi.transformations.queries.macros.expansion import MacroTexts
+from robosmi.transformations.queries.plans.plan import call_sites, plan_json
+from robosmi.transformations.queries.plans.waiting_calls import CallStates
+from robosmi.transformations.queries.reports.work import Work
 
 PROGRAM = Path(__file__).parent / "macro_calls" / "robot.c"
 DRIVE = PROGRAM.with_name("drive.c")

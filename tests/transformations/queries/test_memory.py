@@ -13,9 +13,9 @@ import pytest
 import robosmi
 from robosmi.metamodels import migration
 from robosmi.transformations.chains.migrate import plan_migration
-from robosmi.transformations.queries.board_needs import PinNeeds, board_needs, needs_in_words, shortages
-from robosmi.transformations.queries.memory import memory
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.transformations.queries.reports.board_needs import PinNeeds, board_needs, needs_in_words, shortages
+from robosmi.transformations.queries.resources.memory import memory
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.corpus.memory_corpus import stack_bytes
 from tests.tools import require_engine, require_tools
 

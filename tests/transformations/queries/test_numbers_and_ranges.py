@@ -9,8 +9,8 @@ import pytest
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind
+from robosmi.transformations.queries.constants.ranges import Range, Ranges
 from robosmi.transformations.queries.numbers import Machine, Number, Numbers
-from robosmi.transformations.queries.ranges import Range, Ranges
 from robosmi.transformations.queries.values import Values
 from robosmi.transformations.t2m.c_source import read_program
 

@@ -7,9 +7,9 @@ from pathlib import Path
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents
 from robosmi.transformations.chains.migrate import plan_migration
-from robosmi.transformations.queries.board_needs import board_needs, needs_in_words
-from robosmi.transformations.queries.memory import memory
-from robosmi.transformations.queries.pointed_calls import is_pointed, pointed_calls
+from robosmi.transformations.queries.flows.pointed_calls import is_pointed, pointed_calls
+from robosmi.transformations.queries.reports.board_needs import board_needs, needs_in_words
+from robosmi.transformations.queries.resources.memory import memory
 
 PROGRAM = Path(__file__).parent / "pointed_calls" / "tables.c"
 MARK = "// reaches:"

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.transformations.queries.step_counts import most_steps
+from robosmi.transformations.queries.constants.step_counts import most_steps
 from robosmi.transformations.t2m.c_source import read_program
 
 

@@ -6,7 +6,7 @@ The case studies and every fifth C program of the tests; `tests/fuzz/two_views.p
 from __future__ import annotations
 
 from robosmi.model import EmfModel, Model
-from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import read_program
 from robosmi.transformations.t2m.c_source.on_demand import open_program
 from tests.fuzz.two_views import ROOT, differences, programs

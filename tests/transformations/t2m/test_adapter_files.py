@@ -7,15 +7,15 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.knowledge.adapter_files import adapter_file, read_adapter_file
-from robosmi.transformations.knowledge.adapter_records import (
+from robosmi.transformations.knowledge.adapters.adapter_files import adapter_file, read_adapter_file
+from robosmi.transformations.knowledge.adapters.adapter_records import (
     AdapterPin,
     ArgumentRange,
     ConventionalPort,
     InterruptStack,
     PortTable,
 )
-from robosmi.transformations.queries.adapter_needs import AdapterPieces
+from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
 
 WHOLE = """//# header drive.h
 // Read from a library.

@@ -12,10 +12,10 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from robosmi import resources
-from robosmi.transformations.knowledge.api_spelling import literal, spelled
-from robosmi.transformations.knowledge.library_ranking import library_api
-from robosmi.transformations.t2m.library_api_facts import header_api
+from robosmi.transformations.knowledge.libraries.library_ranking import library_api
+from robosmi.transformations.knowledge.platforms.api_spelling import literal, spelled
 from robosmi.transformations.t2m.library_declarations import declarations
+from robosmi.transformations.t2m.library_index import header_api
 
 CASES = Path(__file__).parent / "library_declarations"
 

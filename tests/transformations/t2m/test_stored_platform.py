@@ -9,12 +9,12 @@ import pytest
 
 from robosmi.metamodels import platform
 from robosmi.model import load_model
-from robosmi.model.xmi_writer import to_xmi
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.knowledge.platform_model import platform_part
-from robosmi.transformations.queries.analysis import analysis
+from robosmi.model.xmi.xmi_writer import to_xmi
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_model import platform_part
 from robosmi.transformations.queries.code import views
-from robosmi.transformations.queries.cores import Cores
+from robosmi.transformations.queries.flows.cores import Cores
+from robosmi.transformations.queries.reports.analysis import analysis
 from robosmi.transformations.queries.source_text import words_of
 from robosmi.transformations.t2m.c_source import read_program
 

@@ -13,10 +13,10 @@ import pytest
 
 import robosmi
 from robosmi.transformations.knowledge.board_models import load_board
-from robosmi.transformations.queries.plan import open_choices
+from robosmi.transformations.queries.plans.plan import open_choices
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import DeviceUse, PinTrace, simulate
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.tools import require_engine, require_tools
 
 

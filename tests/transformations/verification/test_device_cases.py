@@ -15,7 +15,7 @@ import pytest
 
 import robosmi
 from robosmi.transformations.chains.verify import verify
-from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, Verdict
+from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, Verdict
 from tests.tools import require_verification
 
 CASES = sorted((Path(__file__).parent / "device_cases").iterdir())

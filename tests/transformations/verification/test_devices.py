@@ -5,10 +5,9 @@ from __future__ import annotations
 import pytest
 from msgspec.structs import replace
 
-from robosmi.data_text import Json, as_list, as_number, as_whole
+from robosmi.base.data_text import Json, as_list, as_number, as_whole
 from robosmi.transformations.verification.devices.feedback_servo import FeedbackServo
-from robosmi.transformations.verification.devices.leeway import Leeway
-from robosmi.transformations.verification.devices.servo_pulses import PulseDriven
+from robosmi.transformations.verification.devices.servo_pulses import Leeway, PulseDriven
 from robosmi.transformations.verification.devices.way_marks import WayMarks
 from robosmi.transformations.verification.devices.wheel import Wheel
 from robosmi.verify.bench import Bench

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.transformations.verification.difference_calls import last_call_for
-from robosmi.transformations.verification.port_devices import BoundPort
+from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
+from robosmi.transformations.verification.judgement.difference_calls import last_call_for
 from robosmi.verify.original_calls import LibraryCall
 
 CALLS = [

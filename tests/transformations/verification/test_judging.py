@@ -5,14 +5,14 @@ from __future__ import annotations
 import pytest
 from msgspec.structs import replace
 
-from robosmi.transformations.verification.judging import judged, why_nothing_was_compared
+from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
+from robosmi.transformations.verification.judgement.judging import judged, why_nothing_was_compared
 from robosmi.transformations.verification.original_side import SourceRuns, channel_events
-from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.verify.comparison import ChannelComparison
 from robosmi.verify.original_run import OriginalRun
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import ConsoleByte, PinChange, PinTrace
-from robosmi.verify.verdict import ScenarioVerdict, Verdict
+from robosmi.verify.traces.comparison import ChannelComparison
+from robosmi.verify.traces.verdict import ScenarioVerdict, Verdict
 
 SCENARIO = Scenario("s", 1000.0)
 

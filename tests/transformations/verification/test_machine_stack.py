@@ -9,11 +9,11 @@ from msgspec.structs import replace
 
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
-from robosmi.transformations.verification.machine_code import MachineCode
-from robosmi.transformations.verification.machine_stack import stack_bound
-from robosmi.verify.compile_report import CompileReport, StackBound
+from robosmi.transformations.verification.stack.machine_code import MachineCode
+from robosmi.transformations.verification.stack.machine_stack import stack_bound
 from robosmi.verify.simulation import simulate
-from robosmi.verify.toolchain import compile_sketch
+from robosmi.verify.toolchains.compile_report import CompileReport, StackBound
+from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.corpus.memory_corpus import stack_room
 from tests.tools import require_engine, require_tools
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.data_text import Json, as_list
+from robosmi.base.data_text import Json, as_list
 from robosmi.transformations.verification.devices.places_of_rest import PlacesOfRest
 
 FRAME_MS = 20

@@ -12,16 +12,16 @@ from msgspec.structs import replace
 import robosmi
 from robosmi.diagnostics import Location
 from robosmi.errors import UsageError
-from robosmi.transformations.chains.models import load_models
-from robosmi.transformations.verification.played_devices import brief_pins, played, signals_of
-from robosmi.transformations.verification.port_devices import (
+from robosmi.transformations.chains.stages.models import load_models
+from robosmi.transformations.verification.bound_devices.played_devices import brief_pins, played, signals_of
+from robosmi.transformations.verification.bound_devices.port_devices import (
     BoundPort,
     bound_ports,
     reads_console,
     resting_pins,
     texts_understood,
 )
-from robosmi.transformations.verification.simulated_kinds import device_facts
+from robosmi.transformations.verification.bound_devices.simulated_kinds import device_facts
 from robosmi.verify.scenario import Points, Scenario
 from robosmi.verify.simulation import DeviceUse
 

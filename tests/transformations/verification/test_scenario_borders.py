@@ -9,11 +9,11 @@ from collections.abc import Sequence
 
 import pytest
 
+from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.original_side import SourceRuns, channel_events, compared, run_source
-from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.transformations.verification.scenario_search import search
-from robosmi.verify.comparison import DIFFERENT
+from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.verify.scenario import Scenario
+from robosmi.verify.traces.comparison import DIFFERENT
 from tests.host_model.bench import built
 from tests.tools import require_tools
 

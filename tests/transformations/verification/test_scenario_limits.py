@@ -8,11 +8,11 @@ import pytest
 
 from robosmi.errors import VerificationError
 from robosmi.transformations.verification import original_side
+from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
+from robosmi.transformations.verification.bound_devices.varied_devices import moved_devices
 from robosmi.transformations.verification.original_side import run_source, run_varied
-from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.transformations.verification.scenario_search import _HORIZON_ALONE_MS, _HORIZONS_MS, _horizon, search
-from robosmi.transformations.verification.search_effort import SearchEffort
-from robosmi.transformations.verification.varied_devices import moved_devices
+from robosmi.transformations.verification.search.scenario_search import _HORIZON_ALONE_MS, _HORIZONS_MS, _horizon, search
+from robosmi.transformations.verification.search.search_effort import SearchEffort
 from robosmi.verify import bench, original_run
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_run import OriginalRun, run_original

@@ -7,10 +7,11 @@ from itertools import pairwise
 
 import pytest
 
+from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
+from robosmi.transformations.verification.bound_devices.simulated_kinds import device_facts
 from robosmi.transformations.verification.original_side import channel_events
-from robosmi.transformations.verification.port_devices import BoundPort
-from robosmi.transformations.verification.scenario_goals import NEGATIVE, behaviour, beside
-from robosmi.transformations.verification.scenario_inputs import (
+from robosmi.transformations.verification.search.scenario_goals import NEGATIVE, behaviour, beside
+from robosmi.transformations.verification.search.scenario_inputs import (
     ScenarioInput,
     constant,
     in_turn,
@@ -19,9 +20,8 @@ from robosmi.transformations.verification.scenario_inputs import (
     series_points,
     turned,
 )
-from robosmi.transformations.verification.scenario_search import _horizon
-from robosmi.transformations.verification.search_effort import SearchEffort
-from robosmi.transformations.verification.simulated_kinds import device_facts
+from robosmi.transformations.verification.search.scenario_search import _horizon
+from robosmi.transformations.verification.search.search_effort import SearchEffort
 from robosmi.verify.simulation import ConsoleByte, PinTrace
 from tests.host_model.bench import built
 

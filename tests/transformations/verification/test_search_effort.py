@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.transformations.verification import search_effort
-from robosmi.transformations.verification.search_effort import SearchEffort
+from robosmi.transformations.verification.search import search_effort
+from robosmi.transformations.verification.search.search_effort import SearchEffort
 from robosmi.verify.original_run import OriginalRun
 from robosmi.verify.simulation import PinChange, PinTrace
 

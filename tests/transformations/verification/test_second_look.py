@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from msgspec.structs import replace
 
-from robosmi.transformations.verification.judging import judged
+from robosmi.transformations.verification.judgement.judging import judged
+from robosmi.transformations.verification.judgement.scenario_verdicts import looked_at_again
 from robosmi.transformations.verification.original_side import SourceRuns, channel_events
-from robosmi.transformations.verification.second_look import looked_at_again
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
 from tests.transformations.verification.test_judging import SCENARIO, original, printed

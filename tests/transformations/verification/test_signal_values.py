@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 from robosmi.errors import UsageError
-from robosmi.transformations.verification.signal_values import check_signal
-from robosmi.transformations.verification.simulated_kinds import device_facts
+from robosmi.transformations.verification.bound_devices.played_devices import check_signal
+from robosmi.transformations.verification.bound_devices.simulated_kinds import device_facts
 
 
 @pytest.mark.parametrize(

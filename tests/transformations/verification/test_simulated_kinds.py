@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import PlatformDataError
-from robosmi.transformations.verification.simulated_kinds import FILE, _read, device_facts
+from robosmi.transformations.verification.bound_devices.simulated_kinds import FILE, _read, device_facts
 
 
 def test_a_key_that_no_device_has_is_told_with_the_nearest_one(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ import pytest
 
 import robosmi
 from robosmi.transformations.chains.verify import verify
-from robosmi.verify.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE
+from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE
 from tests.tools import require_engine, require_verification
 
 CASES = Path(__file__).parent / "device_cases"

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from robosmi.transformations.verification.turning_points import Fineness, Look, look_of, turning_points
+from robosmi.transformations.verification.search.turning_points import Fineness, Look, look_of, turning_points
 
 WHOLE = Fineness(1.0, 1.0)
 WIDE = (0.0, 1_000.0, 100_000.0)

@@ -15,15 +15,15 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Finding, Severity
 from robosmi.metamodels import ccode
-from robosmi.model.strict import Element
+from robosmi.model.elements.strict import Element
 from robosmi.transformations.knowledge.lexer import Token
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.t2m.c_source import clang
-from robosmi.transformations.t2m.c_source.clang import Cursor
-from robosmi.transformations.t2m.c_source.invocation import HEADERS, VIRTUAL
-from robosmi.transformations.t2m.c_source.parsing import Parsed
-from robosmi.transformations.t2m.c_source.source import ReadSource
-from robosmi.transformations.t2m.c_source.tree import Expansion, Node
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.t2m.c_source.parsing import clang
+from robosmi.transformations.t2m.c_source.parsing.clang import Cursor
+from robosmi.transformations.t2m.c_source.parsing.invocation import HEADERS, VIRTUAL
+from robosmi.transformations.t2m.c_source.parsing.source import ReadSource
+from robosmi.transformations.t2m.c_source.parsing.translation_unit import Parsed
+from robosmi.transformations.t2m.c_source.parsing.tree import Expansion, Node
 
 P = ParamSpec("P")
 R = TypeVar("R", bound=Element)

@@ -12,11 +12,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from msgspec.structs import replace
 
 from robosmi.metamodels import ccode
-from robosmi.model.strict import enum_literal
-from robosmi.transformations.t2m.c_source import cursor_kinds, types
+from robosmi.model.elements.strict import enum_literal
+from robosmi.transformations.t2m.c_source import types
 from robosmi.transformations.t2m.c_source.context import DeclarationBuilder, UnitContext
 from robosmi.transformations.t2m.c_source.expressions import expression
-from robosmi.transformations.t2m.c_source.tree import Node
+from robosmi.transformations.t2m.c_source.parsing import cursor_kinds
+from robosmi.transformations.t2m.c_source.parsing.tree import Node
 
 PARAMETER, COMPOUND, TRY, FIELD, LITERAL, TYPE_REF = (
     cursor_kinds.PARM_DECL,

@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from robosmi.metamodels import ccode
-from robosmi.transformations.t2m.c_source import cursor_kinds, literals, macros, types
-from robosmi.transformations.t2m.c_source.clang import Cursor
+from robosmi.transformations.t2m.c_source import literals, macros, types
 from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, ExpressionBuilder, UnitContext
-from robosmi.transformations.t2m.c_source.tree import Node
+from robosmi.transformations.t2m.c_source.parsing import cursor_kinds
+from robosmi.transformations.t2m.c_source.parsing.clang import Cursor
+from robosmi.transformations.t2m.c_source.parsing.tree import Node
 
 UNEXPOSED, DECL_REF, MEMBER, CALL, PAREN, UNARY, BINARY, COMPOUND_ASSIGN, CAST, COMPOUND_LITERAL = (
     cursor_kinds.UNEXPOSED_EXPR,

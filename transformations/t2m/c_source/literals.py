@@ -9,7 +9,7 @@ import re
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.t2m.c_source.context import UnitContext
-from robosmi.transformations.t2m.c_source.tree import Node
+from robosmi.transformations.t2m.c_source.parsing.tree import Node
 
 _ESCAPES = {"n": 10, "t": 9, "r": 13, "a": 7, "b": 8, "f": 12, "v": 11, "e": 27, "\\": 92, "'": 39, '"': 34, "?": 63, "0": 0}
 _LONG = 1 << 63

@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from robosmi.metamodels import ccode
-from robosmi.transformations.t2m.c_source import clang, cursor_kinds
-from robosmi.transformations.t2m.c_source.clang import Cursor
 from robosmi.transformations.t2m.c_source.context import UnitContext
-from robosmi.transformations.t2m.c_source.source import TextRange
-from robosmi.transformations.t2m.c_source.tree import Expansion, Node
+from robosmi.transformations.t2m.c_source.parsing import clang, cursor_kinds
+from robosmi.transformations.t2m.c_source.parsing.clang import Cursor
+from robosmi.transformations.t2m.c_source.parsing.source import TextRange
+from robosmi.transformations.t2m.c_source.parsing.tree import Expansion, Node
 
 Build = Callable[[UnitContext, Node], ccode.Expression]
 CALL = cursor_kinds.CALL_EXPR

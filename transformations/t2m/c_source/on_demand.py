@@ -16,22 +16,22 @@ from pathlib import Path
 
 from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import ccode
-from robosmi.model.driver import DynamicNode, Kind, ModelElement, Node
-from robosmi.model.ecore import EReference, EStructuralFeature, Scalar
-from robosmi.model.features import all_features
-from robosmi.model.fragments import fragment_of, resolve
-from robosmi.model.lean import collector_at_rest
-from robosmi.model.metamodel import Metamodel, TypedModel
+from robosmi.model.ecore.metamodel import Metamodel, TypedModel
+from robosmi.model.elements.driver import DynamicNode, Kind, ModelElement, Node
+from robosmi.model.elements.ecore import EReference, EStructuralFeature, Scalar
+from robosmi.model.elements.features import all_features
+from robosmi.model.elements.fragments import fragment_of, resolve
+from robosmi.model.elements.lean import collector_at_rest
+from robosmi.model.elements.pyecore_internals import key_of, read
+from robosmi.model.elements.strict import Element
+from robosmi.model.elements.structure import root_of
 from robosmi.model.on_demand import Promise, settle
-from robosmi.model.pyecore_internals import key_of, read
-from robosmi.model.strict import Element
-from robosmi.model.structure import root_of
 from robosmi.project import default_text
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.t2m.c_source import cursor_kinds
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source.linking import Linker
 from robosmi.transformations.t2m.c_source.on_demand_unit import Linked, Unit, in_building_order
-from robosmi.transformations.t2m.c_source.sources import source_files
+from robosmi.transformations.t2m.c_source.parsing import cursor_kinds
+from robosmi.transformations.t2m.c_source.parsing.sources import source_files
 
 LEAVES = {
     cursor_kinds.DECL_REF_EXPR: ccode.NameReference,

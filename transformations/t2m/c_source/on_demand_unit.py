@@ -14,20 +14,21 @@ from typing import Concatenate, ParamSpec, TypeAlias, TypeVar
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, SourceError
 from robosmi.metamodels import ccode
-from robosmi.model.ecore import EObject, EStructuralFeature
-from robosmi.model.features import all_features
+from robosmi.model.elements.ecore import EObject, EStructuralFeature
+from robosmi.model.elements.features import all_features
+from robosmi.model.elements.ordering import post_order
+from robosmi.model.elements.strict import Element
+from robosmi.model.elements.structure import contents
 from robosmi.model.on_demand import Promise, settle, stand_in
-from robosmi.model.ordering import post_order
-from robosmi.model.strict import Element
-from robosmi.model.structure import contents
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.t2m.c_source import checks, coverage, declarations, macros, preprocessor
-from robosmi.transformations.t2m.c_source.clang import Cursor
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.t2m.c_source import coverage, declarations, macros, preprocessor
 from robosmi.transformations.t2m.c_source.context import UnitContext
 from robosmi.transformations.t2m.c_source.grammar import BUILDERS
-from robosmi.transformations.t2m.c_source.parsing import Parsed, parse
-from robosmi.transformations.t2m.c_source.source import read_source
-from robosmi.transformations.t2m.c_source.tree import Node
+from robosmi.transformations.t2m.c_source.parsing import checks
+from robosmi.transformations.t2m.c_source.parsing.clang import Cursor
+from robosmi.transformations.t2m.c_source.parsing.source import read_source
+from robosmi.transformations.t2m.c_source.parsing.translation_unit import Parsed, parse
+from robosmi.transformations.t2m.c_source.parsing.tree import Node
 
 P = ParamSpec("P")
 R = TypeVar("R", bound=Element)

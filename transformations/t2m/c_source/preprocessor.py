@@ -12,7 +12,7 @@ import re
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import definition_parts, directive_comments, directive_parts
 from robosmi.transformations.t2m.c_source.context import UnitContext
-from robosmi.transformations.t2m.c_source.invocation import HEADERS
+from robosmi.transformations.t2m.c_source.parsing.invocation import HEADERS
 
 _INCLUDE = re.compile(r'(?P<form>[<"])(?P<name>[^>"]*)[>"]')
 CONDITIONALS = frozenset({"if", "ifdef", "ifndef", "elif", "elifdef", "elifndef", "else", "endif"})

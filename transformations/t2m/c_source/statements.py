@@ -11,11 +11,12 @@ from collections.abc import Callable, Mapping
 from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token
-from robosmi.transformations.t2m.c_source import cursor_kinds, declarations, macros
+from robosmi.transformations.t2m.c_source import declarations, macros
 from robosmi.transformations.t2m.c_source.context import MAX_DEPTH, StatementBuilder, UnitContext
 from robosmi.transformations.t2m.c_source.expressions import expression
-from robosmi.transformations.t2m.c_source.source import TextRange
-from robosmi.transformations.t2m.c_source.tree import Node
+from robosmi.transformations.t2m.c_source.parsing import cursor_kinds
+from robosmi.transformations.t2m.c_source.parsing.source import TextRange
+from robosmi.transformations.t2m.c_source.parsing.tree import Node
 
 COMPOUND, FOR = cursor_kinds.COMPOUND_STMT, cursor_kinds.FOR_STMT
 _OTHER_DECLARATION, _VARIABLE, _DECLARATION = cursor_kinds.UNEXPOSED_DECL, cursor_kinds.VAR_DECL, cursor_kinds.DECL_STMT

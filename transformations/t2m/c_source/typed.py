@@ -10,19 +10,20 @@ from collections.abc import Collection, Mapping, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import tokens
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.queries.expansion import Expanded, expanded_unit
-from robosmi.transformations.queries.macro_definitions import Definition, TextPlace
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.queries.macros.expansion import Expanded, expanded_unit
+from robosmi.transformations.queries.macros.macro_definitions import Definition, TextPlace
 from robosmi.transformations.queries.numbers import Machine, Number
 from robosmi.transformations.queries.typed import NumberKind, TypedExpression, deep_calls
-from robosmi.transformations.t2m.c_source import clang, cursor_kinds, type_kinds
-from robosmi.transformations.t2m.c_source.clang import Cursor
+from robosmi.transformations.t2m.c_source import type_kinds
 from robosmi.transformations.t2m.c_source.expressions import BINARY_OPERATORS, UNARY_OPERATORS
-from robosmi.transformations.t2m.c_source.invocation import VIRTUAL
 from robosmi.transformations.t2m.c_source.literals import integer_value
-from robosmi.transformations.t2m.c_source.parsing import Parsed, parse
-from robosmi.transformations.t2m.c_source.source import ReadSource
-from robosmi.transformations.t2m.c_source.tree import MAX_TREE_DEPTH, Node
+from robosmi.transformations.t2m.c_source.parsing import clang, cursor_kinds
+from robosmi.transformations.t2m.c_source.parsing.clang import Cursor
+from robosmi.transformations.t2m.c_source.parsing.invocation import VIRTUAL
+from robosmi.transformations.t2m.c_source.parsing.source import ReadSource
+from robosmi.transformations.t2m.c_source.parsing.translation_unit import Parsed, parse
+from robosmi.transformations.t2m.c_source.parsing.tree import MAX_TREE_DEPTH, Node
 
 UNEXPOSED, PAREN, NAME, MEMBER, CALL, UNARY, BINARY, COMPOUND, CAST, LIST, CASE = (
     cursor_kinds.UNEXPOSED_EXPR,

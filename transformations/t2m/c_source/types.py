@@ -9,11 +9,11 @@ from __future__ import annotations
 from msgspec import Struct
 
 from robosmi.metamodels import ccode
-from robosmi.model.strict import enum_literal
+from robosmi.model.elements.strict import enum_literal
 from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, STORAGE_WORDS_OF_CXX, TYPE_WORDS
 from robosmi.transformations.t2m.c_source import type_kinds
-from robosmi.transformations.t2m.c_source.clang import ClangLibrary, Cursor, Type
 from robosmi.transformations.t2m.c_source.context import UnitContext
+from robosmi.transformations.t2m.c_source.parsing.clang import ClangLibrary, Cursor, Type
 
 _SIGNED = frozenset(
     {

@@ -16,7 +16,7 @@ from msgspec import Struct
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
-from robosmi.model import zip_archive
+from robosmi.files import zip_archive
 
 MAX_ENTRIES = 2_000
 """Entries in an archive; the largest public sketch has under a hundred."""

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.model import zip_archive
-from robosmi.model.files import write_atomic
+from robosmi.files import zip_archive
+from robosmi.files.files import write_atomic
 from robosmi.model.plain_xml import XmlModel
 
 from .container import MAX_BYTES, MAX_ENTRIES, read_container

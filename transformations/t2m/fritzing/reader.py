@@ -5,25 +5,32 @@ up (`generated_parts`), nets of the view that is believed (`nets`, `views`). Wha
 model itself are made as for every tool (`t2m/drawing`). Components are in the order of their model index and connectors in
 their part's order, so that the same drawing gives the same model. Of parts that conduct by bus only, such as breadboards, only
 the connectors that the drawing uses become elements of the model.
+
+Selects the view of a sketch that is used.
+
+Fritzing stores the connections in each of its views, and they should agree. The breadboard view is used; where it connects no
+parts, the schematic and then the PCB view; where the first two disagree, that is a finding. The views are never united, since
+that would unite their errors.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import Path
 
-from robosmi.diagnostics import Finding, Severity
+from robosmi.base.data_text import Json
+from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware
 from robosmi.transformations.knowledge.part import Part
-from robosmi.transformations.t2m.connectivity import Node, natural
+from robosmi.transformations.t2m.connectivity import Leaders, Node, natural
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, KnownPart, Placed
 from robosmi.transformations.t2m.fritzing import nets
 from robosmi.transformations.t2m.fritzing.container import Container, read_container
 from robosmi.transformations.t2m.fritzing.document import VIEWS, FritzingSketch, Instance, parse_sketch
 from robosmi.transformations.t2m.fritzing.generated_parts import TOOL, generated_part
+from robosmi.transformations.t2m.fritzing.nets import Has, ViewWiring, links_parts, partition, wiring
 from robosmi.transformations.t2m.fritzing.part_file import parse_part
-from robosmi.transformations.t2m.fritzing.views import believed
 
 
 def read_circuit(
@@ -195,3 +202,62 @@ class _Reading:
                 instance.line,
                 "open the sketch in Fritzing and check this connection",
             )
+
+
+def believed(
+    instances: Mapping[str, Instance],
+    leaders: Leaders,
+    by_bus: Collection[str],
+    path: str,
+    has: Has,
+    twice: Collection[str] = (),
+) -> tuple[ViewWiring, list[Finding]]:
+    """The wiring of the view that is used, and findings where another view contradicts it.
+
+    Args:
+        instances: the live instances by identity.
+        leaders: what parts join inside, by module id.
+        by_bus: instances that only join connectors (breadboards), in which the views may differ.
+        path: the file, for findings.
+        has: whether an instance that is no wire has a connector.
+        twice: model indices that several instances have.
+    """
+    first, second, last = VIEWS
+    breadboard = wiring(first, instances, leaders, has, twice)
+    linked = links_parts(breadboard, instances)
+    alike = not breadboard.foreign_wires and all(i.view(first).edges == i.view(second).edges for i in instances.values())
+    if linked and alike:
+        return breadboard, []
+    schematic = wiring(second, instances, leaders, has, twice)
+    if linked:
+        return breadboard, _differences(breadboard, schematic, instances, by_bus, path)
+    others = (schematic, wiring(last, instances, leaders, has, twice))
+    chosen = next((other for other in others if links_parts(other, instances)), None)
+    if chosen is None:
+        message = "no part is connected to another in this drawing"
+        return breadboard, [_finding("RS212", message, path, "connect the parts in the breadboard view")]
+    message = f"the {_spoken(first)} connects no parts; the {_spoken(chosen.view)} was read"
+    return chosen, [_finding("RS201", message, path, "check the connections in the breadboard view")]
+
+
+def _differences(
+    chosen: ViewWiring, other: ViewWiring, instances: Mapping[str, Instance], by_bus: Collection[str], path: str
+) -> list[Finding]:
+    if not links_parts(other, instances):
+        return []
+    here, there = (partition(wired, instances, by_bus) for wired in (chosen, other))
+    if here == there:
+        return []
+    odd = sorted({f"{identity}.{connector}" for net in here ^ there for identity, connector in net})
+    message = (
+        f"{_spoken(chosen.view)} and {_spoken(other.view)} connect the parts differently; the {_spoken(chosen.view)} was read"
+    )
+    return [_finding("RS202", message, path, "compare the two views in Fritzing", connectors=odd[:20])]
+
+
+def _finding(rule: str, message: str, path: str, fix: str, **evidence: Json) -> Finding:
+    return Finding(rule, Severity.warning, message, Location(path), fix=fix, evidence=evidence)
+
+
+def _spoken(view: str) -> str:
+    return view.removesuffix("View").replace("pcb", "PCB") + " view"

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from msgspec import Struct
 
-from robosmi.data_text import Json, json_at
+from robosmi.base.data_text import Json, json_at
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.drawing_file import drawing_bytes

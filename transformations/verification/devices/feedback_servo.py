@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import ClassVar
 
-from robosmi.data_text import Json
+from robosmi.base.data_text import Json
 from robosmi.transformations.verification.devices.servo_pulses import PulseDriven
 
 _HZ, _HZ_APART = 910.0, 0.013

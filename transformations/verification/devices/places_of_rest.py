@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from robosmi.data_text import Json
+from robosmi.base.data_text import Json
 from robosmi.verify.bench import FOR_A_TIME
 
 

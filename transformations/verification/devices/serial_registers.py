@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import ClassVar
 
-from robosmi.data_text import Json
+from robosmi.base.data_text import Json
 from robosmi.verify.bench import Device, Level
 
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any, ClassVar
 
-from robosmi.data_text import Json
+from robosmi.base.data_text import Json
 from robosmi.verify.bench import Bench, Device
 
 

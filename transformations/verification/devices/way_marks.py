@@ -1,9 +1,10 @@
 """Marks along the way of a turning device: which ones it passes, and which ones it only just reaches or passes slowly.
 
-Two correct programs never take a device to exactly the same place. How far apart they may be is the leeway, a distance. So where
-a device turns back or stops within the leeway of a mark, one of them may reach the mark and the other may not; and if a device
-passes a mark slowly, they pass it as far apart in time as it takes to cover the leeway. This module notes both; marks of the
-first kind may lack a counterpart (`robosmi.verify.alignment`), and the time is tolerated (`robosmi.verify.comparison`).
+Two correct programs never take a device to exactly the same place. How far apart they may be is the leeway, a distance. So
+where a device turns back or stops within the leeway of a mark, one of them may reach the mark and the other may not; and if a
+device passes a mark slowly, they pass it as far apart in time as it takes to cover the leeway. This module notes both; marks of
+the first kind may lack a counterpart (`robosmi.verify.traces.alignment`), and the time is tolerated
+(`robosmi.verify.traces.comparison`).
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from collections import deque
 from collections.abc import Callable
 from math import floor
 
-from robosmi.data_text import Json
+from robosmi.base.data_text import Json
 
 _FIRST = 0.72
 """Place of the first mark, in distances between marks: programs seldom stop so near to such a place."""

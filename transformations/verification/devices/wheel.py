@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from math import floor
 from typing import ClassVar
 
-from robosmi.data_text import Json
+from robosmi.base.data_text import Json
 from robosmi.transformations.verification.devices.servo_pulses import PulseDriven
 
 _STEP_US = 1000.0

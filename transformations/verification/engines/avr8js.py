@@ -17,7 +17,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from robosmi import inputs, resources
-from robosmi.data_text import Json, json_written
+from robosmi.base.data_text import Json, json_written
 from robosmi.errors import MissingToolError, VerificationError
 from robosmi.transformations.verification.engines.avr_timers import Timers
 from robosmi.verify.bench import Bench

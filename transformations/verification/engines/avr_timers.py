@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from robosmi.data_text import Json
+from robosmi.base.data_text import Json
 from robosmi.verify.simulation import Wave
 
 FAST, PHASE, CLEAR, NORMAL = "fast", "phase", "clear", "normal"

@@ -18,8 +18,8 @@ from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.t2m.c_source import read_program
-from robosmi.transformations.t2m.c_source.bounds import cuts
-from robosmi.transformations.t2m.c_source.headers import Folders, reached
+from robosmi.transformations.t2m.c_source.parsing.bounds import cuts
+from robosmi.transformations.t2m.c_source.parsing.headers import Folders, reached
 from robosmi.transformations.t2m.c_source.reader import MOST_FILES
 from tests.transformations.t2m.c_source.hostile import CASES, NO_TAIL, REFUSED, SECONDS
 

@@ -9,10 +9,11 @@ import pytest
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.t2m.c_source import clang, read_program
-from robosmi.transformations.t2m.c_source.call import own_macros
-from robosmi.transformations.t2m.c_source.invocation import arguments
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.t2m.c_source import read_program
+from robosmi.transformations.t2m.c_source.parsing import clang
+from robosmi.transformations.t2m.c_source.parsing.invocation import arguments
+from robosmi.transformations.t2m.c_source.parsing.translation_unit import own_macros
 
 MEANT = {
     "a condition": ("#ifdef __GNUC__\nint seen;\n#endif\n", []),

@@ -8,11 +8,11 @@ import pytest
 
 from robosmi.errors import SourceError
 from robosmi.metamodels import ccode
-from robosmi.model.structure import feature_names
-from robosmi.model.xmi_writer import to_xmi
+from robosmi.model.elements.structure import feature_names
+from robosmi.model.xmi.xmi_writer import to_xmi
 from robosmi.query import all_of_kind
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.queries.analysis import analysis
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.queries.reports.analysis import analysis
 from robosmi.transformations.t2m.c_source import read_program
 from robosmi.transformations.t2m.c_source.on_demand import open_program
 

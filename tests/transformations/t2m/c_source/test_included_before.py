@@ -6,7 +6,7 @@ from pathlib import Path
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind
-from robosmi.transformations.t2m.c_source.included_before import included_before
+from robosmi.transformations.t2m.c_source.parsing.included_before import included_before
 from robosmi.transformations.t2m.c_source.reader import read_program
 
 FOLDER = Path(__file__).parents[3] / "behaviour" / "programs" / "headers_behind_others"

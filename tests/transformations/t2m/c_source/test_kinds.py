@@ -8,7 +8,8 @@ from typing import Any
 import pytest
 from clang.cindex import CursorKind, TypeKind
 
-from robosmi.transformations.t2m.c_source import cursor_kinds, type_kinds
+from robosmi.transformations.t2m.c_source import type_kinds
+from robosmi.transformations.t2m.c_source.parsing import cursor_kinds
 
 
 @pytest.mark.parametrize(("ours", "theirs"), [(cursor_kinds, CursorKind), (type_kinds, TypeKind)])

@@ -16,7 +16,7 @@ from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.t2m.c_source import read_program
-from robosmi.transformations.t2m.c_source.mending import Edit, Scratch
+from robosmi.transformations.t2m.c_source.parsing.mending import Edit, Scratch
 
 DAMAGED = Path(__file__).parent / "damaged"
 EXPECTED: dict[str, dict[str, Any]] = json.loads((DAMAGED / "expected.json").read_text())

@@ -12,11 +12,11 @@ import pytest
 
 from robosmi.errors import ModelError, SourceError
 from robosmi.metamodels import ccode
-from robosmi.model.driver import ReadOnlyError
+from robosmi.model.elements.driver import ReadOnlyError
+from robosmi.model.elements.strict import Element
+from robosmi.model.elements.structure import feature_names
 from robosmi.model.opening import open_model
-from robosmi.model.strict import Element
-from robosmi.model.structure import feature_names
-from robosmi.model.xmi_writer import to_xmi
+from robosmi.model.xmi.xmi_writer import to_xmi
 from robosmi.query import ModelView
 from robosmi.transformations.queries import code
 from robosmi.transformations.t2m.c_source import read_program

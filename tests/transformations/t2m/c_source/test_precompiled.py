@@ -15,14 +15,15 @@ import pytest
 from robosmi.diagnostics import Finding
 from robosmi.errors import RobosmiError
 from robosmi.metamodels import ccode
-from robosmi.model.xmi_writer import to_xmi
+from robosmi.model.xmi.xmi_writer import to_xmi
 from robosmi.query import all_of_kind
-from robosmi.transformations.knowledge.platform_api import ApiIndex
-from robosmi.transformations.t2m.c_source import precompiled, read_program
-from robosmi.transformations.t2m.c_source.headers import Folders
-from robosmi.transformations.t2m.c_source.invocation import arguments
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.t2m.c_source import read_program
 from robosmi.transformations.t2m.c_source.on_demand import open_program
-from robosmi.transformations.t2m.c_source.source import read_source
+from robosmi.transformations.t2m.c_source.parsing import precompiled
+from robosmi.transformations.t2m.c_source.parsing.headers import Folders
+from robosmi.transformations.t2m.c_source.parsing.invocation import arguments
+from robosmi.transformations.t2m.c_source.parsing.source import read_source
 
 HERE = Path(__file__).parent / "precompiled"
 PROGRAMS = sorted(path.name for path in HERE.iterdir() if path.suffix in (".c", ".cpp"))

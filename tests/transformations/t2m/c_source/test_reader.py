@@ -10,7 +10,7 @@ import pytest
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind
-from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries import code
 from robosmi.transformations.t2m.c_source import read_program
 from robosmi.transformations.t2m.c_source.on_demand import open_program

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import robosmi
 from robosmi.transformations.m2t.first_screen import written
-from robosmi.transformations.queries.work import Work
-from robosmi.transformations.t2m.c_source.refused_text import refused_texts
+from robosmi.transformations.queries.reports.work import Work
+from robosmi.transformations.t2m.c_source.parsing.refused_text import refused_texts
 from tests.tools import require_tools
 
 PROGRAM = Path(__file__).parent / "refused_text" / "robot.c"

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from robosmi.transformations.knowledge.lexer import tokens
-from robosmi.transformations.t2m.c_source.mending import Scratch
-from robosmi.transformations.t2m.c_source.repeats import MOST_DECLARED, repeats
+from robosmi.transformations.t2m.c_source.parsing.bounds import MOST_DECLARED, repeats
+from robosmi.transformations.t2m.c_source.parsing.mending import Scratch
 
 
 def left(text: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from robosmi import resources
-from robosmi.transformations.knowledge.api_spelling import tidy
+from robosmi.transformations.knowledge.platforms.api_spelling import tidy
 from robosmi.transformations.t2m import propeller_facts
 
 

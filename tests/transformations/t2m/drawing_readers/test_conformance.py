@@ -23,10 +23,10 @@ from robosmi.metamodels import hardware as hw
 from robosmi.model import load_model, save_model
 from robosmi.plugins import content, registry
 from robosmi.project import Project
-from robosmi.transformations.chains import readers
 from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.chains.migrate import plan_migration
-from robosmi.transformations.chains.readers import DRAWING, HEAD, RECOGNISER, is_drawing, reader_for
+from robosmi.transformations.chains.stages import readers
+from robosmi.transformations.chains.stages.readers import DRAWING, HEAD, RECOGNISER, is_drawing, reader_for
 
 HERE = Path(__file__).resolve().parent
 READERS = registry().names(DRAWING)

@@ -11,7 +11,7 @@ from robosmi.diagnostics import Finding
 from robosmi.errors import UsageError
 from robosmi.metamodels import hardware
 from robosmi.transformations.chains.hardware import hardware as hardware_of
-from robosmi.transformations.queries.circuit import circuit_graph
+from robosmi.transformations.queries.circuits.circuit import circuit_graph
 from robosmi.transformations.t2m.fritzing import read_circuit
 from robosmi.transformations.t2m.fritzing.container import read_container
 from robosmi.transformations.t2m.fritzing.document import parse_sketch

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import SourceError
-from robosmi.transformations.knowledge.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.t2m.platform_headers import ApiFound, read_headers
 
 BOARD = Path(__file__).parent / "board"

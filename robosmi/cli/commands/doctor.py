@@ -1,0 +1,333 @@
+"""`robosmi doctor`: what is installed, what is missing, the registered content, and own boards that a core contradicts.
+
+Checks what is installed: programs, cores and Python packages, as plain values for `doctor`.
+
+Programs and cores are those of the toolchains' data; the Python packages are those that this package imports. Nothing is
+installed here, and missing parts raise no error: they are the result.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import re
+import shutil
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from importlib import metadata
+from operator import attrgetter
+from pathlib import Path
+from textwrap import wrap
+from typing import TYPE_CHECKING
+
+from msgspec import Struct
+
+from robosmi.base.data_tables import KIND
+from robosmi.base.data_text import Json
+from robosmi.base.trust import acting
+from robosmi.diagnostics import Finding
+from robosmi.errors import MissingToolError, RuleError
+from robosmi.inputs import read_once
+from robosmi.plugin_contracts import KINDS, Contribution
+from robosmi.plugins import content, registry
+from robosmi.report import Report
+from robosmi.resources import built_in
+from robosmi.verify.host_model import HostModel, host_models, load_host_model
+from robosmi.verify.original_build import compiler_version, missing_tools
+from robosmi.verify.simulation import Engine, engine_names
+from robosmi.verify.toolchains.board_check import board_findings
+from robosmi.verify.toolchains.boards import Board, load_boards
+from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
+from robosmi.verify.toolchains.tools import (
+    core_version,
+    environment,
+    find_core,
+    find_installed,
+    find_tool,
+    install_fix,
+    tool_version,
+)
+from robosmi.verify.uploads.uploader import find_program, uploader_data
+
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
+
+
+def configure(parser: Options) -> None:
+    """The command has no options of its own."""
+
+
+def run(arguments: argparse.Namespace) -> Report:
+    """Run the command."""
+
+    report = Report("doctor")
+    found = tools()
+    kinds = registered_content()
+    report.result = {"tools": [tool.to_json() for tool in found], "content": [each.to_json() for each in kinds]}
+    width = max(len(tool.name) for tool in found)
+    for tool in found:
+        state = f"{tool.version or 'found'}" if tool.found else "missing"
+        report.lines.append(f"{tool.name:{width}}  {state:12}  {tool.needed_for}")
+        if not tool.found and tool.gives:
+            report.lines.append(f"{'':{width}}  gives: {tool.gives}")
+        if not tool.found and tool.fix:
+            report.lines.append(f"{'':{width}}  do: {tool.fix}")
+    report.lines += ["", "registered content:"]
+    width = max(len(each.kind.kind) for each in kinds) + 2
+    for each in kinds:
+        report.lines += wrap(f"{each.kind.kind:{width}}{each.line() or 'none'}", 110, subsequent_indent=" " * width)
+    report.findings = own_boards()
+    return report
+
+
+PACKAGES = {
+    "pyecore": ("pyecore.ecore", "models"),
+    "libclang": ("clang.cindex:conf.lib", "reading C sources"),
+    "lxml": ("lxml.etree", "reading drawings, XMI"),
+    "jinja2": ("jinja2.sandbox", "generating text"),
+    "networkx": ("networkx", "connector mapping"),
+    "filelock": ("filelock:FileLock", "writing into output folders"),
+    "sexpdata": ("sexpdata", "reading drawings"),
+    "tomlkit": ("tomlkit", "keeping choices in robosmi.toml"),
+}
+"""Required Python packages: distribution name -> (what is imported to test it, what it is needed for)."""
+
+
+OPTIONAL = {
+    "mcp": ("mcp.server", "assistants", "mcp", "robosmi mcp: assistants use the commands as tools, held to one folder"),
+    "SQLAlchemy": ("sqlalchemy", "a shared history", "database", "a history of library choices in a database that a team shares"),
+}
+"""Optional Python packages: distribution name -> (what is imported to test it, its purpose, the extra, what it enables)."""
+_SIMULATION = "simulate runs the migrated program, and verify compares what it does; one simulator is enough"
+_ORIGINALS = "verify runs the original, and so compares the migrated program with it"
+_UPLOAD = "upload puts a compiled sketch on its board"
+
+
+class ToolStatus(Struct, frozen=True):
+    """A program, core or package that some command needs, and whether it is installed.
+
+    Attributes:
+        name: a program, a core or a Python package.
+        needed_for: the commands or work that need it.
+        found: its path, or None if it is missing.
+        version: its version; None if it is missing, `unknown` if it does not tell.
+        fix: how to get it, or None if it is there.
+        gives: what can be done with it that cannot be done without it.
+    """
+
+    name: str
+    needed_for: str
+    found: str | None
+    version: str | None
+    fix: str | None
+    gives: str = ""
+
+    def to_json(self) -> dict[str, str | None]:
+        """The contract's form."""
+        return {
+            "name": self.name,
+            "needed_for": self.needed_for,
+            "found": self.found,
+            "version": self.version,
+            "fix": self.fix,
+            "gives": self.gives,
+        }
+
+
+@read_once()
+def tools(project: Path | None = None) -> list[ToolStatus]:
+    """Everything that is needed: Python packages, each toolchain's programs and core, the compiler for originals, simulators
+    (one of them is enough).
+
+    Args:
+        project: the project folder (see `robosmi.resources`); the current folder if None.
+
+    Raises:
+        PlatformDataError: a toolchain's data is damaged.
+        SourceError: found data that names programs is not trusted.
+    """
+    result = [_package(name, module, needed_for) for name, (module, needed_for) in PACKAGES.items()]
+    with acting(project):
+        for toolchain in load_toolchains(project):
+            result += _programs(toolchain)
+            result.append(_core(toolchain))
+        result += _uploaders(load_toolchains(project), project)
+        result += [_host_compiler(load_host_model(platform, project)) for platform in host_models(project)]
+    optional = (_optional(name, *facts) for name, facts in OPTIONAL.items())
+    return [*result, *(_engine(name) for name in engine_names()), *optional, *_plugins()]
+
+
+class KindStatus(Struct, frozen=True):
+    """A kind of content and what is registered of it.
+
+    Attributes:
+        kind: its class, with the contract.
+        registered: name -> the distributions that register it, in the order in which they do; empty for what is built in.
+    """
+
+    kind: type[Contribution]
+    registered: dict[str, list[str]]
+
+    def to_json(self) -> dict[str, Json]:
+        """The contract's form."""
+        return {
+            "kind": self.kind.kind,
+            "description": self.kind.description,
+            "called": self.kind.called,
+            "returns": self.kind.returns,
+            "names": self.kind.names,
+            "registered": [
+                {"name": name, "owner": owner or None} for name, owners in self.registered.items() for owner in owners
+            ],
+        }
+
+    def line(self) -> str:
+        """The registered names; behind those of plug-ins their distribution."""
+        return ", ".join(f"{name} ({owner})" if owner else name for name, owners in self.registered.items() for owner in owners)
+
+
+def registered_content() -> list[KindStatus]:
+    """Every kind of content with what is registered of it, sorted by name; `tools` lists what a plug-in misspells."""
+    known = registry()
+    return [KindStatus(each, {name: known.owners(each.kind, name) for name in known.names(each.kind)}) for each in KINDS.values()]
+
+
+@read_once()
+def own_boards(project: Path | None = None) -> list[Finding]:
+    """The contradictions between an installed core and boards that are not built in (RS810).
+
+    If a package that robosmi needs cannot be loaded, which `tools` reports, no board is checked.
+
+    Args:
+        project: the project folder; the current folder if None.
+
+    Raises:
+        PlatformDataError: a board's data is damaged.
+        SourceError: found data that names programs is not trusted.
+    """
+    found: list[Finding] = []
+    if not all(_package(name, *facts).found for name, facts in PACKAGES.items()):
+        return found
+    with acting(project):
+        for toolchain in load_toolchains(project):
+            boards = [each for each in load_boards(toolchain.platform, project) if each.file and not _built_in(each)]
+            if boards and find_core(toolchain) is not None:
+                with suppress(MissingToolError):  # said of the tool
+                    installed = find_installed(toolchain)
+                    found += [finding for board in boards for finding in board_findings(board, toolchain, installed)]
+    return found
+
+
+def _built_in(board: Board) -> bool:
+    files = {board.file, *(claim.file for claim in board.claims())}
+    return all(file is None or file.is_relative_to(built_in(KIND)) for file in files)
+
+
+def _plugins() -> Iterator[ToolStatus]:
+    """Those that cannot be loaded are missing, others are there."""
+    known = registry()
+    known.check()
+    for name in sorted(known.plugins):
+        distribution, _, version = name.partition(" ")
+        yield ToolStatus(distribution, "plug-in", distribution, version or "unknown", None)
+    for plugin in known.broken:
+        yield ToolStatus(plugin.distribution, f"plug-in '{plugin.entry_point}': {plugin.cause}", None, None, plugin.fix)
+
+
+def _engine(name: str) -> ToolStatus:
+    try:
+        engine: Engine = content("engine", name)()
+    except (MissingToolError, RuleError) as error:  # a plug-in's
+        return ToolStatus(name, f"simulation: {error.message}", None, None, error.fix)
+    advice = engine.missing()
+    return ToolStatus(name, "simulation", name if advice is None else None, engine.version(), advice, _SIMULATION)
+
+
+def _host_compiler(model: HostModel) -> ToolStatus:
+    advice = missing_tools(model)
+    path = shutil.which(model.compiler.text("command"))
+    version = None if advice or path is None else compiler_version(path)
+    name = f"{model.compiler.text('command')} {model.compiler.texts('machine')[0]}"
+    return ToolStatus(name, f"running originals ({model.title})", None if advice else path, version, advice, _ORIGINALS)
+
+
+def _package(name: str, module: str, needed_for: str) -> ToolStatus:
+    """A package is there if it can be loaded, and has the version that this package asks for."""
+    wanted = _requirement(name)
+    try:
+        found = metadata.distribution(name)
+    except metadata.PackageNotFoundError:
+        return ToolStatus(name, needed_for, None, None, f"pip install '{wanted}'")
+    fix = f"pip install --force-reinstall '{wanted}'"
+    if not _fits(found.version, wanted):
+        return ToolStatus(name, f"{needed_for}; {wanted} is needed", None, found.version, fix)
+    path, _, attributes = module.partition(":")
+    try:
+        loaded = importlib.import_module(path)
+        if attributes:
+            attrgetter(attributes)(loaded)
+    except (Exception, SystemExit) as error:
+        return ToolStatus(name, f"{needed_for}; it cannot be loaded: {error}", None, found.version, fix)
+    return ToolStatus(name, needed_for, str(found.locate_file("")), found.version, None)
+
+
+def _optional(name: str, module: str, needed_for: str, extra: str, gives: str) -> ToolStatus:
+    """The status of an extra's package; one that is installed but cannot be loaded is missing."""
+    fix = f"pip install 'robosmi[{extra}]'"
+    try:
+        found = metadata.distribution(name)
+        importlib.import_module(module)
+    except (Exception, SystemExit):
+        return ToolStatus(name, needed_for, None, None, fix, gives)
+    return ToolStatus(name, needed_for, str(found.locate_file("")), found.version, None, gives)
+
+
+def _requirement(name: str) -> str:
+    """The requirement on a package, such as `lxml>=5`; its name alone if robosmi itself is not installed."""
+    try:
+        listed = metadata.requires("robosmi") or []
+    except metadata.PackageNotFoundError:
+        listed = []
+    own = (entry for entry in listed if re.match(rf"{name}\b", entry, re.IGNORECASE) and ";" not in entry)
+    return next(own, name).replace(" ", "")
+
+
+def _fits(version: str, requirement: str) -> bool:
+    """Whether a version is within the bounds of a requirement; they are numbers between dots."""
+
+    def numbers(text: str) -> list[int]:
+        return [int(number) for number in re.findall(r"\d+", text)[:3]]
+
+    bounds = re.finditer(r"(>=|<)([\d.]+)", requirement)
+    return all((numbers(version) >= numbers(bound[2])) is (bound[1] == ">=") for bound in bounds)
+
+
+def _programs(toolchain: Toolchain) -> Iterator[ToolStatus]:
+    env = environment(toolchain)
+    for entry in toolchain.tools.values():
+        path = find_tool(entry, toolchain)
+        version = tool_version(path, entry.version, env) if path else None
+        fix = None if path else install_fix(toolchain, [entry.package])
+        yield ToolStatus(entry.command, toolchain.needed_for, path, version, fix, toolchain.gives)
+
+
+def _uploaders(toolchains: Iterable[Toolchain], project: Path | None) -> Iterator[ToolStatus]:
+    """The tools that put programs on boards, each once."""
+    for toolchain in {toolchain.uploader: toolchain for toolchain in toolchains if toolchain.uploader}.values():
+        data, env = uploader_data(toolchain, project), environment(toolchain)
+        found = find_program(data)
+        version = tool_version(found[0], data.texts("version"), env) if found else None
+        fix = None if found else install_fix(toolchain, [data.text("package")])
+        yield ToolStatus(data.text("command"), "upload", found[0] if found else None, version, fix, _UPLOAD)
+
+
+def _core(toolchain: Toolchain) -> ToolStatus:
+    name = toolchain.core.text("name")
+    try:
+        core = find_core(toolchain)
+    except MissingToolError as error:
+        return ToolStatus(name, toolchain.needed_for, None, None, error.fix, toolchain.gives)
+    if core is None:
+        fix = install_fix(toolchain, toolchain.core.texts("packages"))
+        return ToolStatus(name, toolchain.needed_for, None, None, fix, toolchain.gives)
+    return ToolStatus(name, toolchain.needed_for, str(core), core_version(toolchain, core), None, toolchain.gives)

@@ -1,0 +1,261 @@
+"""`robosmi migrate FILE... --hardware SKETCH -o OUT`: the whole way from a program and a drawing to a sketch.
+
+The prompts for choices that flags, project file, history and rules have left open. Asked only at a terminal.
+
+What is shown is the ranked list with its reasons; what is answered counts as a person's choice. An empty answer leaves the
+choice open. Nothing is known here of how candidates were ranked. Answers may be kept in the project file.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TextIO
+
+from robosmi.cli.common import add_source_options, output_folder, pairs
+from robosmi.cli.progress import progress
+from robosmi.files.elsewhere import Elsewhere
+from robosmi.files.recovery import recover
+from robosmi.plugins import content
+from robosmi.project import FILE_NAME, Accepted, project_of
+from robosmi.quoting import terminal
+from robosmi.report import Report
+
+if TYPE_CHECKING:
+    from robosmi.api import MadeSketch
+    from robosmi.cli.options import Options
+
+
+def configure(parser: Options) -> None:
+    """Add the command's options."""
+    add_source_options(parser)
+    parser.add_argument("--hardware", metavar="SKETCH", type=Path, help="drawing of the new hardware")
+    parser.add_argument("--target", metavar="NAME", help="target board")
+    parser.add_argument("-o", dest="output", metavar="OUT", type=output_folder, required=True, help="output folder")
+    parser.add_argument(
+        "--library",
+        dest="libraries",
+        action="append",
+        default=[],
+        metavar="COMPONENT=LIBRARY",
+        help="library for a drawn component",
+    )
+    parser.add_argument("--bind", action="append", default=[], metavar="NAME=PIN", help="target pin for a port of the source")
+    parser.add_argument("--adapters", choices=("filled", "placeholders"), help="bodies of adapters")
+    parser.add_argument(
+        "--widths", choices=("fix", "keep"), default="fix",
+        help="fix: numbers keep the widths of the source; keep: the text stays, with a finding where it may matter",
+    )  # fmt: skip
+    parser.add_argument(
+        "--history", metavar="PLACE", help="a file or an SQLAlchemy URL with earlier choices instead of the user's"
+    )
+    parser.add_argument("--bench", action="store_true", help="make a sketch that tries one component at a time, too: OUT/bench")
+    parser.add_argument("--dry-run", action="store_true", help="say what would be made and write nothing")
+    parser.add_argument("--yes", action="store_true", help="ask nothing")
+    parser.add_argument("--strict", action="store_true", help="stop when a choice is open")
+    parser.add_argument("--verify", action="store_true", help="compare the sketch with the original at the end")
+    parser.add_argument(
+        "--open", action="store_true", help="go on with the page of the plan in the browser, as robosmi open does"
+    )
+
+
+class _Arguments(argparse.Namespace):
+    """The options and arguments of the command."""
+
+    json: bool
+    files: list[Path]
+    source_platform: str | None
+    include_dirs: list[Path]
+    defines: list[str]
+    hardware: Path | None
+    target: str | None
+    output: Path
+    libraries: list[str]
+    bind: list[str]
+    adapters: str | None
+    widths: str
+    history: str | None
+    bench: bool
+    dry_run: bool
+    yes: bool
+    strict: bool
+    verify: bool
+    open: bool
+
+
+def run(arguments: _Arguments) -> Report:
+    """Run the command."""
+    report = Report("migrate")
+    if not arguments.dry_run:
+        recover(arguments.output)  # what a killed run has begun there may be a change of the project file, too
+    first = arguments.files[0]
+    project = project_of(first)
+    answers = Answers() if may_ask(yes=arguments.yes, as_json=arguments.json) else None
+    beside = first if first.is_dir() else first.parent
+    with progress() as told:
+        done: MadeSketch = content("chain", "migrate")(
+            arguments.files, arguments.output, project=project, hardware=arguments.hardware, target=arguments.target,
+            source_platform=arguments.source_platform, include_dirs=arguments.include_dirs, defines=arguments.defines,
+            libraries=pairs(arguments.libraries, "--library"), bind=pairs(arguments.bind, "--bind"), adapters=arguments.adapters,
+            dry_run=arguments.dry_run, strict=arguments.strict, history=arguments.history,
+            widths=arguments.widths, bench=arguments.bench, verify=arguments.verify,
+            ask=answers.libraries if answers else None, ask_ports=answers.ports if answers else None, progress=told,
+            outside=(lambda: answers.offer(beside)) if answers and not arguments.dry_run else None,
+        )  # fmt: skip
+    if done.verification is not None and (code := done.verification[1]):
+        report.ok, report.failure_code = False, code
+    filled(report, done, project.severity, project.accept)
+    if arguments.open and not arguments.dry_run:
+        from robosmi.cli.commands.open import serve  # a server is wanted only here
+
+        serve(report, arguments.output, browser=not arguments.json)
+    return report
+
+
+def filled(report: Report, made: MadeSketch, severity: Mapping[str, str], accept: tuple[Accepted, ...]) -> Report:
+    """The report of a generation, whether from sources or from a stored plan."""
+    report.rest, report.findings, report.tasks = made.result, list(made.findings), list(made.tasks())
+    report.artifacts = made.artifacts()
+    report.lines = made.lines()
+    report.judge(severity, accept)
+    return report
+
+
+SHOWN = 7
+NONE = "none"
+
+
+def may_ask(*, yes: bool, as_json: bool) -> bool:
+    """Whether a person can be asked: input and output are a terminal, and neither --yes nor --json is given."""
+    return not yes and not as_json and sys.stdin.isatty() and sys.stdout.isatty()
+
+
+def ask_libraries(
+    choices: Sequence[Mapping[str, Any]], *, answer: Callable[[str], str] = input, out: TextIO | None = None
+) -> dict[str, str]:
+    """Ask for a library for each open choice.
+
+    Args:
+        choices: open choices as the contract has them (`libraries[]`), like parts one after the other.
+        answer: reads one line.
+        out: where is written; stdout if None.
+
+    Returns:
+        `#model_index` -> name of a library or `none`, for what was answered.
+    """
+    said: dict[str, str] = {}
+    for choice in choices:
+        candidates = list(choice["candidates"])[:SHOWN]
+        print(f"\nWhich library drives '{terminal(choice['component'])}'?", file=out or sys.stdout)
+        for number, candidate in enumerate(candidates, 1):
+            print(terminal(f"  {number}  {candidate['library']}: {'; '.join(candidate['reasons'])}"), file=out or sys.stdout)
+        print("  0  none; a name takes another library; Enter leaves it open", file=out or sys.stdout)
+        names = [str(candidate["library"]) for candidate in candidates]
+        try:
+            text = answer("> ").strip()
+            while text.isdecimal() and int(text) > len(names):
+                print(f"  there is no number {int(text)} in the list", file=out or sys.stdout)
+                text = answer("> ").strip()
+        except EOFError:
+            return said
+        if name := _named(text, names):
+            said[f"#{choice['component_model_index']}"] = name
+    return said
+
+
+def ask_ports(
+    choices: Sequence[Mapping[str, Any]],
+    pins: Sequence[str],
+    *,
+    answer: Callable[[str], str] = input,
+    out: TextIO | None = None,
+) -> dict[str, str]:
+    """Ask for a pin for each open port.
+
+    Args:
+        choices: open ports as the contract has them (`bindings[]`).
+        pins: what may be answered: pins of the board and names of connections.
+        answer: reads one line.
+        out: where is written; stdout if None.
+
+    Returns:
+        Name of the port -> pin, connection or `none`, for what was answered.
+    """
+    said: dict[str, str] = {}
+    for choice in choices:
+        options = list(choice["options"])[:SHOWN]
+        others = [name for name in choice["names"] if name != choice["name"]]
+        also = f" ({', '.join(others)})" if others else ""
+        print(f"\nWhich pin is the port '{terminal(choice['name'])}'{terminal(also)} on?", file=out or sys.stdout)
+        for number, option in enumerate(options, 1):
+            print(terminal(f"  {number}  {option['label']}: {'; '.join(option['reasons'])}"), file=out or sys.stdout)
+        print("  0  none, it is not wired; the label of a pin takes that; Enter leaves it open", file=out or sys.stdout)
+        names = [str(option["label"]) for option in options]
+        try:
+            text = answer("> ").strip()
+            while text and not (text.isdecimal() and int(text) <= len(names)) and text not in (*pins, NONE):
+                print(f"  there is no {'number' if text.isdecimal() else 'pin'} {terminal(text)}", file=out or sys.stdout)
+                text = answer("> ").strip()
+        except EOFError:
+            return said
+        if name := _named(text, names):
+            said[str(choice["name"])] = name
+    return said
+
+
+class Answers:
+    """What a person answers in one run, to be kept where the person wishes.
+
+    Args:
+        answer: reads one line.
+        out: where is written; stdout if None.
+    """
+
+    def __init__(self, answer: Callable[[str], str] = input, out: TextIO | None = None) -> None:
+        self.answer, self.out = answer, out
+        self.said: dict[str, dict[str, str]] = {}
+
+    def libraries(self, choices: Sequence[Mapping[str, Any]]) -> dict[str, str]:
+        """Ask for libraries; see `ask_libraries`."""
+        found = ask_libraries(choices, answer=self.answer, out=self.out)
+        self.said.setdefault("libraries", {}).update(found)
+        return found
+
+    def ports(self, choices: Sequence[Mapping[str, Any]], pins: Sequence[str]) -> dict[str, str]:
+        """Ask for pins; see `ask_ports`."""
+        found = ask_ports(choices, pins, answer=self.answer, out=self.out)
+        self.said.setdefault("bind", {}).update(found)
+        return found
+
+    def offer(self, folder: Path) -> Elsewhere:
+        """Offer to keep what was answered in the project file of a folder; what the file is to hold if the person wants it.
+
+        Raises:
+            SourceError: the file cannot be read, or would not mean the same with it.
+        """
+        entries = {table: values for table, values in self.said.items() if values}
+        if not entries:
+            return {}
+        from robosmi.generate.project_entries import added_to_project, said_place  # most runs ask nothing
+
+        change = added_to_project(folder, entries)
+        if change.stays:
+            print(f"\nThe answers are kept in the plan alone: {terminal(change.stays)}.", file=self.out or sys.stdout)
+        if not change.files:
+            return {}
+        count, place = sum(len(each) for each in entries.values()), said_place(folder / FILE_NAME)
+        print(f"\nKeep {count} answer{'s' * (count != 1)} in {terminal(place)}? (y, Enter: no)", file=self.out or sys.stdout)
+        try:
+            wanted = self.answer("> ").strip().lower() in ("y", "yes")
+        except EOFError:
+            return {}
+        return change.files if wanted else {}
+
+
+def _named(text: str, names: Sequence[str]) -> str:
+    """The option with this number or name in the list."""
+    if not text.isdecimal():
+        return text
+    return names[int(text) - 1] if int(text) else NONE

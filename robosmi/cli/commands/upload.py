@@ -1,0 +1,52 @@
+"""`robosmi upload OUT --port PORT`: put the compiled program of a sketch on its board."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from robosmi.cli.common import output_folder
+from robosmi.report import Report
+
+if TYPE_CHECKING:
+    from robosmi.cli.options import Options
+
+
+def configure(parser: Options) -> None:
+    """Add the command's options."""
+    parser.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate, or the sketch's own folder")
+    parser.add_argument("--port", metavar="PORT", required=True, help="serial port of the board, as the system calls it")
+    parser.add_argument("--build", metavar="DIR", type=output_folder, help="the folder that compile -o was given")
+    parser.add_argument("--baud", metavar="N", type=int, help="baud rate of the boot loader, instead of the board's")
+    parser.add_argument("--unfinished", action="store_true", help="send a program with bodies that are still to be written, too")
+    parser.add_argument("--dry-run", action="store_true", help="send nothing; say what would be done")
+
+
+class _Arguments(argparse.Namespace):
+    """The options and arguments of the command."""
+
+    output: Path
+    port: str
+    build: Path | None
+    baud: int | None
+    unfinished: bool
+    dry_run: bool
+
+
+def run(arguments: _Arguments) -> Report:
+    """Run the command."""
+    from robosmi.verify.uploads.upload import upload_sketch
+
+    done = upload_sketch(
+        arguments.output, arguments.port, kept_in=arguments.build, baud=arguments.baud, unfinished=arguments.unfinished,
+        dry_run=arguments.dry_run,
+    )  # fmt: skip
+    report = Report("upload")
+    report.result = done.to_json()
+    what = "is on" if done.sent else "would be sent to"
+    report.lines = [
+        f"the program ({done.bytes} bytes) {what} '{done.board}' at {done.port}, with {done.tool}",
+        f"  {report.result['command']}",
+    ]
+    return report

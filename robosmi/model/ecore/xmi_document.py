@@ -1,0 +1,64 @@
+"""The data that the parts of the XMI reader share: documents, and the reasons why a file is no document.
+
+A document contains the elements of one file and the list of what is still unresolved. Nothing is read or resolved here.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import TypeAlias
+
+from msgspec import Struct
+
+from robosmi.model.elements.ecore import DynamicEObject, EObject, Package
+from robosmi.model.elements.xmi_plan import ClassPlan, FeatureEntry
+
+NO_MODEL = "give a model in XMI"
+"""The advice for a file that is no model."""
+Problem = Callable[[int, str], None]
+PackageOf: TypeAlias = "Callable[[str], Package | None]"
+"""Namespace URI -> EPackage or generated module, or None."""
+
+XMI_NAMESPACES = re.compile(r"http://(www\.omg\.org/XMI|(schema|www)\.omg\.org/spec/XMI(/[0-9.]+)?)")
+"""The namespaces that XMI itself has had."""
+
+
+class Unreadable(Exception):
+    """The file cannot be read as a model at all; `namespace` is that of its root if no metamodel has it."""
+
+    def __init__(self, text: str, line: int, fix: str = NO_MODEL, namespace: str = "") -> None:
+        super().__init__(text)
+        self.text = text
+        self.line = line
+        self.fix = fix
+        self.namespace = namespace
+
+
+class UnknownEncoding(Unreadable):
+    """The file says an encoding that the XML parser does not know."""
+
+
+class ForeignRoot(Exception):
+    """The file's root is no model element of the user's: it is an Ecore metamodel."""
+
+
+class Document(Struct):
+    """One file as it was read.
+
+    Attributes:
+        path: absolute.
+        roots: the root elements.
+        ids: xmi:id or value of the ID attribute -> element.
+        references: element, entry, URIs, line, whether the text is one URI: what is still to be linked.
+        parts: container, entry, URI, line, place among its siblings of contained elements that lie in other files.
+        counted: elements whose class bounds the number of values, with their lines.
+    """
+
+    path: Path
+    roots: list[DynamicEObject] = []
+    ids: dict[str, DynamicEObject] = {}
+    references: list[tuple[EObject, FeatureEntry, str, int, bool]] = []
+    parts: list[tuple[EObject, FeatureEntry, str, int, int]] = []
+    counted: list[tuple[EObject, ClassPlan, int]] = []

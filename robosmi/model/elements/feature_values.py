@@ -1,0 +1,125 @@
+"""The collections of many-valued features: pyecore's, extended by the operations of queries.
+
+`book.authors.select(...)` is delegated to a collection that the query package makes from the values
+(`robosmi.query.held.collection`). This package does not depend on queries, so they register themselves when imported
+(`queried_by`). Methods of pyecore's collections keep their meaning (`append`, `remove`, `index`), except for `select`, `reject`
+and `count`, which return plain lists or take no function there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from robosmi.model.elements.ecore import EBag, ECollection, EList, EObject, EOrderedSet, ESet, EStructuralFeature
+from robosmi.model.elements.feature_errors import FeatureValueError, not_computed, value_refused
+
+_query: Callable[[Any], Any] | None = None
+
+
+def queried_by(view: Callable[[Any], Any]) -> None:
+    """Register the function that makes a query collection from the values of a feature."""
+    global _query
+    _query = view
+
+
+class Asked:
+    """Adds the operations of queries to a collection of elements or values."""
+
+    def __getattr__(self, name: str) -> Any:
+        if name[0] == "_" or _query is None:
+            raise AttributeError(f"'{type(self).__name__}' has no attribute '{name}'")
+        return getattr(_query(self), name)
+
+    def _repr_html_(self) -> str:
+        from robosmi.model.elements.show import items_html  # for notebooks only
+
+        return items_html(list(self))
+
+    def _ask(self, name: str, *arguments: Any, **options: Any) -> Any:
+        if _query is None:
+            raise AttributeError(f"'{name}' is an operation of queries: import robosmi.query")
+        return getattr(_query(self), name)(*arguments, **options)
+
+    def select(self, condition: Callable[[Any], Any], kind: Any = None) -> Any:
+        """The values for which the condition holds, as queries give them."""
+        return self._ask("select", condition, kind)
+
+    def reject(self, condition: Callable[[Any], Any], kind: Any = None) -> Any:
+        """The values for which the condition does not hold, as queries give them."""
+        return self._ask("reject", condition, kind)
+
+    def count(self, condition: Any, kind: Any = None) -> int:
+        """How many values there are for which the condition holds, or that are the value."""
+        return int(self._ask("count", condition, kind))
+
+
+class Contents(Asked, list[Any]):
+    """What an element contains, as a list of its own that takes the operations of queries; changing it changes no element."""
+
+
+class Queried(Asked):
+    """Adds the operations of queries to a collection of pyecore's that holds the values of a feature."""
+
+    def check(self, value: object) -> None:
+        """Refuse a value that the feature does not take, as assigning does.
+
+        Raises:
+            FeatureValueError: it is of another kind, or None in the place of an element.
+        """
+        if value is None and self._place()[1]:
+            raise FeatureValueError(f"{self._place()[0]} takes elements, not None", fix="leave out what is not there")
+        try:
+            super().check(value)  # type: ignore[misc]
+        except TypeError as error:
+            owner, _, name = self._place()[0].rpartition(".")
+            raise value_refused(owner, name, value, error) from error
+
+    def _place(self) -> tuple[str, bool]:
+        """Class and name of the feature, as `Book.authors`, and whether it holds elements."""
+        feature = getattr(self, "feature", None)
+        owner = type(getattr(self, "owner", None)).__name__
+        return f"{owner}.{feature.name if feature is not None else ''}", feature is not None and bool(feature.is_reference)
+
+
+def _class(name: str, base: type, said: str) -> Any:
+    return type(name, (Queried, base), {"__doc__": said, "__module__": __name__})
+
+
+FeatureOrderedSet: Any = _class("FeatureOrderedSet", EOrderedSet, "Unique values in order.")
+FeatureSet: Any = _class("FeatureSet", ESet, "Unique values in no order.")
+FeatureList: Any = _class("FeatureList", EList, "Values in order.")
+FeatureBag: Any = _class("FeatureBag", EBag, "Values in no order.")
+
+
+if TYPE_CHECKING:
+    _Collection = ECollection[Any]
+else:
+    _Collection = ECollection
+
+
+class FeatureCollection(_Collection):
+    """Makes the collection of a feature when it is first read; a feature's `derived_class`, in pyecore's words."""
+
+    @staticmethod
+    def create(owner: EObject, feature: EStructuralFeature) -> Any:
+        """An empty collection for a feature of an element.
+
+        Raises:
+            NotComputedError: the feature is derived and volatile, and no code computes it.
+        """
+        if feature.derived and feature.volatile:
+            raise not_computed(owner, str(feature.name))
+        return kind_of(feature)(owner, feature)
+
+
+def kind_of(feature: EStructuralFeature) -> Any:
+    """The class of the values of a feature that is not derived."""
+    if feature.unique:
+        return FeatureOrderedSet if feature.ordered else FeatureSet
+    return FeatureList if feature.ordered else FeatureBag
+
+
+def is_stored(feature: EStructuralFeature) -> bool:
+    """Whether the values of a feature are kept in the element, not computed by a class of a person's own."""
+    return feature.derived_class in (ECollection, FeatureCollection)

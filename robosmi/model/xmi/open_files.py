@@ -1,0 +1,107 @@
+"""The open model files of a session: a reference to one of them resolves to the elements that are loaded already.
+
+EMF's resource set has the same effect by loading each file once. `opening` selects drivers, and `xmi_links` resolves
+references.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Protocol
+
+from robosmi import inputs
+from robosmi.model.ecore.metamodels import Metamodels, built_in
+from robosmi.model.ecore.xmi_document import Document
+from robosmi.model.elements.ecore import DynamicEObject, EPackage, Package
+from robosmi.model.elements.features import as_package
+from robosmi.model.elements.fragments import own_id
+
+
+class OpenModel(Protocol):
+    """A model that is open, as far as references of other files need it."""
+
+    @property
+    def packages(self) -> Sequence[EPackage]:
+        """The packages of its elements' classes."""
+
+    @property
+    def roots(self) -> list[DynamicEObject]:
+        """Its root elements."""
+
+    def all_contents(self) -> Iterable[DynamicEObject]:
+        """All of its elements."""
+
+
+class OpenFiles:
+    """The open models and the files that were read with them, by their absolute paths."""
+
+    def __init__(self) -> None:
+        self._models: dict[Path, OpenModel] = {}
+        self._read: dict[Path, tuple[Document, str]] = {}
+
+    def documents(self, path: Path) -> OpenDocuments:
+        """What a file that is opened now may refer to; nothing when it is open already, as it is then read a second time."""
+        return OpenDocuments(self if path not in self._models else OpenFiles())
+
+    def packages(self) -> Metamodels:
+        """The built-in metamodels, and those of the models that are open."""
+        own: list[Package] = [package for model in self._models.values() for package in model.packages]
+        return Metamodels([*dict.fromkeys([*reversed(own), *built_in().packages])])
+
+    def roots(self, path: Path, known: Metamodels) -> list[DynamicEObject] | None:
+        """The root elements of a file that was read with another one and is to be a model now, or None to read it."""
+        if path in self._models or path not in self._read or (found := self._document(path)) is None:
+            return None
+        packages = [(root.eClass.ePackage, known.get(root.eClass.ePackage.nsURI)) for root in found.roots]
+        return found.roots if all(own is not None and as_package(own) is package for package, own in packages) else None
+
+    def add(self, path: Path, model: OpenModel, documents: Mapping[Path, Document]) -> None:
+        """Note a model and the files that were read with it."""
+        self._models[path] = model
+        self._read.pop(path, None)
+        for place, document in documents.items():
+            if place not in self._models:
+                self._read[place] = document, _digest(place)
+
+    def find(self, path: Path) -> Document | None:
+        """The elements of a file that is open, as they are now, or None."""
+        if (model := self._models.get(path)) is None:
+            return self._document(path)
+        ids = {own: element for element in model.all_contents() if (own := own_id(element)) is not None}
+        return Document(path, model.roots, ids)
+
+    def _document(self, path: Path) -> Document | None:
+        """The document read from a file, if the file is unchanged since."""
+        document, digest = self._read.get(path, (None, ""))
+        return document if document is not None and _digest(path) == digest else None
+
+
+class OpenDocuments:
+    """Files that are open, for one file that is read.
+
+    Args:
+        files: the open files.
+    """
+
+    def __init__(self, files: OpenFiles | None = None) -> None:
+        self._files = files if files is not None else OpenFiles()
+        self._found: dict[Path, Document | None] = {}
+
+    def get(self, path: Path) -> Document | None:
+        """The elements of an open file, or None."""
+        if path not in self._found:
+            self._found[path] = self._files.find(path)
+        return self._found[path]
+
+    def leave(self, paths: Iterable[Path]) -> None:
+        """Read these files again instead of using open models, whose elements cannot be moved into another container."""
+        self._found |= dict.fromkeys(paths)
+
+
+def _digest(path: Path) -> str:
+    try:
+        return hashlib.sha256(inputs.read_bytes(path, inputs.MODEL)).hexdigest()
+    except OSError:
+        return ""

@@ -1,0 +1,565 @@
+"""XMI files to models: a file and everything it refers to, as plain elements with no proxies left.
+
+The way in to the reader. Opens files, finds metamodels (also by xsi:schemaLocation), collects the problems of all files and
+reports them together. One file is `xmi_parser`'s part, references `xmi_links`', and what a class demands is in its plan.
+
+References of files that were just read: URIs to elements, both sides of opposites, parts that lie in other files.
+
+Works on documents of `xmi_parser` when all elements exist. Values go straight into pyecore's slots; where a file gives only
+one side of an opposite, the other is completed, and where its two sides contradict each other that is a problem. Opening
+files is the caller's part.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeAlias
+from urllib.parse import unquote
+
+from robosmi import inputs
+from robosmi.diagnostics import Location
+from robosmi.errors import ModelError, RobosmiError, SourceError
+from robosmi.model.ecore.metamodels import OWN_NAMESPACES, Metamodels, built_in
+from robosmi.model.ecore.xmi_document import Document, ForeignRoot, Unreadable
+from robosmi.model.elements import ecore, lean
+from robosmi.model.elements.ecore import DynamicEObject, ENamedElement, EObject, Package
+from robosmi.model.elements.features import as_package
+from robosmi.model.elements.lean import BARE, ContainedValue, ReferenceValue, collection, collector_at_rest, holder
+from robosmi.model.elements.pyecore_internals import (
+    add_silently,
+    contain,
+    container_of,
+    fill_silently,
+    is_value,
+    key_of,
+    target_in,
+)
+from robosmi.model.elements.xmi_plan import FeatureEntry, Plans
+from robosmi.model.xmi.xmi_parser import parse
+from robosmi.model.xmi.xmi_places import shown
+
+if TYPE_CHECKING:
+    from robosmi.model.xmi.open_files import OpenDocuments
+
+
+__all__ = ["DamagedModelError", "Document", "UnreadableModelError", "read_documents", "read_models", "resolve"]
+_SHOWN = 20
+_SCHEME = re.compile("([A-Za-z][A-Za-z0-9+.-]*):")
+Problems = list[tuple[Location, str]]
+
+
+class DamagedModelError(ModelError):
+    """Files that contradict their metamodels; `problems` has place and text of everything that is wrong."""
+
+    def __init__(self, problems: Problems) -> None:
+        self.problems = problems
+        super().__init__(
+            f"the model contradicts its metamodel in {len(problems)} place(s):\n{_listed(problems)}",
+            location=problems[0][0],
+            fix="repair the file, or make it again with the tool that wrote it",
+        )
+
+
+class UnreadableModelError(SourceError):
+    """Files that cannot be read as models at all; `problems` has them, and what else was wrong in what could be read."""
+
+    def __init__(self, problems: Problems, text: str, location: Location, fix: str) -> None:
+        self.problems = problems
+        more = f"; there are {len(problems)} problems:\n{_listed(problems)}" if len(problems) > 1 else ""
+        super().__init__(f"{text}{more}", location=location, fix=fix)
+
+
+def _listed(problems: Problems) -> str:
+    shown = "\n".join(f"  {location}: {text}" for location, text in problems[:_SHOWN])
+    return f"{shown}\n  ... and {len(problems) - _SHOWN} more" if len(problems) > _SHOWN else shown
+
+
+def read_models(path: Path, metamodels: Metamodels, *, inside: Path | None = None) -> dict[Path, Any]:
+    """Read a model file and the model files that it refers to, directly or through others; each has one root.
+
+    Args:
+        path: the .xmi file.
+        metamodels: the metamodels the files may use.
+        inside: the folder that no file is read outside of, after links are resolved; None for any.
+
+    Returns:
+        Absolute path -> root element; the given file comes first.
+
+    Raises:
+        SourceError: a file is missing, is no XML or no XMI, or has several roots.
+        ModelError: a file contradicts its metamodel, or a reference leads nowhere; all problems in one message.
+    """
+    documents = read_documents(path, metamodels, inside=inside)
+    for document in documents.values():
+        if len(document.roots) != 1:
+            raise SourceError(
+                f"a model with {'several roots' if document.roots else 'no root'} cannot be used here",
+                location=Location(str(document.path), 1),
+                fix="keep one root in a file",
+            )
+    return {file: document.roots[0] for file, document in documents.items()}
+
+
+def read_documents(
+    path: Path,
+    metamodels: Metamodels,
+    *,
+    bounds: bool = True,
+    inside: Path | None = None,
+    opened: OpenDocuments | None = None,
+) -> dict[Path, Document]:
+    """Read a model file and those that it refers to, whatever the number of their roots.
+
+    Cyclic garbage collection of this process rests meanwhile: elements are full of cycles, and none of them is garbage yet.
+
+    Args:
+        path: the .xmi file.
+        metamodels: the metamodels the files may use; a file may name others by xsi:schemaLocation, for this read only.
+        bounds: whether an element that lacks a required value, or has more than allowed, is a problem.
+        inside: the folder that no file is read outside of, after links are resolved; None for any.
+        opened: files that are open: a reference to one leads to its elements; None for none.
+
+    Returns:
+        Absolute path -> document with `roots` and `ids`; the given file comes first. Metamodel files that were referred to
+        and open files are not in it.
+
+    Raises:
+        UnreadableModelError: a file is missing, is no XML or no XMI.
+        DamagedModelError: a file contradicts its metamodel, or a reference leads nowhere. Both list all problems.
+    """
+    with collector_at_rest():
+        reader = _Reader(metamodels, inside, opened)
+        reader.open(Path(os.path.realpath(path)), None)
+        reader.link()
+        if bounds:
+            reader.count()
+    if reader.fatal is not None:
+        raise UnreadableModelError(reader.sorted_problems(), *reader.fatal)
+    if reader.problems:
+        raise DamagedModelError(reader.sorted_problems())
+    return reader.documents
+
+
+class _Reader:
+    def __init__(self, metamodels: Metamodels, inside: Path | None, opened: OpenDocuments | None) -> None:
+        self.metamodels = metamodels
+        self.opened = opened
+        self.inside = os.path.realpath(inside) if inside is not None else None
+        self.plans = Plans()
+        self.documents: dict[Path, Document] = {}
+        self.packages: dict[str, Any] = {}  # by namespace: found by xsi:schemaLocation
+        self.problems: Problems = []
+        self.fatal: tuple[str, Location, str] | None = None
+        self._ecore_files: dict[Path, Any] = {}
+        self._refused: set[Path] = set()
+        self._opened: dict[tuple[Path, str], Any] = {}
+
+    def sorted_problems(self) -> Problems:
+        """The problems of each file in the order of its lines, files in the order in which they were opened."""
+        order = {str(path): index for index, path in enumerate([*self.documents, *self._refused])}
+        return sorted(self.problems, key=lambda p: (order.get(p[0].path, -1), p[0].line or 0))
+
+    def give_up(self, location: Location, text: str, fix: str) -> None:
+        """Note that a file cannot be read at all."""
+        self.problems.append((location, text))
+        if self.fatal is None:
+            self.fatal = (text, location, fix)
+
+    # --- files
+
+    def open(self, path: Path, referrer: Location | None) -> Any:
+        """The document or package of a file, or None with the problem noted."""
+        if path in self.documents:
+            return self.documents[path]
+        if path in self._ecore_files:
+            return self._ecore_files[path]
+        if path in self._refused:
+            return None
+        if not self._may_read(path):
+            self._refused.add(path)
+            self.give_up(
+                referrer or Location(str(path)), f"the model refers to '{path.name}', which lies outside of its folder",
+                "keep the models that refer to each other in one folder, without links out of it",
+            )  # fmt: skip
+            return None
+        try:
+            data = inputs.read_bytes(path, inputs.MODEL)
+        except OSError as error:
+            self._refused.add(path)
+            why = error.strerror or str(error)
+            self.give_up(
+                referrer or Location(str(path)),
+                f"the model '{path.name}' cannot be read: {why}",
+                inputs.fix_of(error, "check the path; files that refer to each other must keep their places"),
+            )
+            return None
+        place = str(path)
+        try:
+            document = parse(
+                path, data, self.plans, self.package, lambda text: self.locate(path, text),
+                lambda line, text: self.problems.append((Location(place, line), text)),
+            )  # fmt: skip
+        except ForeignRoot:
+            return self.ecore(path, referrer or Location(place))
+        except Unreadable as error:
+            self._refused.add(path)
+            text, fix = (error.text, error.fix) if error.fix else self._unknown(error)
+            self.give_up(Location(place, error.line), text, fix)
+            return None
+        self.documents[path] = document
+        return document
+
+    def _unknown(self, error: Unreadable) -> tuple[str, str]:
+        """What is wrong with a file whose root has an unknown namespace, and what to do about it."""
+        uri = error.namespace
+        if uri.startswith(OWN_NAMESPACES) and uri not in (current := built_in().uris()):
+            family = uri.rpartition("/")[0]
+            for known in (each for each in current if each.rpartition("/")[0] == family):
+                return f"the model is of '{uri}', and this version of RoboSMi reads '{known}'", "migrate the program again"
+        ways = "--metamodel X.ecore in a command, Metamodel.load('X.ecore') in Python"
+        return error.text, f"give its metamodel ({ways}); known namespaces: {', '.join(self.metamodels.uris())}"
+
+    def package(self, uri: Any) -> Any:
+        """The package of a namespace, or None; the built-in metamodels are known beside those that were given."""
+        found = self.metamodels.get(uri)
+        found = found if found is not None else self.packages.get(uri)
+        return built_in().get(uri) if found is None and str(uri).startswith(OWN_NAMESPACES) else found
+
+    def locate(self, path: Path, text: str) -> None:
+        """Load the metamodels that a file names by xsi:schemaLocation, as far as they are files and not known."""
+        words = text.split()
+        for uri, place in zip(words[::2], words[1::2], strict=False):
+            file = self._local(path, place.partition("#")[0])
+            if self.package(uri) is None and file is not None and self._may_read(file) and file.is_file():
+                self.ecore(file, Location(str(path), 1))
+
+    def ecore(self, path: Path, referrer: Location) -> Any:
+        """The package of an .ecore file: the one that is known under its namespace, else a new one."""
+        from robosmi.model.ecore.metamodel import Metamodel
+
+        try:
+            loaded = Metamodel.load(path)
+        except RobosmiError as error:
+            self._refused.add(path)
+            self.give_up(error.location or referrer, error.message, error.fix or "")
+            return None
+        for package in loaded.packages:
+            for uri in Metamodels([package]).uris():
+                self.packages.setdefault(uri, loaded.get(uri))
+        first = loaded.packages[0]
+        self._ecore_files[path] = self.package(first.nsURI) or first
+        return self._ecore_files[path]
+
+    def _may_read(self, path: Path) -> bool:
+        return self.inside is None or path.is_relative_to(self.inside)
+
+    @staticmethod
+    def _local(path: Path, uri: str) -> Path | None:
+        """The file that a URI names, seen from another file; None if it is none."""
+        scheme = _SCHEME.match(uri)
+        if "%00" in uri or (scheme and scheme[1].lower() != "file"):
+            return None
+        name = unquote(uri[scheme.end() :] if scheme else uri)
+        return Path(os.path.realpath(path.parent / (re.sub("^//[^/]*", "", name) if scheme else name)))
+
+    # --- references
+
+    def link(self) -> None:
+        """Resolve all references, reading further files as they are met."""
+        linker = XmiLinker(
+            self.find, lambda document, line, text: self.problems.append((Location(str(document.path), line), text))
+        )
+        linked = 0
+        while linked < len(self.documents):
+            document = list(self.documents.values())[linked]
+            linked += 1
+            if self.opened is not None:
+                files = (self._local(document.path, uri.partition("#")[0]) for _, _, uri, *_ in document.parts)
+                self.opened.leave(file for file in files if file is not None)
+            linker.link(document)
+        linker.finish()
+
+    def find(self, document: Document, uri: str, line: int) -> Any:
+        """The document or package that the file part of a reference names, or None with the problem noted."""
+        key = (document.path, uri)
+        if key in self._opened:
+            return self._opened[key]
+        from robosmi.model.elements import ecore
+
+        location = Location(str(document.path), line)
+        found = ecore.EString.ePackage if uri == ecore.nsURI else self.package(uri)
+        if found is None:
+            path = self._local(document.path, uri)
+            if path is not None:
+                found = (self.opened.get(path) if self.opened is not None else None) or self.open(path, location)
+            else:
+                self.problems.append((location, f"'{uri}' is no file and no known metamodel"))
+        self._opened[key] = found
+        return found
+
+    def count(self) -> None:
+        """Hold the elements against the bounds of their features."""
+        for document in self.documents.values():
+            place = str(document.path)
+            for element, plan, line in document.counted:
+                slots = element.__dict__
+                for key, name, lower, upper in plan.bounds:
+                    slot = slots.get(key)
+                    number = 0 if slot is None else 1 if slot.__class__ in BARE or is_value(slot) else len(slot)
+                    if number < lower:
+                        wanted = "which it needs" if lower == 1 else f"of which it needs {lower}, but {number}"
+                        text = f"{plan.name} has no '{name}', which it needs" if not number else f"{plan.name}.{name}: {wanted}"
+                        self.problems.append((Location(place, line), text))
+                    elif 1 < upper < number:
+                        self.problems.append((Location(place, line), f"{plan.name}.{name} takes {upper} values, not {number}"))
+
+
+Problem = Callable[[Document, int, str], None]
+Where: TypeAlias = "Document | Package"
+Open: TypeAlias = "Callable[[Document, str, int], Where | None]"
+"""Document, the file part of a URI, line -> the document or package there, or None with the problem noted."""
+
+_KEYS = re.compile(r"@([^\[]+)\[(.*)\]")
+_KEY = re.compile(r"([^=,]+)='([^']*)'")
+_TYPE = re.compile(r"[^\s:#/]+:[^\s:#/]+")
+
+
+class XmiLinker:
+    """Resolves what the documents of one load refer to.
+
+    Args:
+        open_file: finds the document or package that a URI's file part names.
+        problem: is told document, line and text of every problem.
+    """
+
+    def __init__(self, open_file: Open, problem: Problem) -> None:
+        self.open_file = open_file
+        self.problem = problem
+        self._found: dict[int, dict[str, DynamicEObject]] = {}
+        self._two_sided: list[tuple[Document, int, EObject, FeatureEntry, list[EObject]]] = []
+
+    def link(self, document: Document) -> None:
+        """Resolve the references of a document; `finish` must follow when all documents are linked."""
+        found = self._found.setdefault(id(document), {})
+        for owner, entry, link, line, place in document.parts:
+            self._contain(document, owner, entry, link, line, place)
+        for owner, entry, text, line, whole in document.references:
+            if not entry.many:
+                target = found.get(text)
+                if target is None:
+                    links = [text] if whole else self._one(document, text)
+                    if len(links) > 1:
+                        self._wrong(document, line, owner, entry, f"takes one element, not {len(links)}")
+                    target = self.target(document, links[0], line, owner, entry) if links else None
+                    if target is None:
+                        continue
+                if not entry.takes(target.__class__):
+                    self._wrong(document, line, owner, entry, f"does not take {shown(target)}")
+                    continue
+                self._set(document, line, owner, entry, target)
+                continue
+            targets: list[EObject] = []
+            for link in [text] if whole else self._several(document, text):
+                target = found.get(link)
+                if target is None and (target := self.target(document, link, line, owner, entry)) is None:
+                    continue
+                if not entry.takes(target.__class__):
+                    self._wrong(document, line, owner, entry, f"does not take {shown(target)}")
+                else:
+                    targets.append(target)
+            self._add(document, line, owner, entry, targets)
+
+    def _wrong(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, text: str) -> None:
+        self.problem(document, line, f"{type(owner).__name__}.{entry.feature.name} {text}")
+
+    def _one(self, document: Document, text: str) -> list[str]:
+        """The URI of a single reference: an id may hold spaces, a type may stand before a URI of another file."""
+        if text in document.ids:
+            return [text]
+        return _without_types(text.split())
+
+    def _several(self, document: Document, text: str) -> list[str]:
+        parts = text.split()
+        return parts if ":" not in text else [p for p in parts if p in document.ids or not _TYPE.fullmatch(p)]
+
+    # --- URIs
+
+    def target(self, document: Document, link: str, line: int, owner: EObject, entry: FeatureEntry) -> DynamicEObject | None:
+        """The element that a URI leads to, or None with the problem noted."""
+        found: DynamicEObject | None = None
+        if link in document.ids:
+            found = document.ids[link]
+        elif "#" in link and not link.startswith("#"):
+            file, _, fragment = link.partition("#")
+            where = self.open_file(document, file, line)
+            if where is None:
+                return None
+            found = resolve(where, fragment)
+        else:
+            found = resolve(document, link.removeprefix("#"))
+        if found is None:
+            self.problem(document, line, f"{type(owner).__name__}.{entry.feature.name}: '{link}' leads to nothing")
+        elif "#" not in link:
+            self._found[id(document)][link] = found
+        return found
+
+    # --- values
+
+    def _set(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, target: EObject) -> None:
+        slots = owner.__dict__
+        slot = slots.get(entry.key)
+        if slot is not None and target_in(slot) is not None and target_in(slot) is not target:
+            self._wrong(document, line, owner, entry, "takes one element, not two")
+            return
+        slots[entry.key] = holder(ReferenceValue, owner, entry.feature, target)
+        if entry.back is None:
+            lean.note_link(target, (owner, entry.feature))
+        else:
+            self._two_sided.append((document, line, owner, entry, [target]))
+
+    def _add(self, document: Document, line: int, owner: EObject, entry: FeatureEntry, targets: list[EObject]) -> None:
+        slots = owner.__dict__
+        many = slots.get(entry.key)
+        if many is None:
+            many = slots[entry.key] = collection(owner, entry.feature)
+        for target in targets:
+            if add_silently(many, target) and entry.back is None:
+                lean.note_link(target, (owner, entry.feature))
+        if entry.back is not None:
+            self._two_sided.append((document, line, owner, entry, targets))
+
+    def finish(self) -> None:
+        """Make both sides of all opposites agree."""
+        for document, line, owner, entry, targets in self._two_sided:
+            back = entry.back
+            if back is None:
+                continue
+            key = key_of(back)
+            for target in targets:
+                slot = target.__dict__.get(key)
+                if back.many:
+                    if slot is None:
+                        slot = target.__dict__[key] = collection(target, back)
+                    add_silently(slot, owner)
+                elif slot is None or target_in(slot) is None:
+                    target.__dict__[key] = holder(ReferenceValue, target, back, owner)
+                elif target_in(slot) is not owner:
+                    other = shown(target_in(slot))
+                    self._wrong(
+                        document, line, owner, entry, f"is {shown(target)}, whose opposite '{back.name}' is {other} already"
+                    )
+
+    def _contain(self, document: Document, owner: EObject, entry: FeatureEntry, link: str, line: int, place: int) -> None:
+        """Put a root of another file, or an element of this one, into the feature that contains it by a reference."""
+        part = self.target(document, link, line, owner, entry)
+        if part is None:
+            return
+        if not entry.takes(part.__class__):
+            self._wrong(document, line, owner, entry, f"does not take {shown(part)}")
+            return
+        container: EObject | None = owner
+        while container is not None:
+            if container is part:
+                self._wrong(document, line, owner, entry, f"would make {shown(part)} contain itself")
+                return
+            container = container_of(container)
+        if container_of(part) is not None:
+            self._wrong(document, line, owner, entry, f"takes {shown(part)}, which is contained elsewhere already")
+            return
+        slots = owner.__dict__
+        if not entry.many:
+            if entry.key in slots:
+                self._wrong(document, line, owner, entry, "takes one element, not two")
+                return
+            slots[entry.key] = holder(ContainedValue, owner, entry.feature, part)
+        else:
+            if entry.key not in slots:
+                slots[entry.key] = collection(owner, entry.feature)
+            add_silently(slots[entry.key], part)
+            _move(slots[entry.key], place)
+        contain(part, owner, entry.feature)
+        if entry.back is None:
+            lean.note_link(part, (owner, entry.feature))
+        else:
+            part.__dict__[key_of(entry.back)] = holder(ReferenceValue, part, entry.back, owner)
+
+
+def _move(many: Any, place: int) -> None:
+    """Move the last value of a collection to its index."""
+    items = list(many)
+    items.insert(place, items.pop())
+    fill_silently(many, items)
+
+
+def _without_types(parts: list[str]) -> list[str]:
+    return [part for part in parts if not _TYPE.fullmatch(part)] if len(parts) > 1 else parts
+
+
+# --- fragments
+
+
+def resolve(where: Where | EObject, fragment: str) -> Any:
+    """The element at an EMF fragment of a document, a package or a model with one root, or None.
+
+    Fragments are ids (`_x1`), paths (`//@units.0/@body`, `/1/@units.0`) or, in metamodels, names (`//Class/feature`).
+    """
+    if isinstance(where, Document):
+        if fragment in where.ids:
+            return where.ids[fragment]
+        if not fragment.startswith("/"):
+            return where.ids.get(unquote(fragment))
+        roots: Sequence[EObject] = where.roots
+    else:
+        roots = [where if isinstance(where, ecore.EObject) else as_package(where)]
+    first, *steps = fragment[1:].split("/")
+    if first.startswith("?") and isinstance(where, Document):
+        element: EObject | None = where.ids.get(first[1:])
+    elif first and not (first.isascii() and first.isdecimal()):
+        return None
+    else:
+        index = int(first or 0)
+        element = roots[index] if index < len(roots) else None
+    for step in steps:
+        if element is None:
+            return None
+        element = _step(element, step)
+    return element
+
+
+def _step(element: EObject, step: str) -> EObject | None:
+    if step[:1] != "@":
+        return _by_name(element, step) if isinstance(element, ecore.EModelElement) else None
+    name, _, index = step[1:].partition(".")
+    slot = element.__dict__.get(name)
+    if slot is not None and not isinstance(slot, lean.AttributeValue) and index.isascii() and index.isdecimal():
+        try:
+            items = slot if isinstance(slot, list) else slot.items
+            found: DynamicEObject = items[int(index)]
+            return found
+        except (AttributeError, IndexError):
+            return None
+    if slot is None and (keys := _KEYS.fullmatch(step)):
+        return _by_keys(element, keys[1], {key[1]: key[2] for key in _KEY.finditer(keys[2])})
+    value = target_in(slot) if not index and is_value(slot) else None
+    return value if isinstance(value, ecore.EObject) else None
+
+
+def _by_keys(element: EObject, name: str, wanted: dict[str, str]) -> DynamicEObject | None:
+    """The element of a collection whose key attributes have these texts (`@items[name='a']`)."""
+    one: DynamicEObject
+    for one in element.__dict__.get(name, ()):
+        if wanted and all(str(getattr(one, key, None)) == unquote(text) for key, text in wanted.items()):
+            return one
+    return None
+
+
+def _by_name(element: EObject, name: str) -> EObject | None:
+    """The part of a metamodel element with that name."""
+    parts: list[ENamedElement] = []
+    for feature in ("eClassifiers", "eSubpackages", "eStructuralFeatures", "eOperations", "eLiterals", "eParameters"):
+        parts.extend(getattr(element, feature, ()))
+    texts = (name, unquote(name))
+    return next((part for part in parts if part.name in texts), None)

@@ -1,0 +1,169 @@
+"""Which libraries a sketch needs, and where they are: installed ones first, stand-ins of the repository after them.
+
+The preprocessor itself names the headers it cannot find, so conditions and macros count and comments do not. For each such
+header a library that offers it is added, until no header is missing or nothing offers it. Compiling is done by `build`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from functools import cached_property
+from pathlib import Path
+from typing import NamedTuple
+
+from robosmi import inputs
+from robosmi.base.data_tables import DataTable, find_files
+from robosmi.verify.toolchains.toolchain_data import Toolchain, fill, places
+
+INSTALLED, STAND_IN = "installed", "stand-in"
+"""Where a library comes from, as reports say it."""
+
+
+class CompiledLibrary(NamedTuple):
+    """A library that can be compiled against.
+
+    Attributes:
+        name: its name as library managers know it.
+        version: its version; of a stand-in, the version it is compatible with.
+        source: `INSTALLED` or `STAND_IN`.
+        folder: where it lies.
+        include: the folder that headers are found in.
+        deep: whether sources count at any depth of `include`.
+        flat: without `deep`, the sub-folders of `include` whose sources count, too.
+    """
+
+    name: str
+    version: str
+    source: str
+    folder: Path
+    include: Path
+    deep: bool
+    flat: tuple[str, ...]
+
+    def own_includes(self) -> list[Path]:
+        """The folders that its own sources find headers in, `include` first."""
+        inner = [] if self.deep else [self.include / name for name in self.flat]
+        return [self.include, *(folder for folder in inner if folder.is_dir())]
+
+    def files(self, suffixes: Iterable[str]) -> list[Path]:
+        """Its source files of these suffixes, sorted."""
+        wanted = tuple(suffixes)
+        flat = (path for folder in self.own_includes() for path in folder.glob("*"))
+        found = self.include.rglob("*") if self.deep else flat
+        return sorted(path for path in found if path.suffix in wanted and path.is_file())
+
+    def to_json(self) -> dict[str, str]:
+        """The contract's form, with version and folder added."""
+        return {"name": self.name, "source": self.source, "version": self.version, "folder": str(self.folder)}
+
+
+class LibraryFolders:
+    """Finds the library that offers a header, for one toolchain on one machine.
+
+    Args:
+        toolchain: whose libraries.
+        core: the core's folder.
+        project: the project folder; the current folder if None.
+    """
+
+    def __init__(self, toolchain: Toolchain, core: Path, project: Path | None = None) -> None:
+        self._toolchain = toolchain
+        self._core = core
+        self._project = project
+
+    @cached_property
+    def folders(self) -> list[Path]:
+        """The folders of libraries, in search order."""
+        data = self._toolchain.libraries
+        texts = fill(data.texts("places"), {"core": str(self._core)})
+        return places(texts, data.text("env"))
+
+    @cached_property
+    def installed(self) -> list[CompiledLibrary]:
+        """The installed libraries for this architecture, in search order."""
+        found = (path for folder in self.folders for path in sorted(folder.iterdir()) if path.is_dir())
+        return [library for path in found if (library := self._installed(path))]
+
+    @cached_property
+    def stand_ins(self) -> list[tuple[CompiledLibrary, tuple[str, ...]]]:
+        """The stand-ins of the repository with the headers that they offer."""
+        pattern = f"{self._toolchain.platform}/stand_ins/*/stand_in.toml"
+        return [self._stand_in(path) for path in find_files(pattern, self._project)]
+
+    def find(self, header: str) -> CompiledLibrary | None:
+        """The library that offers a header, e.g. `Servo.h`, or None. One that bears the header's name goes first."""
+        offers = [library for library in self.installed if (library.include / header).is_file()]
+        offers = offers or [library for library, headers in self.stand_ins if header in headers]
+        stem = Path(header).stem
+        return min(offers, key=lambda library: stem not in (library.name, library.folder.name), default=None)
+
+    def _installed(self, folder: Path) -> CompiledLibrary | None:
+        data = self._toolchain.libraries
+        properties = _properties(folder / data.text("properties"))
+        known = [word.strip() for word in (properties.get("architectures") or "*").split(",")]
+        if "*" not in known and self._toolchain.architecture not in known:
+            return None
+        inner = folder / data.text("recursive")
+        deep = bool(properties) and inner.is_dir()
+        name, version = properties.get("name") or folder.name, properties.get("version", "")
+        return CompiledLibrary(name, version, INSTALLED, folder, inner if deep else folder, deep, data.texts("flat", ()))
+
+    @staticmethod
+    def _stand_in(path: Path) -> tuple[CompiledLibrary, tuple[str, ...]]:
+        table = DataTable.read(path)
+        library = CompiledLibrary(table.text("library"), table.text("version"), STAND_IN, path.parent, path.parent, False, ())
+        headers = table.texts("headers")
+        for header in headers:
+            if not (path.parent / header).is_file():
+                raise table.error("headers", f"names {header}, which is not in the folder")
+        return library, headers
+
+
+def _properties(path: Path) -> dict[str, str]:
+    """The `key=value` lines of a library's description; empty if there is none."""
+    if not path.is_file():
+        return {}
+    lines = inputs.read_text(path, inputs.SETTINGS, errors="replace").splitlines()
+    return {key.strip(): value.strip() for key, sep, value in (line.partition("=") for line in lines) if sep}
+
+
+def resolve(
+    sources: Iterable[Path],
+    index: LibraryFolders,
+    suffixes: Iterable[str],
+    missing: Callable[[Path, list[CompiledLibrary]], list[str]],
+) -> list[CompiledLibrary]:
+    """The libraries that sources need, and those that these need, in the order they were found.
+
+    Args:
+        sources: the sketch's own files that are compiled.
+        index: where libraries are found.
+        suffixes: of the sources of a library.
+        missing: runs the preprocessor on a file with the libraries so far; the headers it did not find.
+    """
+    used: list[CompiledLibrary] = []
+    waiting = list(sources)
+    while waiting:
+        source = waiting.pop(0)
+        while True:
+            # One at a time: a library may bring the other headers with it.
+            offers = (index.find(header) for header in missing(source, used))
+            found = next((library for library in offers if library and library not in used), None)
+            if found is None:
+                break
+            used.append(found)
+            waiting += found.files(suffixes)
+    return used
+
+
+def missing_headers(rule: str, cwd: Path) -> list[str]:
+    """The headers that a make rule names and that are no files.
+
+    Args:
+        rule: `x.o: a.h b.h`, as a preprocessor prints the files it read; blanks in names are escaped.
+        cwd: the folder that relative names are relative to.
+    """
+    names = re.split(r"(?<!\\)\s+", rule.replace("\\\n", " ").partition(": ")[2].strip())
+    plain = (name.replace("\\ ", " ").replace("$$", "$").replace("\\#", "#") for name in names if name)
+    return [name for name in plain if not (cwd / name).is_file()]

@@ -1,0 +1,127 @@
+"""The compile check: build a sketch with a toolchain described as data, and report what came of it.
+
+`compile_sketch` is the one entrance. It decides which sketch, toolchain and board, and looks for a board that a program fits on;
+the building itself is in `build`, the form of the result in `compile_report`.
+"""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path, PurePosixPath
+
+from msgspec.structs import replace
+
+from robosmi.base.trust import acting
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import RobosmiError, UsageError
+from robosmi.inputs import read_once
+from robosmi.plugins import content
+from robosmi.verify.toolchains.board_check import board_findings
+from robosmi.verify.toolchains.boards import Board, load_boards
+from robosmi.verify.toolchains.build import Build
+from robosmi.verify.toolchains.compile_report import MISSING_HEADER, OTHER_BOARD, TOO_BIG, CompileReport
+from robosmi.verify.toolchains.libraries import LibraryFolders
+from robosmi.verify.toolchains.sketch import Sketch, choose_board, find_sketch
+from robosmi.verify.toolchains.temporary import temporary_folder
+from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
+from robosmi.verify.toolchains.tools import Installed, find_installed
+
+_OFFERS = 3
+
+
+@read_once()
+def compile_sketch(
+    folder_or_sketch: Path, board: str | None = None, *, keep: Path | None = None, project: Path | None = None
+) -> CompileReport:
+    """Compile and link a sketch with the real toolchain. Nothing is written into its folder.
+
+    Args:
+        folder_or_sketch: the generated folder, the sketch's folder in it, or its main file.
+        board: name or full name of a board; None takes the one of the sketch's project file.
+        keep: an existing folder for the program (`.elf`, `.hex`); None keeps nothing.
+        project: the project folder (see `robosmi.resources`); the current folder if None.
+
+    Raises:
+        SourceError: there is no sketch, its project file cannot be used, or found data that names programs is not trusted.
+        UsageError: no board is called that, there are several sketches, or `keep` is no folder.
+        MissingToolError: a tool or the core is not installed; its fix is the command that installs it.
+        PlatformDataError: the repository's data is damaged.
+    """
+    started = time.perf_counter()
+    if keep is not None and not keep.is_dir():
+        raise UsageError("there is no such folder to keep the program in", location=Location(str(keep)), fix="make it first")
+    with acting(project):
+        return _compiled(Path(folder_or_sketch), board, keep, project, started)
+
+
+def _compiled(place: Path, board: str | None, keep: Path | None, project: Path | None, started: float) -> CompileReport:
+    sketch, toolchain = find_sketch(place, load_toolchains(project))
+    boards = load_boards(toolchain.platform, project)
+    chosen = choose_board(sketch, boards, toolchain, board)
+    installed = find_installed(toolchain)
+    index = LibraryFolders(toolchain, installed.core, project)
+    report = _build(sketch, chosen, toolchain, installed, index, keep)
+    if report.ok and not report.fits:
+        bigger = [b for b in boards if b.flash_bytes > chosen.flash_bytes or b.ram_bytes > chosen.ram_bytes]
+        others = (_build(sketch, other, toolchain, installed, index, None) for other in bigger)
+        report = replace(report, fits_on=next((other.board for other in others if other.ok and other.fits), None))
+        report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
+    if (made_for := _other_board(sketch, chosen, boards, toolchain)) is not None:
+        report = replace(report, diagnostics=(made_for, *report.diagnostics))
+    report = replace(report, diagnostics=(*board_findings(chosen, toolchain, installed), *report.diagnostics))
+    diagnostics = tuple(_with_offers(finding, toolchain, project) for finding in report.diagnostics)
+    return replace(report, diagnostics=diagnostics, seconds=time.perf_counter() - started)
+
+
+def _other_board(sketch: Sketch, chosen: Board, boards: list[Board], toolchain: Toolchain) -> Finding | None:
+    """The finding that a program bound to its board (`bound_to` of the toolchain) is compiled for another one, or None."""
+    key, given = toolchain.sketch.text("bound_to", ""), sketch.project_file
+    if not key or given is None or given.board is None:
+        return None
+    own = choose_board(sketch, boards, toolchain)
+    if own.values[key] == chosen.values[key]:
+        return None
+    message = (
+        f"the program was made for '{own.name}' ({own.values[key]}) and writes its pins by their ports; "
+        f"on '{chosen.name}' ({chosen.values[key]}) these are other pins"
+    )
+    fix = f"move the program to {chosen.name}, or compile it for {own.name}"
+    return Finding(OTHER_BOARD, Severity.warning, message, Location(str(given.path), given.board_line), fix=fix)
+
+
+def _with_offers(finding: Finding, toolchain: Toolchain, project: Path | None) -> Finding:
+    """The finding; if a header is missing, with the libraries that offer it for this architecture, the likeliest first."""
+    if finding.rule != MISSING_HEADER:
+        return finding
+    try:
+        header = PurePosixPath(str(finding.evidence["header"])).name
+        found = content("query", "libraries_by_header")(header, toolchain.platform, project)
+    except RobosmiError:
+        return finding  # there is no index of libraries; the finding is true without
+    built = [each for each in found if not each.architectures or {"*", toolchain.architecture} & set(each.architectures)]
+    names = [each.name for each in (built or found)[:_OFFERS]]
+    if not names:
+        return finding
+    fix = f"{finding.fix}; libraries that offer it: {', '.join(repr(name) for name in names)}"
+    return replace(finding, fix=fix, evidence={**finding.evidence, "libraries": names})
+
+
+def _too_big(report: CompileReport, sketch: Sketch) -> Finding:
+    needs = [
+        f"{used if used is not None else 'more than its'} bytes of {kind}, {limit} are there"
+        for kind, used, limit in (
+            ("flash", report.flash_bytes, report.flash_limit),
+            ("RAM", report.ram_bytes, report.ram_limit),
+        )
+        if used is None or used > limit
+    ]
+    fix = f"it fits on '{report.fits_on}': compile for that board, or make it smaller" if report.fits_on else "make it smaller"
+    message = f"the program is too big for '{report.board}': it needs {' and '.join(needs)}"
+    return Finding(TOO_BIG, Severity.error, message, Location(str(sketch.main)), fix=fix)
+
+
+def _build(
+    sketch: Sketch, board: Board, toolchain: Toolchain, installed: Installed, index: LibraryFolders, keep: Path | None
+) -> CompileReport:
+    with temporary_folder("build") as folder:
+        return Build(sketch, board, toolchain, installed, index, Path(folder)).report(keep)

@@ -1,0 +1,173 @@
+"""Finds a toolchain's programs and core on this machine and their versions, and runs the programs.
+
+Processes for building are started here. What to start is data (`toolchain_data`); the output is interpreted by `messages` and
+`toolchain`.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import ExitStack
+from functools import partial
+from pathlib import Path
+from typing import IO, NamedTuple
+
+from robosmi import inputs
+from robosmi.diagnostics import Location
+from robosmi.errors import MissingToolError, VerificationError
+from robosmi.verify.toolchains.machine_faults import check_machine
+from robosmi.verify.toolchains.processes import ending_with_us
+from robosmi.verify.toolchains.temporary import temporary_folder
+from robosmi.verify.toolchains.toolchain_data import Toolchain, ToolEntry, places
+
+LIMIT_S = 120.0
+"""Seconds that one run of a compiler may take."""
+
+
+class Installed(NamedTuple):
+    """A toolchain as found on this machine.
+
+    Attributes:
+        commands: tool key -> path of the program.
+        core: the core's folder.
+        core_version: what the core says about its version, or `unknown`.
+        version: the version of the tool that links.
+    """
+
+    commands: Mapping[str, str]
+    core: Path
+    core_version: str
+    version: str
+    environment: Mapping[str, str]
+
+    def run(self, tool: str, arguments: Sequence[str], cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+        """Run a tool to its end, with its output as text.
+
+        Raises:
+            SourceError: the machine let it down, as a full disk does.
+        """
+        return check_machine(self.commands[tool], run([self.commands[tool], *arguments], cwd, self.environment))
+
+
+def run(
+    command: Sequence[str],
+    cwd: Path | None = None,
+    environment: Mapping[str, str] | None = None,
+    limit_s: float = LIMIT_S,
+    stdin: IO[bytes] | None = None,
+    advice: str = "look for an #include or .incbin of what is no ordinary file, or for macros that grow without end",
+) -> subprocess.CompletedProcess[str]:
+    """Run a command to its end, in a session of its own and with a folder of its own for temporary files.
+
+    Args:
+        command: the program and its arguments.
+        cwd: the folder in which it runs; the current one if None.
+        environment: of the process; this process's if None.
+        limit_s: seconds after which it is given up. A compiler that is let read a pipe waits for ever.
+        stdin: the file that it reads as its input; none if None.
+        advice: what to do where it does not end.
+
+    Raises:
+        MissingToolError: the program cannot be started.
+        VerificationError: it did not end in time. It and what it has started are ended, as after an interruption.
+    """
+    with temporary_folder("tool") as place, ExitStack() as stack:
+        variables = {**(os.environ if environment is None else environment), "TMPDIR": place}
+        start = partial(
+            subprocess.Popen[str], command, cwd=cwd, env=variables, stdin=stdin or subprocess.DEVNULL, stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE, encoding="utf-8", errors="replace", start_new_session=True,
+        )  # fmt: skip
+        try:
+            process = stack.enter_context(ending_with_us(start))
+        except OSError as error:
+            raise MissingToolError(f"'{command[0]}' cannot be started: {error}") from error
+        try:
+            said, complained = process.communicate(timeout=max(0.01, limit_s))
+        except subprocess.TimeoutExpired:
+            raise VerificationError(
+                f"'{Path(command[0]).name}' did not end within {limit_s:.0f} s and was stopped", fix=advice
+            ) from None
+    return subprocess.CompletedProcess(command, process.returncode, said, complained)
+
+
+def find_tool(entry: ToolEntry, toolchain: Toolchain) -> str | None:
+    """The path of a program: on PATH, else in one of the toolchain's own places."""
+    path = os.environ.get("PATH", os.defpath)
+    for folders in (path, *(str(place) for place in places(toolchain.tool_places))):
+        if folders and (found := shutil.which(entry.command, path=folders)):
+            return found
+    return None
+
+
+def find_core(toolchain: Toolchain) -> Path | None:
+    """The core's folder: the one the environment variable names, else the first of the toolchain's places that holds one.
+
+    Raises:
+        MissingToolError: the environment variable names a folder without a core.
+    """
+    env, needed = toolchain.core.text("env"), toolchain.core.text("must_have")
+    if named := os.environ.get(env):
+        if not (Path(named) / needed).is_file():
+            raise MissingToolError(
+                f"{env} names a folder without {toolchain.core.text('name')}: there is no {needed} in it",
+                location=Location(named),
+                fix=f"let {env} name the folder that holds {needed}, or unset it",
+            )
+        return Path(named)
+    return next((place for place in places(toolchain.core.texts("places")) if (place / needed).is_file()), None)
+
+
+def core_version(toolchain: Toolchain, core: Path) -> str:
+    """What the core says about its version, or `unknown`."""
+    file = core / toolchain.core.text("version_file")
+    text = inputs.read_text(file, inputs.SETTINGS, errors="replace") if file.is_file() else ""
+    if found := toolchain.core.pattern("version_pattern").search(text):
+        return found[1].strip()
+    return "unknown"
+
+
+def tool_version(path: str, arguments: Sequence[str], environment: Mapping[str, str] | None = None) -> str:
+    """The version that a program tells (the last number with dots of the first line that is not blank), or `unknown`."""
+    said = run([path, *arguments], environment=environment)
+    first = next((line for line in (said.stdout or said.stderr).splitlines() if line.strip()), "")
+    numbers = re.findall(r"\d+(?:\.\d+)+", first)
+    return numbers[-1] if numbers else "unknown"
+
+
+def install_fix(toolchain: Toolchain, packages: Iterable[str]) -> str:
+    """How packages are installed."""
+    return toolchain.install.replace("{packages}", " ".join(dict.fromkeys(packages)))
+
+
+def environment(toolchain: Toolchain) -> dict[str, str]:
+    """The environment that the tools run in."""
+    unset = toolchain.environment.texts("unset", ())
+    result = {name: value for name, value in os.environ.items() if name not in unset}
+    settings = toolchain.environment.table("set")
+    return result | {name: settings.text(name) for name in settings.values}
+
+
+def find_installed(toolchain: Toolchain) -> Installed:
+    """The toolchain's tools and core on this machine.
+
+    Raises:
+        MissingToolError: something is missing; all that is missing is named, with the command that installs it.
+    """
+    found = {key: find_tool(entry, toolchain) for key, entry in toolchain.tools.items()}
+    missing = [toolchain.tools[key].command for key, path in found.items() if path is None]
+    packages = [toolchain.tools[key].package for key, path in found.items() if path is None]
+    core = find_core(toolchain)
+    if core is None:
+        missing.append(toolchain.core.text("name"))
+        packages += toolchain.core.texts("packages")
+    if missing or core is None:
+        raise MissingToolError(f"not installed: {', '.join(missing)}", fix=install_fix(toolchain, packages))
+    commands = {key: path for key, path in found.items() if path is not None}
+    linker = toolchain.tool(toolchain.link)
+    env = environment(toolchain)
+    version = tool_version(commands[linker.key], linker.version, env)
+    return Installed(commands, core, core_version(toolchain, core), version, env)

@@ -1,0 +1,336 @@
+"""The result of a verification: the verdict, its basis, and where two programs differ first.
+
+A verdict never says "equivalent", only that no difference was found, in which scenarios, for how long, and with how much of the
+source covered. A difference outweighs an undecidable scenario, and this outweighs finding no difference.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct, field
+
+from robosmi.verify.missed_places import places_told
+from robosmi.verify.original_calls import LibraryCall
+from robosmi.verify.scenario import Scenario
+from robosmi.verify.traces.comparison import DIFFERENT, NOT_EXERCISED, RACY, SAME, ChannelComparison, FirstDifference
+
+if TYPE_CHECKING:
+    from robosmi.base.data_text import Json
+
+NO_DIFFERENCE, DIFFERENT_VERDICT, NOT_DECIDABLE, NOT_COMPILED = (
+    "no-difference-found", "different", "not-decidable", "not-compiled",
+)  # fmt: skip
+EXIT_CODES = {NO_DIFFERENCE: 0, DIFFERENT_VERDICT: 6, NOT_COMPILED: 6, NOT_DECIDABLE: 1}
+"""The command's exit code for each verdict."""
+PROGRAM = "program"
+"""The channel of a crash, which concerns the program as a whole."""
+
+
+class ScenarioVerdict(Struct, frozen=True):
+    """What became of one scenario.
+
+    Attributes:
+        scenario: the scenario.
+        verdict: no-difference-found, different, or not-decidable.
+        channels: what became of each channel.
+        simulated_ms: how long both sides ran.
+        reason: why nothing could be decided; empty otherwise.
+        crash: when the migrated program crashed though the original did not; None if it did not.
+    """
+
+    scenario: Scenario
+    verdict: str
+    channels: tuple[ChannelComparison, ...]
+    simulated_ms: float
+    reason: str = ""
+    crash: FirstDifference | None = None
+
+    @property
+    def first(self) -> FirstDifference | None:
+        """The first difference, by the source's time."""
+        found = [each for each in (*(c.difference for c in self.channels), self.crash) if each is not None]
+        return min(found, key=lambda difference: difference.at_ms, default=None)
+
+    @property
+    def until_ms(self) -> float | None:
+        """When a side ended before the scenario did, so that nothing was compared from then on; None if both ran to its end."""
+        return self.simulated_ms if self.simulated_ms < self.scenario.horizon_ms else None
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract's form (`scenarios[]`)."""
+        return {
+            "name": self.scenario.name, "origin": self.scenario.origin, "verdict": self.verdict,
+            "simulated_s": round(self.simulated_ms / 1000, 6), "reason": self.reason or None, "until_ms": _rounded(self.until_ms),
+            "channels": [
+                {
+                    "name": c.channel, "status": c.status, "events": c.events,
+                    "differs_from_itself": None if c.itself is None else c.itself.to_json(),
+                }
+                for c in self.channels
+            ],
+        }  # fmt: skip
+
+
+class CallsAround(Struct, frozen=True):
+    """The source's calls near a difference.
+
+    Attributes:
+        made: the last call of a function of that channel; not necessarily the cause, which may be a wait beside it.
+        around: other calls near it, in order of time.
+    """
+
+    made: LibraryCall | None = None
+    around: tuple[LibraryCall, ...] = ()
+
+
+class Verdict(Struct):
+    """What a verification says.
+
+    Attributes:
+        scenarios: what became of each scenario.
+        reasons: why nothing can be decided, beyond what the scenarios say.
+        compiled: whether the migrated program compiles.
+        engine, compiler, original: the simulator, the target's compiler and core, the source's model and compiler.
+        counted: how many scenarios count for that: those that were decided, but for crashes, if anything was compared at all.
+        lines_pct, branches_pct: how much of the source these reach; branches that only racy ones reach are not counted. 0 where
+            no scenario counts.
+        racy: how many generated scenarios were dropped because the source differs from itself.
+        racy_branches: branches that only those reach, `file:line`.
+        missed_lines: lines that no scenario reaches, `file:line` or `file:first-last`.
+        missed_branches: branches that no scenario reaches, `file:line`.
+        untaken: those of them that stand on lines which are reached.
+        binding: the ports with their pins and devices on both sides.
+        functions: channel -> the platform's functions that use it.
+        not_compared: ports that are not compared: lines of buses, what is not wired on the target, and what is one pin of the
+            source and several of the target.
+        why_not_compared: name of one of them -> why, where that is not seen in the binding.
+        calls: those of the source around the first difference.
+        little_room: what the compile report says of a stack for which there is little room; empty where there is enough.
+        stand_ins: libraries that are not installed here, so that stand-ins of the repository were simulated.
+    """
+
+    scenarios: list[ScenarioVerdict] = []
+    reasons: list[str] = []
+    compiled: bool = True
+    engine: str = ""
+    compiler: str = ""
+    original: str = ""
+    counted: int = 0
+    lines_pct: float = 0.0
+    branches_pct: float = 0.0
+    racy: int = 0
+    racy_branches: list[str] = []
+    missed_lines: list[str] = []
+    missed_branches: list[str] = []
+    untaken: list[str] = []
+    binding: list[dict[str, Json]] = []
+    functions: dict[str, tuple[str, ...]] = {}
+    not_compared: list[str] = []
+    why_not_compared: dict[str, str] = {}
+    calls: CallsAround = field(default_factory=CallsAround)
+    little_room: str = ""
+    stand_ins: list[str] = []
+
+    @property
+    def verdict(self) -> str:
+        """The verdict of all scenarios together."""
+        if not self.compiled:
+            return NOT_COMPILED
+        if any(s.verdict == DIFFERENT_VERDICT for s in self.scenarios):
+            return DIFFERENT_VERDICT
+        decided = [s for s in self.scenarios if s.verdict == NO_DIFFERENCE]
+        if self.reasons or len(decided) < len(self.scenarios) or not decided or self.nothing_compared:
+            return NOT_DECIDABLE
+        return NO_DIFFERENCE
+
+    @property
+    def nothing_compared(self) -> bool:
+        """Whether no scenario exercises any channel, though all could be decided: finding no difference then means nothing."""
+        if not self.scenarios or any(s.verdict != NO_DIFFERENCE for s in self.scenarios):
+            return False
+        return all(c.status == NOT_EXERCISED for s in self.scenarios for c in s.channels)
+
+    @property
+    def exit_code(self) -> int:
+        """The exit code of the contract."""
+        return EXIT_CODES[self.verdict]
+
+    @property
+    def simulated_s(self) -> float:
+        """The total simulated time, in seconds, that was compared in all scenarios."""
+        return sum(s.simulated_ms for s in self.scenarios) / 1000
+
+    @property
+    def first_difference(self) -> tuple[ScenarioVerdict, FirstDifference] | None:
+        """The first scenario with a difference, and its first difference."""
+        return next(((s, s.first) for s in self.scenarios if s.first is not None), None)
+
+    def channels(self) -> list[dict[str, Any]]:
+        """What became of each channel in all scenarios: different where one differs, not exercised where none uses it.
+
+        `until_ms` is the earliest time at which a side of a scenario ended before the scenario, or None.
+        """
+        found: dict[str, list[ChannelComparison]] = {}
+        for scenario in self.scenarios:
+            for channel in scenario.channels:
+                found.setdefault(channel.channel, []).append(channel)
+        until_ms = _rounded(min((s.until_ms for s in self.scenarios if s.channels and s.until_ms is not None), default=None))
+        return [
+            {"name": name, "status": _worst(each), "events": sum(c.events for c in each), "until_ms": until_ms}
+            for name, each in found.items()
+        ]
+
+    def to_json(self) -> dict[str, Any]:
+        """The contract's form."""
+        first = self.first_difference
+        return {
+            "verdict": self.verdict,
+            "reasons": self.all_reasons(),
+            "scenarios": [s.to_json() for s in self.scenarios],
+            "simulated_s": round(self.simulated_s, 6),
+            "source_coverage": {
+                "lines_pct": round(self.lines_pct, 1), "branches_pct": round(self.branches_pct, 1),
+                "missed": self.missed_branches, "missed_lines": self.missed_lines, "only_in_racy": self.racy_branches,
+                "scenarios": self.counted,
+            },
+            "racy_scenarios": self.racy,
+            "channels": self.channels(),
+            "not_compared": self.not_compared,
+            "not_compared_because": dict(self.why_not_compared),
+            "first_difference": None if first is None else self._difference_json(*first),
+            "engine": self.engine,
+            "compiler": self.compiler,
+            "stand_ins": self.stand_ins,
+            "original": self.original,
+            "binding": self.binding,
+        }  # fmt: skip
+
+    def _difference_json(self, scenario: ScenarioVerdict, difference: FirstDifference) -> dict[str, Json]:
+        return {
+            "scenario": scenario.scenario.name,
+            **difference.to_json(),
+            "functions": list(self.functions.get(difference.channel, ())),
+            "call": None if self.calls.made is None else self.calls.made.to_json(),
+            "calls_around": [call.to_json() for call in self.calls.around],
+            "inputs": inputs_until(scenario.scenario, difference.at_ms),
+            "likely_cause": self._likely_cause(difference),
+        }
+
+    def _likely_cause(self, difference: FirstDifference) -> str | None:
+        """The part of the compile report that may explain a crash; None if there is none."""
+        return f"the stack may have run out: {self.little_room}" if self.little_room and difference.channel == PROGRAM else None
+
+    def sentence(self) -> str:
+        """The verdict in one sentence, for lists of findings."""
+        if self.verdict == NOT_COMPILED:
+            return "the migrated program does not compile, so that it was not compared"
+        said = {
+            NO_DIFFERENCE: "no difference was found between the original and the migrated program",
+            DIFFERENT_VERDICT: "the migrated program does something else than the original",
+            NOT_DECIDABLE: "whether the migrated program does the same cannot be decided",
+        }[self.verdict]
+        many = f"{len(self.scenarios)} scenario{'s' * (len(self.scenarios) != 1)}"
+        said += f" in {many}, {self.simulated_s:.1f} s simulated"
+        said += "; ".join(["", self._reached(), *self._missed()])
+        if (first := self.first_difference) is not None:
+            said += f"; first in '{first[0].scenario.name}' at {first[1].at_ms:.1f} ms, {first[1].channel}: {first[1].message}"
+        return "; ".join([said, *self._stood_in(), *self.all_reasons()])
+
+    def _stood_in(self) -> list[str]:
+        """The libraries that were replaced by stand-ins, in words."""
+        names = ", ".join(f"'{name}'" for name in self.stand_ins)
+        return [f"simulated with stand-ins for libraries that are not installed here: {names}"] if names else []
+
+    def _reached(self) -> str:
+        """The coverage of the source, in words."""
+        if not self.counted:
+            return "no source line counts as reached: no scenario could be decided"
+        return f"source lines {self.lines_pct:.1f} %, branches {self.branches_pct:.1f} %"
+
+    def _missed(self, whole: bool = False) -> list[str]:
+        """What of the source was not reached, in words: nothing of it was compared."""
+        told = {
+            "lines not reached": self.missed_lines,
+            "branches not taken": self.untaken,
+            "branches taken only where the source differs from itself, and not compared": self.racy_branches,
+        }
+        return [f"{what}: {places_told(places, whole)}" for what, places in told.items() if places and self.counted]
+
+    def all_reasons(self) -> list[str]:
+        """The reasons, without duplicates, why scenarios could not be decided."""
+        return list(dict.fromkeys([*self.reasons, *(s.reason for s in self.scenarios if s.reason)]))
+
+    def lines(self, verbose: bool = False) -> list[str]:
+        """The lines of the report for a person.
+
+        Args:
+            verbose: whether to tell all places of the source that were not reached, however many there are.
+        """
+        if self.verdict == NOT_COMPILED:
+            return ["NOT COMPILED: the migrated program does not compile"]
+        what = f"in {len(self.scenarios)} scenario{'s' * (len(self.scenarios) != 1)}, {self.simulated_s:.1f} s simulated"
+        what += f"; {self._reached()}"
+        lines = [f"{self.verdict.replace('-', ' ').upper()} {what}", f"  {self.engine}; {self.compiler}; {self.original}"]
+        lines += [f"  {told}" for told in (*self._missed(verbose), *self._stood_in())]
+        if (first := self.first_difference) is not None:
+            scenario, difference = first
+            lines.append(f"  first difference: '{scenario.scenario.name}' at {difference.at_ms:.1f} ms, {difference.channel}:")
+            lines.append(f"    {difference.message}")
+            if (cause := self._likely_cause(difference)) is not None:
+                lines.append(f"    likely cause: {cause}")
+            functions = self.functions.get(difference.channel, ())
+            if self.calls.made is not None:
+                lines.append(f"    called for that channel by the source: {self.calls.made}")
+            elif functions:
+                lines.append(f"    functions of that channel: {', '.join(functions)}")
+            if self.calls.around:
+                lines.append(f"    called around it: {', '.join(str(call) for call in self.calls.around)}")
+            if self.calls.made is not None or functions:
+                lines.append("    (which of these the cause is, if it is one of them, cannot be seen from outside)")
+            lines += [f"    {name}: {value}" for name, value in inputs_until(scenario.scenario, difference.at_ms).items()]
+        lines += [f"  {reason}" for reason in self.all_reasons()]
+        if self.racy:
+            lines.append(f"  {self.racy} generated scenarios were dropped: the source differs from itself there")
+        lines += ["", "channels:"]
+        lines += [
+            f"  {c['status']:14} {c['name']}{_counted(c['events'], c['status'])}{_ended(c['until_ms'])}" for c in self.channels()
+        ]
+        because = {name: f" ({why})" for name, why in self.why_not_compared.items()}
+        lines += [f"  not compared   {name}{because.get(name, '')}" for name in self.not_compared]
+        lines += ["", "binding (please look whether it is right):"]
+        for each in self.binding:
+            device = f", played by {each['device']}" if each["device"] else ""
+            where = each["target"] or "not wired"
+            lines.append(f"  {each['port']}: {each['source']} is {where} {each['component'] or ''}".rstrip() + device)
+        return lines
+
+
+def _counted(events: int, status: str) -> str:
+    """How many events were compared: where there were none, a channel that is the same says little."""
+    return f" ({events} event{'s' * (events != 1)})" if events or status == SAME else ""
+
+
+def _ended(until_ms: float | None) -> str:
+    return f", compared until {until_ms:.1f} ms" if until_ms is not None else ""
+
+
+def _rounded(at_ms: float | None) -> float | None:
+    return None if at_ms is None else round(at_ms, 3)
+
+
+def _worst(channels: Sequence[ChannelComparison]) -> str:
+    status = [channel.status for channel in channels]
+    return next((s for s in (DIFFERENT, RACY, SAME) if s in status), NOT_EXERCISED)
+
+
+def inputs_until(scenario: Scenario, at_ms: float) -> dict[str, str]:
+    """The values of the inputs up to a time: input -> its points."""
+    told = {}
+    for name, settings in scenario.signals.items():
+        for setting, points in settings.items():
+            past = [f"{value} at {at:g} ms" for at, value in points if at <= at_ms]
+            if past:
+                told[name if setting == "points" else f"{name} {setting}"] = ", ".join(past[-6:])
+    return told

@@ -1,0 +1,175 @@
+"""The chain `completion`: generates the program of a decided plan, and completes the plan with what follows from its text.
+
+The program is generated once, from the decisions alone. Which lines a compiler refuses, what the user has written and whether
+the last build is still that of this program depend on its text: these are inputs of the last step, which adds findings, tasks
+and sizes to the plan. Nothing is written here. `migrate`, `generate` and `choose` share this chain; `output` generates the
+report from the completed plan and writes everything.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from msgspec import Struct
+
+from robosmi.chain import Chain
+from robosmi.generate import Generation
+from robosmi.generate.kept_texts import KeptTexts
+from robosmi.generate.manifest import Manifest
+from robosmi.generate.places import Places
+from robosmi.generate.record import Record
+from robosmi.generate.result import FileChange
+from robosmi.metamodels import migration
+from robosmi.plugin_contracts import wrong_result
+from robosmi.plugins import content
+from robosmi.transformations.chains.stages.built import built
+from robosmi.transformations.chains.stages.by_hand import ByHand, by_hand
+from robosmi.transformations.chains.stages.conflicts import RULE as CONFLICT
+from robosmi.transformations.chains.stages.conflicts import conflicts
+from robosmi.transformations.chains.stages.models import LAST, MigrationModels
+from robosmi.transformations.chains.stages.refused import RULE as REFUSED
+from robosmi.transformations.chains.stages.refused import refused_lines
+from robosmi.transformations.m2m.plan_tasks import settle_tasks
+from robosmi.transformations.queries.plans.plan import target_of
+from robosmi.transformations.queries.reports.written_bodies import task_key
+
+
+class OutputFolder(Struct):
+    """The output folder as it is before a run writes into it.
+
+    Attributes:
+        path: the folder.
+        manifest: what the last run wrote there.
+        places: its files.
+    """
+
+    path: Path
+    manifest: Manifest
+    places: Places
+
+
+class Completed(Struct):
+    """A completed migration, of which nothing is written yet.
+
+    Attributes:
+        models: the models; their plan is complete but for the lines of the written files in its trace.
+        folder: the output folder.
+        program: the files of the program, as generated.
+        edits: the user's edits in the program that is there.
+        kept: the merge of the program with these edits; the report is still to be added.
+    """
+
+    models: MigrationModels
+    folder: OutputFolder
+    program: Generation
+    edits: ByHand
+    kept: KeptTexts
+
+
+def completion_chain(made: Generation | None = None) -> Chain:
+    """The steps from the models of a decided plan, `models`, and an output folder, `output`, to the value `completed`.
+
+    Args:
+        made: the program, if it was generated from these decisions already.
+    """
+    chain = Chain(None, "completion")
+    chain.given("models", "output")
+    chain.call(folder, makes="folder", step="look at the output folder")
+    chain.call(program, makes="program", step="generate the program")
+    chain.call(compiler_findings, makes="compiler_findings", step="find what a compiler refuses")
+    chain.call(user_edits, makes="user_edits", step="find what the user has written")
+    chain.call(merged, makes="merged", step="merge the program with the user's edits")
+    chain.call(build_sizes, makes="build_sizes", step="find the sizes of the last build")
+    chain.call(completed, makes="completed", step="complete the plan")
+    if made is not None:
+        chain.replace("generate the program", lambda: made)
+    return chain
+
+
+def folder(output: Path) -> OutputFolder:
+    """The output folder with the record of the last run.
+
+    Raises:
+        SourceError: the record is damaged, or there can be no folder.
+    """
+    return OutputFolder(output, Manifest.load(output), Places(output))
+
+
+def program(models: MigrationModels) -> Generation:
+    """The files of the program, as the generator of its target makes them.
+
+    Raises:
+        RobosmiError: the generator, a plug-in's perhaps, returned something else.
+    """
+    generator = content("generator", str(target_of(models.plan).generator))
+    made: object = generator(models.plan, models.files)
+    if isinstance(made, Generation) and all(isinstance(file, FileChange) for file in made.files):
+        return made
+    raise wrong_result(generator, made, "a Generation")
+
+
+def compiler_findings(models: MigrationModels, program: Generation) -> list[migration.PlanFinding]:
+    """RS337: the lines of the program that a compiler of the target refuses."""
+    return refused_lines(models.plan, _texts(program), models.files)
+
+
+def user_edits(models: MigrationModels, program: Generation, folder: OutputFolder) -> ByHand:
+    """What the user has written into the program that is there, and ticked in its report."""
+    record = Record(folder.path, LAST, folder.manifest.files)
+    return by_hand(models.plan, folder.places, _texts(program), record)
+
+
+def merged(program: Generation, folder: OutputFolder, user_edits: ByHand) -> KeptTexts:
+    """The program's files with the user's edits.
+
+    Raises:
+        SourceError: a link or a folder is where a file was made.
+    """
+    kept = KeptTexts(folder.places, LAST, folder.manifest.files)
+    kept.add(_texts(program), user_edits.base)
+    return kept
+
+
+def build_sizes(models: MigrationModels, folder: OutputFolder, merged: KeptTexts) -> migration.Build | None:
+    """The sizes of the last build of the program; None if it is not a build of these files."""
+    return built(folder.path, models.plan.name, merged.files)
+
+
+def completed(
+    models: MigrationModels,
+    folder: OutputFolder,
+    program: Generation,
+    user_edits: ByHand,
+    merged: KeptTexts,
+    compiler_findings: Sequence[migration.PlanFinding],
+    build_sizes: migration.Build | None,
+) -> Completed:
+    """The models with the findings, tasks and sizes that follow from the program's text; decisions stay as they are."""
+    plan = models.plan
+    _replace_findings(plan, compiler_findings)
+    for use in plan.adapterUses:
+        use.written = use.adapter is None and (use.targetName or use.name) in user_edits.names
+    settle_tasks(plan)
+    for task in (*plan.tasks, *plan.checks):
+        given = any(isinstance(e, migration.SymbolUse) and e.name in user_edits.values for e in task.elements)
+        task.done = given or task_key(task.rule, task.message) in user_edits.done
+    others = [task for task in plan.tasks if task.rule != CONFLICT]
+    plan.tasks.clear()
+    plan.tasks.extend([*conflicts(merged.files, merged.made), *others])
+    plan.build = build_sizes
+    return Completed(models, folder, program, user_edits, merged)
+
+
+def _replace_findings(plan: migration.MigrationPlan, new: Sequence[migration.PlanFinding]) -> None:
+    """Replace the plan's findings about refused lines; equal ones stay where they are."""
+    before = [finding for finding in plan.findings if finding.rule == REFUSED]
+    if [(f.message, f.path, f.line) for f in before] == [(f.message, f.path, f.line) for f in new]:
+        return
+    for finding in before:
+        plan.findings.remove(finding)
+    plan.findings.extend(new)
+
+
+def _texts(program: Generation) -> dict[str, str]:
+    return {file.name: file.after or "" for file in program.files}

@@ -1,0 +1,58 @@
+"""Determines whether a person has edited only choices in the stored plan, which the next run adopts, or more.
+
+The texts are compared, so that this also works for a plan that cannot be loaded. The choices are read by `m2m.stored_choices`.
+"""
+
+from __future__ import annotations
+
+from typing import cast
+
+from lxml import etree
+
+from robosmi.errors import SourceError
+from robosmi.files.files import digest
+from robosmi.generate.manifest import Manifest
+from robosmi.transformations.chains.stages.models import FOLDER, PLAN
+from robosmi.transformations.t2m.guarded_xml import parse_xml
+
+STORED = f"{FOLDER}/{PLAN}"
+"""Path of the plan, relative to the output folder."""
+_DECISIONS = ("portBindings", "libraryChoices")
+_CHOSEN = ("choice", "chosenBy", "chosenAt", "confidence", "open", "connection", "pin", "chosen", "evidence")
+"""The attributes of a decision that record what was chosen, by whom, when and why."""
+
+_LOOSE = "//text()[preceding-sibling::* or normalize-space(.) != string(.)]"
+"""Text between elements, and text that may have surrounding blanks."""
+
+
+def beside_choices(plan: bytes) -> str:
+    """The digest of a stored plan without its choices of pins and libraries; empty if the plan has no canonical form."""
+    try:
+        root = parse_xml(plan, PLAN, PLAN, tool="EMF", blanks=False)
+    except SourceError:
+        return ""
+    for decision in root.iter(*_DECISIONS):
+        for name in _CHOSEN:
+            if name in decision.attrib:
+                del decision.attrib[name]
+            for child in decision.findall(name):
+                decision.remove(child)
+    for text in cast("list[etree._ElementUnicodeResult]", root.xpath(_LOOSE)):
+        parent = text.getparent()
+        assert parent is not None
+        if text.is_tail:
+            parent.tail = None
+        elif text != (bare := text.strip()):
+            parent.text = bare
+    try:
+        canonical = etree.tostring(root, method="c14n")
+    except etree.C14NError:  # a namespace that is no absolute URI has none (Canonical XML 1.0, section 1.3)
+        return ""
+    return digest(canonical + plan.rpartition(b">")[2])  # what stands behind it is an edit, too
+
+
+def only_choices_differ(manifest: Manifest, name: str, data: bytes | None) -> bool:
+    """Whether a file is unchanged since the last run, or is the stored plan with only its choices edited."""
+    if data is None or manifest.files.get(name) == digest(data):
+        return data is not None
+    return name == STORED and bool(manifest.beside_choices) and manifest.beside_choices == beside_choices(data)

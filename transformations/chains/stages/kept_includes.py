@@ -1,0 +1,91 @@
+"""Finds includes that the generated program no longer needs but a person's code still uses.
+
+A library disappears from the program with its component. If a person's body that uses it stays, its header has to stay, too.
+Only texts are examined, with the library index's knowledge of headers.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Mapping
+
+from robosmi.errors import PlatformDataError
+from robosmi.transformations.knowledge.lexer import tokens
+from robosmi.transformations.knowledge.libraries.library_ranking import libraries_by_header, library_api
+from robosmi.transformations.queries.reports.written_bodies import AS_BYTES
+
+_MOST = 8
+"""Limit on the libraries examined for one header name; the likeliest come first."""
+_INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)[>\"].*$", re.MULTILINE)
+
+
+def needed_still(texts: Mapping[str, tuple[str, str, str]], platform: str) -> dict[str, list[str]]:
+    """The headers that are no longer generated but still needed: header -> the person's names that come from it, in order.
+
+    Args:
+        texts: path of a file of code -> the text that was made last, the one that is there, the one that is made anew.
+        platform: whose libraries.
+
+    A header that the index knows nothing of is needed by names that have its own in them, `EncoderPair` for `Encoder.h`.
+    """
+    gone = dict.fromkeys(header for last, there, made in texts.values() for header in _leaving(last, there, made))
+    own = Counter[str]()
+    for last, there, _ in texts.values() if gone else ():
+        own += Counter(_names(there)) - Counter(_names(last))
+    found = dict[str, list[str]]()
+    for header in gone:
+        offered, stem = _offered(header, platform), header.rpartition("/")[2].partition(".")[0].lower()
+        used = [name for name in own if name in offered or (not offered and stem in name.lower())]
+        if used:
+            found[header] = used
+    return found
+
+
+def without_includes(text: str, headers: Mapping[str, list[str]], made: str) -> tuple[str, list[str]]:
+    """A text without the lines that include some headers, so that the same lines of a person's text count as written by them.
+
+    Args:
+        text: the text that was made last.
+        headers: as `needed_still` gives them.
+        made: the text that is made anew; what it includes is no matter.
+
+    Returns:
+        The text, and the headers whose lines were taken out.
+    """
+    staying = set(_included(made))
+    taken, lines = list[str](), list[str]()
+    for line in text.splitlines(keepends=True):
+        here = [header for header in _included(line) if header in headers and header not in staying]
+        taken += here
+        lines += [line] * (not here)
+    return "".join(lines), taken
+
+
+def _leaving(last: str, there: str, made: str) -> list[str]:
+    """The headers that a text includes, now and when it was last generated, and that are no longer generated."""
+    before, now = set(_included(last)), set(_included(made))
+    return [header for header in _included(there) if header in before - now]
+
+
+def _included(text: str) -> list[str]:
+    """The headers that a text includes, in its order."""
+    return [str(found.group(1)) for found in _INCLUDE.finditer(text)]
+
+
+def _names(text: str) -> list[str]:
+    return [word for kind, *_, word in tokens(text.encode("utf-8", AS_BYTES)) if kind == "name"]
+
+
+def _offered(header: str, platform: str) -> set[str]:
+    """The names that libraries with this header declare; empty if the index knows none."""
+    found = set[str]()
+    try:
+        libraries = libraries_by_header(header.rpartition("/")[2], platform)
+    except PlatformDataError:
+        return found  # the platform has no index
+    for library in libraries[:_MOST]:
+        for api in library_api(str(library.name), platform).headers:
+            found |= {str(each.name) for each in api.classes} | {str(each.name) for each in api.functions} | set(api.constants)
+            found |= {name for values in api.enums.values() for name in values}
+    return found

@@ -1,0 +1,263 @@
+"""From completed models to the output folder: generates the report, compares with the last run, and writes atomically.
+
+Shared by `migrate`, `generate` and `choose`. The result has the data that a report needs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from contextlib import nullcontext
+from datetime import date
+from pathlib import Path
+from typing import Any
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from robosmi.base.data_text import Json
+from robosmi.diagnostics import Finding, Severity
+from robosmi.errors import RobosmiError, StoppedError
+from robosmi.files.elsewhere import Elsewhere
+from robosmi.files.recovery import at_work, look_only
+from robosmi.generate.result import FileChange, Generation, TextLink
+from robosmi.generate.text_form import read
+from robosmi.metamodels import migration, trace
+from robosmi.model.elements.strict import Element
+from robosmi.query import Q
+from robosmi.recommend.history import History, HistoryEntry
+from robosmi.report.notebook import Findings
+from robosmi.transformations.chains.stages.completion import Completed, completion_chain
+from robosmi.transformations.chains.stages.models import FOLDER, LAST, MigrationModels
+from robosmi.transformations.chains.stages.written_output import checked, chosen_by_persons, commit, shown_changes
+from robosmi.transformations.m2t.first_screen import Counted, counted
+from robosmi.transformations.m2t.program_files import BENCH, report_file
+from robosmi.transformations.m2t.terminal_text import terminal_lines
+from robosmi.transformations.queries.plans.plan import open_choices, plan_json, said
+from robosmi.transformations.queries.reports.work import work_json
+
+KINDS = {
+    **dict.fromkeys((".ino", ".cpp", ".c"), "sketch"),
+    ".h": "adapters",
+    ".yaml": "project",
+    ".md": "report",
+    ".xmi": "model",
+}
+
+
+class Generated(Struct):
+    """What a migration made.
+
+    Attributes:
+        models: its models, the plan among them.
+        output: the output folder.
+        contents: every file made, relative path -> bytes.
+        written: whether they were written (not in a dry run).
+        new_choices: libraries that a person chose and that no earlier run into this folder has counted.
+        notes: findings of this run that are not the plan's.
+        verification: the verdict of comparing it with the original, as JSON values, and its exit code; None where nobody asked.
+        diff: what a dry run would change, or what was changed where that was asked for; else empty.
+        counted: what was counted of the plan for its report.
+        program: the files of the program as generated, without edits.
+    """
+
+    models: MigrationModels
+    output: Path
+    contents: dict[str, bytes]
+    written: bool
+    new_choices: list[migration.LibraryChoice] = []
+    notes: list[Finding] = []
+    verification: tuple[dict[str, Json], int] | None = None
+    diff: str = ""
+    counted: Counted | None = None
+    program: Generation | None = None
+
+    @property
+    def sketch(self) -> Path:
+        """The sketch's folder."""
+        return self.output / self.models.plan.name
+
+    @property
+    def findings(self) -> list[Finding]:
+        """The plan's findings, and those of this run alone."""
+        return Findings([*said(Q(self.models.plan.findings), self.models.places), *self.models.notes, *self.notes])
+
+    def tasks(self) -> list[Finding]:
+        """The plan's tasks."""
+        return Findings(said(Q(self.models.plan.tasks), self.models.places))
+
+    def _repr_html_(self) -> str:
+        from robosmi.model.elements.show import element_html  # for notebooks only
+        from robosmi.report.notebook import findings_html, quoted
+
+        made = "".join(f"<li>{quoted(self.output / name)}</li>" for name in sorted(self.contents))
+        done = "made" if self.written else "to be made"
+        view = f"{element_html(self.models.plan)}{findings_html(self.findings)}"
+        return f"{view}<details><summary>{len(self.contents)} files {done}</summary><ul>{made}</ul></details>"
+
+    def result(self) -> dict[str, Any]:
+        """The contract's result."""
+        made: dict[str, Any] = {
+            "plan": plan_json(self.models.plan) | work_json(self.models.plan, self.models.files),
+            "sketch": str(self.sketch),
+            "written": self.written,
+        }
+        if not self.written:
+            made["diff"] = self.diff
+        return made if self.verification is None else made | {"verification": self.verification[0]}
+
+    def artifacts(self) -> list[dict[str, str]]:
+        """The files, as the contract lists them; empty in a dry run."""
+        if not self.written:
+            return []
+        return [{"path": str(self.output / name), "kind": _kind(name)} for name in self.contents]
+
+    def lines(self) -> list[str]:
+        """What a person reads."""
+        lines = terminal_lines(self.models.plan, self.models.files, self.sketch, made=self.written, known=self.counted)
+        return [*lines, *self.diff.splitlines()]
+
+
+def _kind(name: str) -> str:
+    if name.startswith(f"{LAST}/"):
+        return "record"
+    if name.startswith(f"{BENCH}/"):
+        return "bench"
+    if Path(name).name in ("Makefile", "platformio.ini"):
+        return "project"
+    return "source" if name.startswith(f"{FOLDER}/source/") else KINDS.get(Path(name).suffix, "record")
+
+
+def produce(
+    models: MigrationModels,
+    output: Path,
+    *,
+    inputs: Mapping[str, bytes | None] | None = None,
+    outside: Elsewhere | None = None,
+    dry_run: bool = False,
+    strict: bool = False,
+    diff: bool = False,
+    unchanged: Mapping[str, bytes] | None = None,
+    program: Generation | None = None,
+) -> Generated:
+    """Generate the program of a decided plan and put it, with its report and the models, into the output folder.
+
+    Args:
+        models: the models of a decided plan, which is completed.
+        output: the output folder.
+        inputs: files in it that this run has read, whose edits are therefore in what it makes, with their bytes.
+        outside: files elsewhere that belong to the run, such as the project file: what each holds, and what it is to hold.
+        dry_run: write nothing.
+        strict: stop when a choice is open.
+        diff: say what is changed, as a dry run does.
+        unchanged: models beside the plan that are as they are stored, with their bytes.
+        program: the program, if it was generated from these decisions already.
+
+    Raises:
+        StoppedError: a choice is open under `strict`, or a person's edit would be lost.
+        ModelError: the models are not closed.
+        SourceError: the folder cannot be written.
+    """
+    if strict:
+        _refuse_open(models.plan)
+    if dry_run:
+        look_only(output)
+    with nullcontext() if dry_run else at_work(output):
+        done = completion_chain(program).start(models=models, output=output).value("completed", Completed)
+        known = _add_report(done)
+        writing = checked(done, inputs or {}, unchanged or {})
+        if not dry_run:
+            commit(done, writing, inputs or {}, outside)
+    changes = shown_changes(done.folder.places, writing, "would change" if dry_run else "changed") if dry_run or diff else ""
+    new = [choice for key, choice in chosen_by_persons(models.plan).items() if key not in done.folder.manifest.choices]
+    return Generated(
+        models, output, writing.every, not dry_run, new, done.kept.findings, diff=changes, counted=known, program=done.program
+    )
+
+
+def _refuse_open(plan: migration.MigrationPlan) -> None:
+    """Make sure that every choice is made.
+
+    Raises:
+        StoppedError: one is open.
+    """
+    if left := open_choices(plan):
+        names = ", ".join(sorted({_called(d) for d in left}))
+        raise StoppedError(
+            f"{len(left)} choice(s) are open: {names}",
+            fix="decide with --bind and --library or in robosmi.toml, or leave out --strict",
+        )
+
+
+def _add_report(done: Completed) -> Counted:
+    """Generate the report, end the merge with it, and record in the plan where each line of the files comes from."""
+    plan, kept = done.models.plan, done.kept
+    known = counted(plan, done.models.files)
+    report = [file for file in report_file(plan, done.models.files, known).files if file.name not in kept.made]
+    kept.add({file.name: file.after or "" for file in report}, done.edits.base)
+    kept.finish()
+    kept.findings += done.edits.findings
+    _trace_texts(plan, [*done.program.files, *report], kept.files)
+    return known
+
+
+def _trace_texts(plan: migration.MigrationPlan, made: Iterable[FileChange], files: Mapping[str, bytes]) -> None:
+    """Set the plan's text traces: the lines of each template part in the files as written."""
+    if plan.trace is None:
+        plan.trace = trace.Trace()
+    links = [
+        link
+        for file in made
+        for link in replace(file, after=read(files[file.name], errors="surrogateescape").text).links()
+        if link.part
+    ]
+    texts = list(plan.trace.texts)
+    if len(texts) == len(links) and all(_traces(text, links[at]) for at, text in enumerate(texts)):
+        return  # making them anew takes ten times as long
+    plan.trace.texts.clear()
+    plan.trace.texts.extend(
+        trace.TextTrace(path=k.path, line=k.line, endLine=k.end_line, step=k.step, rule=k.part, elements=_elements(k))
+        for k in links
+    )
+
+
+def _elements(link: TextLink) -> list[Element]:
+    return [element for element in link.elements if isinstance(element, Element)]
+
+
+def _traces(text: trace.TextTrace, link: TextLink) -> bool:
+    """Whether a stored trace equals a link of this run."""
+    said = (text.line, text.endLine, text.rule, text.path, text.step)
+    if said != (link.line, link.end_line, link.part, link.path, link.step):
+        return False
+    return len(text.elements) == len(link.elements) and all(e is link.elements[at] for at, e in enumerate(text.elements))
+
+
+def _called(decision: migration.Decision) -> str:
+    if isinstance(decision, (migration.PortBinding, migration.PortFlow)) and decision.name:
+        return decision.name
+    component = decision.component if isinstance(decision, migration.LibraryChoice) else None
+    return f"library for {component.title}" if component is not None else "library"
+
+
+def remember(made: Generated, place: str | None = None) -> None:
+    """Count in the history the libraries that persons chose (paper 3.3); if it cannot be written, that is a finding only."""
+    try:
+        target = made.models.plan.targetDescription
+        History(place).record_all(
+            HistoryEntry(
+                component.partId,
+                component.partTitle or component.title,
+                choice.choice,
+                1,
+                date.today().isoformat(),
+                choice.chosen.version if choice.chosen is not None else "",
+                target.name if target is not None else "",
+                component.title,
+            )
+            for choice in (made.new_choices if made.written else [])
+            if (component := choice.component) is not None
+        )
+    except RobosmiError as error:
+        made.notes.append(
+            Finding("RS410", Severity.warning, f"the choice was not remembered: {error.message}", error.location, fix=error.fix)
+        )

@@ -1,0 +1,136 @@
+"""The steps of `migrate` about ports: finds the program's ports and the flow of their numbers, and binds them to pins.
+
+Finds the ports that libraries use by convention, without the program naming them.
+
+An adapter declares the ports it uses on the target. These may be fewer than its function used on the source, such as no
+encoders for a drive that is steered without them. A function without an adapter keeps the conventions of the platform's API.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.project import Project, default_number
+from robosmi.transform import Trace
+from robosmi.transformations.chains.stages.drawn import StoredDrawing
+from robosmi.transformations.chains.stages.program import StoredProgram
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.m2m.choices.stored_choices import NOTHING, StoredChoices
+from robosmi.transformations.m2m.partition.platform_dependence import Dependence
+from robosmi.transformations.m2m.ports.port_binding import SaidPins, bind_ports
+from robosmi.transformations.queries.code import CodeView, unit_of
+from robosmi.transformations.queries.flows.pin_uses import PinUse
+from robosmi.transformations.queries.plans.plan_adapters import closure
+from robosmi.transformations.queries.ports.port_flows import port_flows
+from robosmi.transformations.queries.ports.ports import Port, ProgramPorts, give_numbers, program_ports
+from robosmi.transformations.queries.ports.split_wires import split_functions
+
+
+def ports(program: StoredProgram) -> ProgramPorts:
+    """The ports of the program, and the data flow of their numbers to the functions that use them."""
+    return program_ports(program.views, port_flows(program.views, program.copies))
+
+
+def bindings(
+    program: StoredProgram,
+    ports: ProgramPorts,
+    api: ApiIndex,
+    judgement: tuple[Dependence, Trace],
+    drawing: StoredDrawing | None,
+    board: platform.Board,
+    bind: Mapping[str, str],
+    settings: Project,
+    stored: StoredChoices | None,
+) -> list[migration.PortBinding]:
+    """Bind each port of the program to a connection; flags precede the project file, and that precedes the stored plan.
+
+    Raises:
+        UsageError: a name is no port of the program, one port is bound to two pins, or a pin is none of the board.
+    """
+    source = judgement[0].source
+    assert source is not None
+    connections = list(drawing.hardware.connections) if drawing is not None else []
+    asked = with_conventions(ports, judgement[0].adapters, program.views)
+    said = (SaidPins(settings.bind, settings.places("bind", settings.bind)), SaidPins({**bind}))
+    limit, kept = default_number("choices", "limit"), (stored or NOTHING).ports
+    split = split_functions(judgement[0].adapters)
+    return bind_ports(asked, api, source, connections, board, said, limit, kept, split)
+
+
+def pins_to_choose(plan: migration.MigrationPlan) -> list[str]:
+    """The possible values of a binding: all names of the board's pins, and connections."""
+    pins = [name for pin in (plan.board.pins if plan.board is not None else []) for name in (pin.label, *pin.aliases)]
+    return [*pins, *(connection.name for connection in plan.connections)]
+
+
+_NUMBERED = re.compile(r"_(\d+)\Z")
+_DIRECTIONS = {platform.Direction.input: "in", platform.Direction.output: "out", platform.Direction.both: "both"}
+"""Maps the direction of a port as an adapter declares it to the direction of a pin's use."""
+
+
+def with_conventions(found: ProgramPorts, uses: Iterable[migration.AdapterUse], views: Sequence[CodeView]) -> ProgramPorts:
+    """Replace the conventional ports of functions that have an adapter by those that the adapter declares.
+
+    Args:
+        found: the ports, with the conventions of the source platform.
+        uses: the platform functions that are called, each with the adapter that fills it.
+        views: a view of each unit.
+    """
+    settings = views[0].api.settings.get("ports", {})
+    names, channels = settings.get("names", {}), settings.get("channels", {})
+    adapted = {str(use.name): use for use in uses if use.adapter is not None}
+    own = [port for port in found.ports if port.origin != "convention"]
+    conventional: dict[str, Port] = {}
+    for port in found.ports:
+        left = [use for use in port.uses if use.function not in adapted]
+        if port.origin == "convention" and left:
+            conventional[port.name] = Port(port.name, port.origin, left[0].call, port.pin, [], port.what, left)
+    for function, use in adapted.items():
+        assert use.adapter is not None
+        for needed in (port for piece in closure([use.adapter]) for port in piece.ports):
+            way = _DIRECTIONS.get(needed.direction, "unknown")
+            for call in _calls(use, str(needed.name), channels.get(function), views):
+                known = PinUse(_number(needed), "", "convention", function, way, int(call.line), call)
+                _add(conventional, needed, names, known)
+    asked = give_numbers(own, list(conventional.values()))
+    unasked = [p for p in found.ports if p.origin == "convention" and p.name not in conventional]
+    return ProgramPorts([*own, *asked], found.flows, found.anything, unasked)
+
+
+def _number(port: platform.ConventionalPort) -> int | None:
+    """The port's number on the source board; None for a channel of a converter, which has no pin number there."""
+    return None if port.capability is platform.PinCapability.analog else int(port.number)
+
+
+def _add(found: dict[str, Port], needed: platform.ConventionalPort, names: dict[str, str], use: PinUse) -> None:
+    own = str(needed.name)
+    name = str(names.get(own, own))
+    port = found.get(name)
+    if port is None:
+        what = own.rpartition(".")[2].replace("_", " ")
+        port = found[name] = Port(name, "convention", use.call, use.pin, what=what)
+    port.conventional = port.conventional or needed
+    if own != name and own not in port.names:
+        port.names.append(own)
+    port.uses.append(use)
+
+
+def _calls(use: migration.AdapterUse, name: str, argument: int | None, views: Sequence[CodeView]) -> Iterator[ccode.Call]:
+    """The calls that use a port. For a numbered port these are only the calls whose argument may be its number."""
+    numbered = _NUMBERED.search(name)
+    if numbered is not None and argument is None:
+        return
+    for call in (*use.calls, *(made for view in views for made in view.made.get(str(use.name), ()))):
+        if numbered is None or argument is None or int(numbered[1]) in _values(call, argument, views):
+            yield call
+
+
+def _values(call: ccode.Call, argument: int, views: Sequence[CodeView]) -> set[int]:
+    """The numbers that an argument may have; all channel numbers if its value is not known statically."""
+    unit = unit_of(call)
+    view = next((v for v in views if v.unit is unit), views[0])
+    arguments = list(call.arguments)
+    known = [v.number for v in view.values.of(arguments[argument])] if argument < len(arguments) else [None]
+    return set(range(32)) if None in known else {n for n in known if n is not None}

@@ -1,0 +1,328 @@
+"""The program's side of a migration: its files, its stored code model, and the findings in the sources alone.
+
+Finds the program's own headers, which are read, stored and carried over with it.
+
+They are the headers, and included `.c` files, that a source file or another such header includes and that no platform provides.
+They are searched like by a C compiler: beside the including file, then in the given folders. A header with the name of a
+platform header is the program's own if its sources define most of the functions that the platform's header declares, as the
+sources of a library do; else it is a copy of the platform's.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from pathlib import Path
+
+from msgspec import Struct
+
+from robosmi import inputs
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import SourceError
+from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.chains.stages.own_adapters import still_unknown
+from robosmi.transformations.chains.stages.reading import read_program
+from robosmi.transformations.knowledge.lexer import tokens
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.platforms.target_platform import CPLUSPLUS, PLAIN_C, TargetFacts
+from robosmi.transformations.m2m.language.refused_forms import remarks
+from robosmi.transformations.queries.block_braces import is_torn
+from robosmi.transformations.queries.code import CodeView, views
+from robosmi.transformations.queries.double_definitions import double_definitions
+from robosmi.transformations.queries.reports.analysis import library_cogs, unknown_functions
+from robosmi.transformations.queries.source_text import ADAPTERS_FILE, INCLUDED
+from robosmi.transformations.t2m.c_source.parsing.sources import source_files
+from robosmi.transformations.t2m.c_source.side_file import ENDING, SideProject, project_beside, read_side
+
+
+class ProgramFiles(Struct, frozen=True):
+    """The files of one program (sources, then its own headers), the options for reading them, and what was excluded."""
+
+    paths: Sequence[Path]
+    include_dirs: Sequence[Path]
+    defines: Sequence[str]
+    findings: Sequence[Finding] = ()
+
+
+class StoredProgram(Struct, frozen=True):
+    """A program that was read and whose units have the paths of their copies.
+
+    Attributes:
+        program: the code model.
+        name: the sketch's name: that of the unit with main, as the target's tools allow it.
+        views: a view of each unit.
+        places: path as given -> path of the copy, relative to the models' folder.
+        copies: path of the copy -> bytes.
+        findings: what is found in the sources alone, and what of it the target's language refuses.
+    """
+
+    program: ccode.Program
+    name: str
+    views: Sequence[CodeView]
+    places: Mapping[str, str]
+    copies: Mapping[str, bytes]
+    findings: Sequence[Finding]
+
+
+def program_files(
+    files: Sequence[str | Path], include_dirs: Sequence[Path], defines: Sequence[str], api: ApiIndex
+) -> ProgramFiles:
+    """The files of a program.
+
+    Args:
+        files: as given; a folder stands for the sources in it, `compile_commands.json` for those that it names, a project file
+            of SimpleIDE for those that it lists, and a single source with such a file of its name beside it, too.
+        include_dirs: folders with headers.
+        defines: macros defined from outside.
+        api: what is known of the source platform.
+
+    Raises:
+        SourceError: a folder holds no sources, or the compile commands or the project file cannot be read.
+        UsageError: a file is given twice.
+    """
+    given, left_out = [Path(f) for f in files], list[Finding]()
+    named = [*include_dirs, *(path if path.is_dir() else path.parent for path in given)]
+    if len(given) == 1 and (side := _side_project(str(given[0]))) is not None:
+        given, left_out = [Path(source) for source in side.sources], side.findings
+        include_dirs = [*include_dirs, *(Path(each) for each in side.include_dirs)]
+        defines = [*defines, *side.defines]
+    sources = source_files(given, [str(d) for d in include_dirs], defines)
+    folders = [Path(d) for d in dict.fromkeys(d for source in sources for d in source.include_dirs)]
+    macros = list(dict.fromkeys(d for source in sources for d in source.defines))
+    paths = [Path(source.path) for source in sources]
+    reached = with_headers(paths, folders, api)
+    outside = from_outside(reached[len(paths) :], [*named, *(path.parent for path in paths)])
+    return ProgramFiles(reached, folders, macros, [*left_out, *outside])
+
+
+def _side_project(path: str) -> SideProject | None:
+    """The content of a SimpleIDE project file that is given, or lies beside a source and lists it; None for any other file.
+
+    Raises:
+        SourceError: it cannot be read, or lists no source.
+    """
+    if path.endswith(ENDING):
+        return read_side(path, sourced=True)
+    beside = project_beside(path)
+    if not beside:
+        return None
+    made = read_side(beside)
+    own = next((source for source in made.sources if os.path.realpath(source) == os.path.realpath(path)), None)
+    if own is None:
+        return None
+    made.sources.remove(own)
+    made.sources.insert(0, path)
+    return made
+
+
+def stored_program(files: ProgramFiles, api: ApiIndex, target: TargetFacts) -> StoredProgram:
+    """Read a program as it is to be migrated and stored.
+
+    Raises:
+        SourceError: a file cannot be read as a program, there is not one function main, a macro tears it, or a file is not C and
+            the target takes C alone.
+    """
+    program, findings = read_program(files.paths, api.name, files.include_dirs, files.defines)
+    findings = [*files.findings, *findings]
+    if target.language == PLAIN_C:
+        _refuse_cplusplus(program, target)
+    main = _the_main(program)
+    if not target.keeps_main:
+        _refuse_torn(main)
+    seen = views(program, api)
+    for view in seen:
+        findings = [*findings, *library_cogs(view), *unknown_functions(view)]
+    findings = still_unknown(findings, api.adapters.index if api.adapters is not None else None)
+    places = _store_units(program, target.own_headers | {ADAPTERS_FILE})
+    copies = {places[str(path)]: inputs.read_bytes(path, inputs.SOURCE) for path in files.paths}
+    names = {place: path for path, place in places.items()}
+    findings = [*findings, *double_definitions(program, copies, names)]
+    for view in seen if target.language == CPLUSPLUS else ():
+        findings = [*findings, *remarks(view, copies[view.unit.path], names[view.unit.path])]
+    return StoredProgram(program, _sketch_name(main), seen, places, copies, findings)
+
+
+def _refuse_cplusplus(program: ccode.Program, target: TargetFacts) -> None:
+    """Refuse a program with a file that is not C, for a target that takes C alone.
+
+    Raises:
+        SourceError: there is such a file.
+    """
+    for unit in program.units:
+        if unit.language != PLAIN_C:
+            raise SourceError(
+                f"the file is {unit.language}, and the target '{target.target}' takes C alone", location=Location(unit.path),
+                fix="give another --target",
+            )  # fmt: skip
+
+
+def _the_main(program: ccode.Program) -> ccode.Function:
+    """The program's function main, of which there has to be one.
+
+    Raises:
+        SourceError: there is none, or more than one.
+    """
+    found = [
+        (u, d)
+        for u in program.units
+        for d in u.declarations
+        if isinstance(d, ccode.Function) and d.name == "main" and d.definition
+    ]
+    if not found:
+        raise SourceError(
+            "there is no function main, so nothing can be migrated", location=Location(program.units[0].path),
+            fix="give the file that has main, too; analyse works without",
+        )  # fmt: skip
+    if len(found) > 1:
+        unit, second = found[1]
+        raise SourceError(
+            f"main is defined twice: also in {found[0][0].path}:{found[0][1].line}",
+            location=Location(unit.path, second.line, second.column),
+            fix="give the files of one program",
+        )
+    return found[0][1]
+
+
+def _refuse_torn(main: ccode.Function) -> None:
+    """Refuse a main that cannot be divided, since a macro writes one of its braces together with statements.
+
+    Raises:
+        SourceError: it is such a one.
+    """
+    if main.body is not None and is_torn(main.body):
+        unit = ancestor_of_kind(main, ccode.SourceUnit)
+        raise SourceError(
+            "main begins or ends in a macro that holds more than its brace",
+            location=Location(unit.path if unit is not None else "", main.line, main.column),
+            fix="write the braces of main in the source, and the statements of that macro beside them",
+        )
+
+
+def _store_units(program: ccode.Program, taken: Collection[str]) -> dict[str, str]:
+    """Set the paths of units and includes to those of their copies; returns path as given -> path of the copy.
+
+    A header that cannot keep its name is prefixed with `own_`, a further file of the same name gets a number; no two names
+    differ only in case, since some file systems ignore it. Include folders are then relative to the first unit. A platform
+    header, which is found but not copied, keeps the name in its include.
+    """
+    places: dict[str, str] = {}
+    used: set[str] = set()
+    beside = os.path.dirname(os.path.realpath(program.units[0].path))
+    folders = [os.path.relpath(os.path.realpath(folder), beside) for folder in program.includeFolders]
+    program.includeFolders.clear()
+    program.includeFolders.extend(folders)
+    for unit in program.units:
+        name = Path(unit.path).name
+        stem, number = f"own_{name}" if name.lower() in taken else name, 1
+        name = stem
+        while name.lower() in used:
+            number += 1
+            name = f"{number}_{stem}"
+        used.add(name.lower())
+        places[unit.path] = f"source/{name}"
+        unit.path = places[unit.path]
+    copies = {os.path.realpath(path): place for path, place in places.items()}
+    for include in (i for unit in program.units for i in unit.includes if i.resolvedPath):
+        include.resolvedPath = copies.get(os.path.realpath(include.resolvedPath), include.header)
+    return places
+
+
+def _sketch_name(main: ccode.Function) -> str:
+    """The sketch's name: that of the unit with main, in letters, digits and underscores."""
+    unit = ancestor_of_kind(main, ccode.SourceUnit)
+    return sketch_name_of(Path(unit.path) if unit is not None else Path())
+
+
+def sketch_name_of(path: Path) -> str:
+    """The name of the sketch that a file with main becomes: the file's, as the target's tools allow it."""
+    stem = path.stem
+    name = "".join(c if c.isascii() and (c.isalnum() or c == "_") else "_" for c in stem)
+    return name if name[:1].isalnum() else f"sketch_{name}"
+
+
+OUTSIDE = "RS113"
+"""The rule for a header that is taken from outside of the program's folders."""
+_INCLUDE = re.compile(r'#\s*include\s*[<"]([^>"\n]+)[>"]')
+
+
+def with_headers(paths: Sequence[Path], include_dirs: Sequence[Path], api: ApiIndex) -> list[Path]:
+    """The files of a program, followed by its own headers that they include directly or indirectly.
+
+    Args:
+        paths: the source files.
+        include_dirs: folders with headers.
+        api: what is known of the source platform; its headers are not the program's.
+    """
+    found = list(paths)
+    seen = {os.path.realpath(path) for path in paths}
+    defined: set[str] | None = None
+    for path in found:  # grows while it is walked
+        for name in _included(path):
+            if not name.lower().endswith(INCLUDED):
+                continue
+            place = next((p for p in (folder / name for folder in (path.parent, *include_dirs)) if p.is_file()), None)
+            if place is not None and os.path.realpath(place) not in seen:
+                if api.header_kind(name) is not None:
+                    defined = _defined(paths) if defined is None else defined
+                    if not _written(api.functions_of(name), defined):
+                        continue
+                seen.add(os.path.realpath(place))
+                found.append(place)
+    return found
+
+
+def from_outside(headers: Iterable[Path], folders: Iterable[Path]) -> list[Finding]:
+    """Says of each header of a program that lies outside of its folders that it is taken over: a person may not know of it.
+
+    Args:
+        headers: the headers that the program reaches.
+        folders: those of its sources and project file, and those that a person names for headers.
+    """
+    inside = {Path(os.path.realpath(folder)) for folder in folders}
+    found = [(path, Path(os.path.realpath(path))) for path in headers]
+    return [
+        Finding(
+            OUTSIDE, Severity.warning, f"'{real}' lies outside of the program's folders and is copied with it",
+            Location(str(path)), fix="name its folder with -I where it belongs to the program, else take its #include out",
+        )
+        for path, real in found if not inside & {*real.parents}
+    ]  # fmt: skip
+
+
+def _written(functions: Collection[str], defined: Collection[str]) -> bool:
+    """Whether most of a header's functions are defined in the program."""
+    return 2 * sum(name in defined for name in functions) > len(functions)
+
+
+def _defined(paths: Sequence[Path]) -> set[str]:
+    """The names of the functions that source files define: names before a parameter list and a body."""
+    found: set[str] = set()
+    for path in paths:
+        depth, name, before = 0, "", ""
+        for kind, _, _, text in tokens(_read(path)):
+            if kind in ("comment", "directive"):
+                continue
+            if text == "(" and depth == 0:
+                name = before
+            elif text == "{" and depth == 0 and before == ")":
+                found.add(name)
+            depth += (text in "({") - (text in ")}") if kind == "punct" else 0
+            before = text
+    return found
+
+
+def _read(path: Path) -> bytes:
+    """The bytes of a file; empty if it cannot be read, which its reader reports."""
+    try:
+        return inputs.read_bytes(path, inputs.SOURCE)
+    except OSError:
+        return b""
+
+
+def _included(path: Path) -> list[str]:
+    """The names in a file's include directives."""
+    data = _read(path)
+    directives = (text for kind, _, _, text in tokens(data) if kind == "directive") if b"include" in data else ()
+    return [match[1].replace("\\", "/") for directive in directives if (match := _INCLUDE.match(directive))]

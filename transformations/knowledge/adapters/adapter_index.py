@@ -1,0 +1,164 @@
+"""The adapter files for a source and a target platform, read when a program needs them.
+
+They are in `<target platform>/adapters/<source platform>/` of the platform repository, one for each header, with its name
+(`sys/time.cpp` is for `sys/time.h`); files of a project, of a person and of plug-ins precede the built-in ones, piece by piece.
+`queries.adapter_needs` determines which pieces a program needs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path, PurePosixPath
+from types import MappingProxyType
+
+from robosmi import inputs, resources
+from robosmi.diagnostics import Location
+from robosmi.errors import PlatformDataError, did_you_mean
+from robosmi.transformations.knowledge.adapters.adapter_data import adapter_paths, load
+from robosmi.transformations.knowledge.adapters.adapter_files import MARK
+from robosmi.transformations.knowledge.adapters.adapter_records import AdapterFile, AdapterPiece
+
+BUILT_IN = "built-in"
+OWN = "adapters"
+"""Name of the folder for adapter files beside a project file, and in the user's data."""
+ENDING_OF = {"C": ".c", "C++": ".cpp"}
+"""Language of a target's programs -> the ending of its adapter files."""
+
+
+class AdapterIndex:
+    """The adapter files of some folders.
+
+    Args:
+        folders: the folders, in order of precedence.
+        mcus: the known microcontrollers, for which variants may exist; any if none are given.
+        ending: the ending of the files, which selects their language; any if it is empty.
+        own: those of the folders that persons maintain -> the owner, `project` or `user`.
+    """
+
+    def __init__(
+        self, folders: Sequence[Path], mcus: Iterable[str] = (), ending: str = "", own: Mapping[Path, str] = MappingProxyType({})
+    ) -> None:
+        self.folders = list(folders)
+        self.mcus = sorted(mcus)
+        self.own = dict(own)
+        self._ending = ending
+        self._listings: dict[Path, list[tuple[str, Path]]] = {}
+        self._files: dict[str, list[AdapterFile]] = {}
+
+    @property
+    def headers(self) -> list[str]:
+        """The headers for which there are files, sorted by name."""
+        return sorted({header for folder in self.folders for header, _ in self._listed(folder)})
+
+    def files(self, header: str) -> list[AdapterFile]:
+        """The files for a header, in order of precedence.
+
+        Raises:
+            PlatformDataError: a file cannot be read, says something wrong, or is for another header than its name says.
+        """
+        known = self._files.get(header)
+        if known is None:
+            known = self._files[header] = []
+            for folder in self.folders:
+                known += [self._checked(path, header) for named, path in self._listed(folder) if named == header]
+        return known
+
+    def check_those_of(self, whose: str) -> None:
+        """Read all files of an owner, to report their errors even if they are not needed.
+
+        Args:
+            whose: `project` or `user`.
+
+        Raises:
+            PlatformDataError: as for `files`.
+        """
+        for folder in (folder for folder, kept in self.own.items() if kept == whose):
+            for header, _ in self._listed(folder):
+                self.files(header)
+
+    def own_headers(self) -> list[str]:
+        """The headers for which a person keeps adapter files."""
+        return list(dict.fromkeys(header for folder in self.folders if folder in self.own for header, _ in self._listed(folder)))
+
+    def own_adapter(self, function: str) -> AdapterPiece | None:
+        """The adapter that a person keeps for a function, of whatever header; None if there is none.
+
+        Raises:
+            PlatformDataError: as for `files`.
+        """
+        pieces = (piece for header in self.own_headers() for file in self.files(header) for piece in file.pieces)
+        return next((p for p in pieces if p.kind == "adapter" and p.name == function and self.kept_by(p) != BUILT_IN), None)
+
+    def kept_by(self, piece: AdapterPiece) -> str:
+        """The owner of a piece: `project`, `user` or `built-in`."""
+        path = Path(piece.location.path)
+        return next((whose for folder, whose in self.own.items() if path.is_relative_to(folder)), BUILT_IN)
+
+    def _listed(self, folder: Path) -> list[tuple[str, Path]]:
+        """The adapter files of a folder, with the headers that they are named like."""
+        if folder not in self._listings:
+            paths = [path for path in adapter_paths(folder) if not self._ending or path.suffix == self._ending]
+            if folder in self.own:  # where there may be code that is none of ours
+                paths = [path for path in paths if MARK.encode() in inputs.read_bytes(path, inputs.DATA)]
+            self._listings[folder] = [(path.relative_to(folder).with_suffix(".h").as_posix(), path) for path in paths]
+        return self._listings[folder]
+
+    def _checked(self, path: Path, header: str) -> AdapterFile:
+        file = load(path)
+        if file.header != header:
+            fix = f"call it {file.header.removesuffix('.h')}{path.suffix}"
+            raise PlatformDataError(f"the adapter file is for '{file.header}'", location=Location(str(path), 1), fix=fix)
+        for piece in file.pieces:
+            for mcu in piece.mcus if self.mcus else ():
+                if mcu not in self.mcus:
+                    message = f"'{piece.name}' is a variant for '{mcu}', a microcontroller of which nothing is known"
+                    raise PlatformDataError(
+                        f"{message}{did_you_mean(mcu, self.mcus)}", location=piece.location, fix=f"use: {', '.join(self.mcus)}"
+                    )
+        return file
+
+    def of(self, header: str) -> list[list[AdapterPiece]]:
+        """The pieces for a header, file by file."""
+        return [file.pieces for file in self.files(header)]
+
+    def task(self, name: str, header: str) -> str:
+        """The reason why no adapter is possible for a function of a header; empty if none is stated."""
+        return next((file.tasks[name] for file in self.files(header) if name in file.tasks), "")
+
+    def unsupported(self, header: str) -> str:
+        """The reason why the target cannot support a header; empty if a file has adapters for it, or none is stated."""
+        files = self.files(header)
+        served = any(piece.kind == "adapter" for file in files for piece in file.pieces)  # values of a header do not serve it
+        return "" if served else next((f.unsupported for f in files if f.unsupported), "")
+
+
+def adapter_index(
+    target: str, source: str, project: Path | None = None, *, beside: Path | None = None, language: str = ""
+) -> AdapterIndex:
+    """The adapter files that there are: those that persons keep for themselves, then those of the platform repository.
+
+    Args:
+        target: name of the target platform.
+        source: name of the source platform.
+        project: the project folder; the current folder if None.
+        beside: the folder of the project file, whose folder `adapters` counts first; None without a project file.
+        language: of the target's programs; files in another one are left out.
+    """
+    relative = PurePosixPath(target, "adapters", source)
+    folders = list(resources.folders("platform_repo", project))
+    mcus = {path.stem for folder in folders for path in (folder / "mcus").glob("*.toml")}
+    own = {folder: whose for folder, whose in own_folders(beside).items() if folder.is_dir()}
+    places = [place for folder in folders if (place := folder / relative).is_dir()]
+    shipped = resources.built_in("platform_repo")
+    repositories = {place: "user" for place in places if not place.is_relative_to(shipped)}
+    return AdapterIndex([*own, *places], mcus, ENDING_OF.get(language, ""), own | repositories)
+
+
+def own_folders(beside: Path | None) -> dict[Path, str]:
+    """Where persons keep adapter files for themselves, whether or not it is there: for one project, and for all of a user's.
+
+    Args:
+        beside: the folder of the project file; None without one.
+    """
+    of_project = {beside / OWN: "project"} if beside is not None else {}
+    return {**of_project, resources.user_data() / OWN: "user"}

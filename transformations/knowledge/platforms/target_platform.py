@@ -1,0 +1,387 @@
+"""Targets: the content of `[targets.NAME]` and of the platforms' `[target]` as elements of `platform.ecore`, and a view of
+them.
+
+A target is a board of a platform with the generator that writes for it. With `by_board`, every board that a platform maps is a
+target, by its short name and by its full name in the platform's tools. Boards themselves are read in `board_models`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from functools import cached_property
+from pathlib import Path
+
+from robosmi import resources
+from robosmi.base.data_tables import DataTable
+from robosmi.base.data_text import Json
+from robosmi.errors import PlatformDataError, UsageError, did_you_mean
+from robosmi.metamodels import platform
+from robosmi.plugins import registry
+from robosmi.project import defaults, defaults_place, read_data
+from robosmi.transformations.knowledge.board_models import (
+    KIND,
+    board_file,
+    board_names,
+    check_keys,
+    load_board,
+    load_mapping,
+    mapped_boards,
+    mapping_file,
+    table_of,
+    text_of,
+)
+from robosmi.transformations.knowledge.data_keys import OF_SOURCES, OF_TARGETS, TARGET
+from robosmi.transformations.knowledge.platforms.target_names import KINDS, TargetNames, add_names_of, reserved_names
+
+STRUCTURES = {"setup/loop": platform.EntryStructure.setupLoop, "main": platform.EntryStructure.mainFunction}
+"""How data calls the functions in which programs begin."""
+PLAIN_C, CPLUSPLUS = "C", "C++"
+LANGUAGES = (PLAIN_C, CPLUSPLUS)
+_KEYS = (
+    "platform", "board", "generator", "toolchain", "structure", "language", "suffix", "module_suffix", "project_file",
+    "libraries", "any_board", "by_board",
+)  # fmt: skip
+
+
+_Board = platform.Board  # the class below has a property of the module's name
+
+
+class TargetFacts:
+    """A view of a target with the properties that rules use.
+
+    Args:
+        model: the target, loaded from the repository or from stored models.
+        any_board: whether a drawing may have another board than the target's.
+    """
+
+    def __init__(self, model: platform.Target, any_board: bool = False) -> None:
+        if model.platform is None:
+            raise PlatformDataError(f"the target '{model.name}' has no platform", fix="make the models again")
+        self.model = model
+        self.any_board = any_board
+        self._platform: platform.Platform = model.platform
+        self.shared = model.platform.names
+        """All names that the platform shares with programs, also once a plan has kept some of them only."""
+
+    def reserve_names_of(self, board: _Board, project: Path | None = None) -> None:
+        """Add the names that the core declares for a board with another microcontroller.
+
+        Args:
+            board: the board of the plan, which may differ from the target's because of the drawing.
+            project: the project folder; the current folder if None.
+        """
+        mcu = str(board.microcontroller.name) if board.microcontroller is not None else ""
+        if mcu and self.shared is not None:
+            add_names_of(mcu, self.platform, self.shared, project)
+
+    @property
+    def target(self) -> str:
+        """The name that the user gave, or the board's."""
+        return str(self.model.name)
+
+    @property
+    def platform(self) -> str:
+        """Name of the platform."""
+        return str(self._platform.name)
+
+    @property
+    def board_model(self) -> _Board:
+        """The board.
+
+        Raises:
+            PlatformDataError: the target has none.
+        """
+        if self.model.board is None:
+            raise PlatformDataError(f"the target '{self.model.name}' has no board", fix="make the models again")
+        return self.model.board
+
+    @property
+    def board(self) -> str:
+        """Short name of the board."""
+        return str(self.board_model.name)
+
+    @property
+    def generator(self) -> str:
+        """Name of the registered generator."""
+        return str(self.model.generator)
+
+    @property
+    def architecture(self) -> str:
+        """Processor architecture as libraries declare it."""
+        return str(self._platform.architecture)
+
+    @property
+    def include(self) -> str:
+        """Header that every program includes, or empty."""
+        return str(self._platform.mainHeader)
+
+    @property
+    def libraries(self) -> str:
+        """Platform whose index of libraries the target uses, empty for none."""
+        return str(self.model.libraryIndex)
+
+    @property
+    def keeps_main(self) -> bool:
+        """Whether programs of the target begin with main, so that the program's main is kept."""
+        return self.model.structure is platform.EntryStructure.mainFunction
+
+    @property
+    def language(self) -> str:
+        """C or C++."""
+        return str(self.model.language)
+
+    @cached_property
+    def standard_headers(self) -> frozenset[str]:
+        """C headers that the platform has."""
+        return frozenset(self._platform.standardHeaders)
+
+    @cached_property
+    def own_headers(self) -> frozenset[str]:
+        """The platform's own headers, in lower case: a program's header of the same name would replace it."""
+        return frozenset(name.lower() for name in (self._platform.mainHeader, *self._platform.ownHeaders))
+
+    @cached_property
+    def widths(self) -> Mapping[str, str]:
+        """Type of the source by value -> type that holds the same values."""
+        return {w.sourceType: w.targetType for w in self._platform.widths}
+
+    @cached_property
+    def wider_names(self) -> Mapping[str, str]:
+        """Function, type or macro of the standard library with an int in it -> its counterpart with the source's width."""
+        return {w.sourceType: w.targetType for w in self._platform.widerNames}
+
+    @cached_property
+    def names(self) -> TargetNames:
+        """The names that the platform's core declares."""
+        return TargetNames(self.shared)
+
+
+def target_names(project: Path | None = None) -> list[str]:
+    """The names of all targets, sorted; each can also be given by its board's full name."""
+    listed = set(defaults(project).get("targets", {}))
+    for name, _ in _platforms_by_board(project):
+        listed |= set(mapped_boards(name, project))
+    return sorted(listed)
+
+
+def target_facts(target: str, project: Path | None = None) -> TargetFacts:
+    """A target, as new elements.
+
+    Args:
+        target: name of a target, or a board's full name in a platform's tools.
+        project: the project folder; the current folder if None.
+
+    Raises:
+        UsageError: there is no such target.
+        PlatformDataError: its data is damaged, or names a generator or toolchain that does not exist.
+    """
+    table, name = _entry(target, project)
+    own = platform_table(table.text("platform"), table, project)
+    board_name = table.text("board")
+    if board_file(board_name, project) is None:
+        raise table.error(
+            "board", f"is '{board_name}', and no board is called so{did_you_mean(board_name, board_names(project))}"
+        )
+    board = load_board(board_name, project)
+    made = _platform(own, table.text("platform"), project)
+    made.boardMappings.append(load_mapping(table.text("platform"), board, project))
+    toolchain = table.text("toolchain", "")
+    model = platform.Target(
+        name=name,
+        platform=made,
+        board=board,
+        generator=_known(table, "generator", registry().names("generator")),
+        toolchain=_toolchain(toolchain, table, project) if toolchain else None,
+        structure=STRUCTURES[_known(table, "structure", STRUCTURES)],
+        language=_known(table, "language", LANGUAGES),
+        fileSuffix=_ending(table, "suffix"),
+        moduleSuffix=_ending(table, "module_suffix"),
+        projectFile=table.text("project_file", ""),
+        libraryIndex=table.text("libraries", ""),
+    )
+    return TargetFacts(model, table.flag("any_board", False))
+
+
+def _ending(table: DataTable, key: str) -> str:
+    if not (ending := table.text(key)).startswith("."):
+        raise table.error(key, f"is '{ending}', which is no ending: it begins with a point, as '.{ending}'")
+    return ending
+
+
+def takes_libraries_of(target: str, index: str, project: Path | None = None) -> bool:
+    """Whether a target uses the libraries of an index; false for a target that no longer exists.
+
+    Args:
+        target: name of a target, or a board's full name.
+        index: the platform whose index it is.
+        project: the project folder; the current folder if None.
+    """
+    try:
+        return _entry(target, project)[0].text("libraries", "") == index
+    except (UsageError, PlatformDataError):
+        return False
+
+
+def _known(table: DataTable, key: str, known: Collection[str]) -> str:
+    value = table.text(key)
+    if value not in known:
+        raise table.error(key, f"is '{value}', which is none of: {', '.join(sorted(known))}{did_you_mean(value, known)}")
+    return value
+
+
+def _entry(target: str, project: Path | None) -> tuple[DataTable, str]:
+    """The settings of a target, merged with the platform's, and its name."""
+    listed = defaults(project).get("targets", {})
+    if target in listed:
+        place = defaults_place("targets", target, project)
+        said = listed[target]
+        if not isinstance(said, dict):
+            raise DataTable(place, listed, "targets.").error(target, "must be a table")
+        return _whole(said, place, f"targets.{target}.", project), target
+    for name, path in _platforms_by_board(project):
+        boards = mapped_boards(name, project)
+        board = target if target in boards else next((b for b in boards if _is_called(target, name, b, project)), None)
+        if board is not None:
+            return _whole({"platform": name, "board": board}, path, "target.", project), board
+    known = target_names(project)
+    raise UsageError(f"no target is called '{target}'{did_you_mean(target, known)}", fix=f"use one of: {', '.join(known)}")
+
+
+def _is_called(full_name: str, platform_name: str, board: str, project: Path | None) -> bool:
+    """Whether a platform's tools know a board by that full name."""
+    file = mapping_file(platform_name, board, project)
+    if file is None or f'"{full_name}"' not in text_of(file):  # parsing is a hundred times as long
+        return False
+    table = table_of(file)
+    return full_name in (table.text("fqbn", ""), *table.texts("fqbn_also", ()))
+
+
+def _whole(own: dict[str, Json], place: Path, prefix: str, project: Path | None) -> DataTable:
+    table = DataTable(place, own, prefix)
+    for key in own:
+        if key not in _KEYS:
+            raise table.error(key, f"is no key of a target{did_you_mean(key, _KEYS)}")
+    base = platform_table(table.text("platform"), table, project).table("target", needed=False)
+    return DataTable(place, {**base.values, **own}, prefix)
+
+
+def platform_table(name: str, named_in: DataTable, project: Path | None) -> DataTable:
+    """The settings of a platform that a target names.
+
+    Raises:
+        PlatformDataError: there is no platform of that name, or its settings cannot be read.
+    """
+    for folder in resources.folders(KIND, project):
+        if (path := folder / name / "platform.toml").is_file():
+            return table_of(path)
+    known = {path.parent.name for folder in resources.folders(KIND, project) for path in folder.glob("*/platform.toml")}
+    raise named_in.error("platform", f"is '{name}', a platform of which nothing is known{did_you_mean(name, known)}")
+
+
+def _platforms_by_board(project: Path | None) -> Iterator[tuple[str, Path]]:
+    """Name and settings of the platforms whose boards are targets."""
+    seen: set[str] = set()
+    for folder in resources.folders(KIND, project):
+        for path in sorted(folder.glob("*/platform.toml")):
+            if path.parent.name not in seen:
+                seen.add(path.parent.name)
+                if table_of(path).table("target", needed=False).flag("by_board", False):
+                    yield path.parent.name, path
+
+
+def target_platform(name: str, project: Path | None = None) -> platform.Platform:
+    """A platform that programs are moved to, as a new element without its boards.
+
+    Raises:
+        PlatformDataError: its data is missing or damaged.
+    """
+    return _platform(table_of(resources.find(KIND, f"{name}/platform.toml", project)), name, project)
+
+
+def _platform(table: DataTable, folder: str, project: Path | None) -> platform.Platform:
+    check_keys(table, (*OF_TARGETS, *OF_SOURCES))
+    check_keys(table.table("target", needed=False), TARGET)
+    return platform.Platform(
+        name=table.text("name"),
+        title=table.text("title", table.text("name")),
+        language=table.text("language"),
+        charSigned=table.flag("charSigned"),
+        hasCogs=table.flag("hasCogs"),
+        architecture=table.text("architecture"),
+        coreVersion=table.text("core"),
+        coreName=table.text("core_name", ""),
+        mainHeader=table.text("include"),
+        pinFunctions=table.texts("pin_functions", ()),
+        standardHeaders=table.texts("standard_headers"),
+        ownHeaders=table.texts("own_headers", ()),
+        intBits=table.number("intBits"),
+        longBits=table.number("longBits"),
+        pointerBits=table.number("pointerBits"),
+        doubleBits=table.number("doubleBits"),
+        widths=_widths(table.table("widths")),
+        widerNames=_widths(table.table("wider_names", needed=False)),
+        names=reserved_names(folder, project),
+    )
+
+
+def _widths(table: DataTable) -> list[platform.TypeWidth]:
+    return [platform.TypeWidth(sourceType=name, targetType=table.text(name)) for name in table.values]
+
+
+def _toolchain(name: str, named_in: DataTable, project: Path | None) -> platform.Toolchain:
+    known: list[str] = []
+    for folder in resources.folders(KIND, project):
+        for path in sorted(folder.glob("*/toolchain.toml")):
+            data = read_data(path)
+            known.append(str(data.get("name", "")))
+            if known[-1] == name:
+                table = DataTable(path, data)
+                tools = table.table("tools")
+                return platform.Toolchain(
+                    name=name,
+                    title=table.text("title"),
+                    architecture=table.text("architecture"),
+                    tools=[
+                        platform.Tool(name=key, command=tool.text("command"), package=tool.text("package", ""))
+                        for key, value in tools.values.items()
+                        if isinstance(value, dict) and (tool := tools.table(key))
+                    ],
+                )
+    raise named_in.error("toolchain", f"is '{name}', which is none of: {', '.join(sorted(known))}{did_you_mean(name, known)}")
+
+
+def target_repository(
+    facts: TargetFacts,
+    source: platform.Platform,
+    board: platform.Board,
+    libraries: list[platform.Library],
+    words: Collection[str],
+) -> platform.PlatformRepository:
+    """The part of the platform models that a plan refers to.
+
+    Args:
+        facts: the target.
+        source: the part of the source platform.
+        board: the plan's board.
+        libraries: the libraries that the plan names.
+        words: the names in the program; names of the target's core are kept as far as they are among them.
+    """
+    target, made = facts.model, facts.model.platform
+    assert made is not None
+    if target.board is not board:
+        target.board = board
+        made.boardMappings.clear()
+        made.boardMappings.append(load_mapping(facts.platform, board))
+    made.libraries.clear()
+    made.libraries.clear()
+    made.libraries.extend(libraries)
+    if facts.shared is not None:
+        made.names = platform.ReservedNames(**{kind: [n for n in getattr(facts.shared, kind) if n in words] for kind in KINDS})
+    chip = board.microcontroller
+    return platform.PlatformRepository(
+        platforms=[source, made],
+        boards=[board],
+        microcontrollers=[chip] if chip is not None else [],
+        toolchains=[target.toolchain] if target.toolchain is not None else [],
+        targets=[target],
+    )

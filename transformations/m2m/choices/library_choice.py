@@ -1,0 +1,237 @@
+"""Decides which library drives which component: the ranking as decisions of the plan (paper 3.3).
+
+A choice is made by a person (flag, project file), by history, or by the ranking if it is sure enough; else it stays open. Every
+component that a board pin reaches gets a decision with its candidates, the evidence and who chose. Libraries are ranked by
+`library_ranking`; the command line asks the person.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import cached_property
+
+from msgspec import Struct
+
+from robosmi.diagnostics import Location
+from robosmi.errors import placed
+from robosmi.metamodels import hardware, migration, platform
+from robosmi.recommend.component import ComponentQuery
+from robosmi.recommend.history import chosen_from_history
+from robosmi.recommend.index import LibraryIndex
+from robosmi.recommend.ranking import Choices, Ranker, Recommendation
+from robosmi.transformations.knowledge.libraries.library_ranking import library_in, library_index
+from robosmi.transformations.knowledge.libraries.library_takes import Takes, library_takes
+from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
+from robosmi.transformations.m2m.choices.stored_choices import Said, explain
+from robosmi.transformations.queries.circuits.circuit import component_named
+
+NO_LIBRARY = "none"
+"""The choice that a component needs no library."""
+
+
+def component_query(component: hardware.Component) -> ComponentQuery:
+    """The description of a drawn component that a ranker searches with."""
+    return ComponentQuery(
+        id=component.elementId,
+        title=component.partTitle or component.title,
+        label=component.title,
+        family=component.family,
+        tags=tuple(component.tags),
+        properties={p.name: p.value for p in component.properties},
+        connectors=tuple(c.name for c in component.connectors),
+        part_id=component.partId,
+    )
+
+
+class LibraryModels(Struct, dict=True):
+    """The target's libraries as model elements, made when they are first asked for.
+
+    Attributes:
+        target: the target.
+        board: the board that they are for.
+        elements: name -> element.
+    """
+
+    target: TargetFacts
+    board: platform.Board
+    elements: dict[str, platform.Library] = {}
+
+    @cached_property
+    def takes(self) -> Mapping[str, Takes]:
+        """The hardware resources (timers, pins) that each library occupies, by name."""
+        return library_takes(self.target.libraries, self.board)
+
+    @cached_property
+    def index(self) -> LibraryIndex:
+        """The index of the target's libraries."""
+        return library_index(self.target.libraries)
+
+    def get(self, name: str) -> platform.Library:
+        """The model element of a library; the libraries it depends on are made with it.
+
+        Raises:
+            UsageError: no library has that name.
+        """
+        if name not in self.elements:
+            facts = library_in(self.index, name)
+            name = facts.name  # as the index writes it
+            if name not in self.elements:
+                takes = self.takes.get(name, Takes())
+                self.elements[name] = platform.Library(
+                    name=name,
+                    version=facts.version,
+                    headers=[facts.header],
+                    architectures=list(facts.architectures),
+                    depends=list(facts.depends),
+                    url=facts.library.url,
+                    installed=facts.library.installed,
+                    timers=list(takes.timers),
+                    pins=list(takes.pins),
+                    takesWhen=takes.when,
+                )
+                for needed in facts.dependencies:
+                    self.get(needed.name)
+        return self.elements[name]
+
+    def taken_by(self, library: platform.Library | None) -> list[Takes]:
+        """The known hardware resources (timers, pins) that a library and its dependencies occupy."""
+        if library is None:
+            return []
+        return [self.takes[name] for name in (library.name, *library.depends) if name in self.takes]
+
+
+class _OfTarget(Struct, frozen=True):
+    """The history of choices restricted to libraries that the target has; others were chosen for another platform."""
+
+    history: Choices
+    models: LibraryModels
+
+    def choices(self, part_id: str, title: str) -> dict[str, int]:
+        return self._known(self.history.choices(part_id, title))
+
+    def choices_for_model(self, model: str) -> dict[str, int]:
+        return self._known(self.history.choices_for_model(model))
+
+    def _known(self, counts: Mapping[str, int]) -> dict[str, int]:
+        return {name: count for name, count in counts.items() if self.models.index.library_named(name) is not None}
+
+
+def choose_libraries(
+    circuit: hardware.Circuit,
+    components: Iterable[hardware.Component],
+    chosen: Mapping[str, str],
+    ranker: Ranker,
+    models: LibraryModels,
+    history: Choices,
+    limit: int,
+    sure: float = 1.0,
+    stored: Mapping[tuple[str, str], Said] | None = None,
+    places: Mapping[str, Location] | None = None,
+) -> list[migration.LibraryChoice]:
+    """A decision for each component.
+
+    Args:
+        circuit: the drawing.
+        components: the components that need a decision.
+        chosen: COMPONENT (title or `#model_index`) -> library, as persons said.
+        ranker: ranks libraries.
+        models: where library elements are made.
+        history: earlier choices.
+        limit: how many candidates a decision keeps.
+        sure: the confidence from which on the ranking's own answer is taken.
+        stored: (elementId, title) -> what a person chose in a stored plan, behind `chosen`; what no longer fits is passed over.
+        places: component, as `chosen` has it -> where that is said, for messages.
+
+    Raises:
+        UsageError: a component or library does not exist, or a title is ambiguous.
+    """
+    by_person = {}
+    for name, library in chosen.items():
+        with placed((places or {}).get(name)):
+            by_person[component_named(circuit, name).elementId] = library
+            if library and library.lower() != NO_LIBRARY:
+                library_in(models.index, library)
+    ranked: dict[tuple[object, ...], Recommendation] = {}  # like parts are ranked once
+
+    def rank(query: ComponentQuery, weigh_history: bool) -> Recommendation:
+        key = (
+            query.part_id, query.title, query.family, query.tags, tuple(query.properties.items()), query.connectors,
+            weigh_history,
+        )  # fmt: skip
+        if key not in ranked:
+            ranked[key] = ranker.rank(query, history if weigh_history else None, limit)
+        return ranked[key]
+
+    kept = {
+        identity: said
+        for (identity, title), said in (stored or {}).items()
+        if any((c.elementId, c.title) == (identity, title) for c in circuit.components)
+        and (said.value == NO_LIBRARY or models.index.library_named(said.value) is not None)
+    }
+    by_person = {**{identity: said.value for identity, said in kept.items()}, **by_person}
+    listed = list(components)
+    listed += [c for c in circuit.components if c.elementId in by_person and c not in listed]
+    made = [_decide(c, by_person.get(c.elementId), rank, models, history, sure) for c in listed]
+    for choice in made:
+        if choice.component is not None:
+            explain(choice, kept.get(choice.component.elementId))
+    return made
+
+
+def _decide(
+    component: hardware.Component,
+    said: str | None,
+    rank: Callable[[ComponentQuery, bool], Recommendation],
+    models: LibraryModels,
+    history: Choices,
+    sure: float,
+) -> migration.LibraryChoice:
+    query = component_query(component)
+    refused = said is not None and said.lower() == NO_LIBRARY
+    # A person's choice ignores the history, so that a run after it was recorded makes the same plan again.
+    recommendation = rank(query, not said)
+    by, why = migration.ChosenBy.nobody, ""
+    name = said
+    if said:
+        by, why = migration.ChosenBy.person, "by flag or in the project file"
+    elif earlier := chosen_from_history(query.part_id, query.title, _OfTarget(history, models)):
+        name, by, why = earlier, migration.ChosenBy.history, "chosen for this part before"
+    elif 0 < recommendation.confidence >= sure:
+        by = migration.ChosenBy.rule
+        name, why = _by_rule(recommendation)
+        refused = name == NO_LIBRARY
+    library = models.get(name) if name and not refused else None
+    options = _options(recommendation)
+    if library is not None and all(o.label != library.name for o in options):
+        options.append(migration.Option(label=library.name, reasons=[why]))
+    by_ranking = by in (migration.ChosenBy.nobody, migration.ChosenBy.rule)
+    return migration.LibraryChoice(
+        component=component,
+        chosen=library,
+        candidates=[models.get(o.label) for o in options],
+        recommendation=recommendation.decision,
+        confidence=recommendation.confidence if by_ranking else 1.0,
+        chosenBy=by,
+        evidence=[*([why] if why else []), *(str(taken) for taken in models.taken_by(library))],
+        # a ranker without a confidence cannot tell that a part without candidates needs no library
+        open=not name and (recommendation.decision != "none" or recommendation.confidence > 0),
+        choice=library.name if library is not None else NO_LIBRARY if refused else "",
+        options=options,
+    )
+
+
+def _by_rule(recommendation: Recommendation) -> tuple[str, str]:
+    """The choice that a sufficiently sure ranking implies: a library or none, and the reasons as text."""
+    if not recommendation.candidates:  # the target has no libraries
+        return NO_LIBRARY, "; ".join(recommendation.reasons)
+    first = recommendation.candidates[0]
+    if recommendation.decision == "library":
+        return first.library, "; ".join([*first.reasons[:1], *recommendation.reasons])
+    helper = f"; {first.library} is the one" if recommendation.decision == "optional" else ""
+    return NO_LIBRARY, "; ".join(recommendation.reasons) + helper
+
+
+def _options(recommendation: Recommendation) -> list[migration.Option]:
+    return [
+        migration.Option(label=c.library, score=round(c.score, 6), reasons=list(c.reasons)) for c in recommendation.candidates
+    ]

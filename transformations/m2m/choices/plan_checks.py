@@ -1,0 +1,127 @@
+"""The checks for a person at the bench before the robot runs on its own: one for each component that the program uses.
+
+A check names the component with its connectors and pins, the ports bound there, and the functions by which the program drives
+or reads them. Without a drawing, each pin that a port is bound to takes the component's place.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from robosmi.metamodels import ccode, hardware, migration, platform
+from robosmi.model.elements.strict import Element
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.queries.circuits.connector_names import wire_name
+from robosmi.transformations.queries.plans.plan_adapters import closure, setup_statements
+from robosmi.transformations.queries.plans.port_pins import of_own_serial_port
+from robosmi.transformations.queries.ports.idle_ports import is_idle
+
+RULE = "RS340"
+"""The id of the rule under which checks are reported."""
+_CONSOLE = re.compile(r"Serial\.begin\((\d+)\)")
+_MOST = 4
+"""Limit on the functions that a check names."""
+_OTHERWISE = ("see that it answers {}", platform.Direction.unknown)
+_SEEN = {
+    hardware.Role.Input: ("see that {} what is there", platform.Direction.input),
+    hardware.Role.Output: ("see that it does what {} asks", platform.Direction.output),
+}
+"""For each role of a component, what a person should observe, and the direction of the functions that show it."""
+
+
+def plan_checks(plan: migration.MigrationPlan) -> list[migration.PlanTask]:
+    """The checks of a plan: the console first, then component by component in the order of the pins.
+
+    Args:
+        plan: the plan, complete but for its checks; those that were there are not looked at.
+    """
+    return [*_console(plan), *_components(plan), *_bare_pins(plan)]
+
+
+def _console(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
+    if bauds := _bauds(plan):
+        others = list(
+            dict.fromkeys(str(c.calleeName) for b in plan.portBindings if of_own_serial_port(b) for c in port_calls(plan, b))
+        )
+        rate = f"{bauds[0]} baud" + (f" (or what {', '.join(others)} asks for)" if others else "")
+        message = f"open the 'serial monitor' at {rate}, and see that the program's texts come"
+        yield migration.PlanTask(rule=RULE, severity=migration.SeverityLevel.info, message=message)
+
+
+def _bauds(plan: migration.MigrationPlan) -> list[str]:
+    """The baud rates at which the program opens its console in setup."""
+    return [found[1] for statement in setup_statements(plan) if (found := _CONSOLE.search(statement))]
+
+
+def _components(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
+    of_component: dict[hardware.Component, list[migration.Connection]] = {}
+    for connection in plan.connections:
+        if connection.component is not None:
+            of_component.setdefault(connection.component, []).append(connection)
+    titles = [c.title for c in of_component]
+    for component, connections in of_component.items():
+        ports = [b for b in plan.portBindings if b.connection is not None and any(b.connection is c for c in connections)]
+        ports = [b for b in ports if not is_idle(plan, b)]
+        if not ports:
+            continue
+        title = component.title if titles.count(component.title) == 1 else f"{component.title} #{component.elementId}"
+        used = [c for c in connections if any(b.connection is c or b.answer is c for b in ports)]
+        wires = ", ".join(f"{wire_name(c.connectors)} on {c.pin.label if c.pin is not None else 'no pin'}" for c in used)
+        yield _check(plan, f"'{title}' ({wires})", ports, [component, *ports])
+
+
+def _bare_pins(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
+    of_pin: dict[str, list[migration.PortBinding]] = {}
+    for binding in plan.portBindings:
+        seen = (_bauds(plan) and of_own_serial_port(binding)) or is_idle(plan, binding)
+        if binding.connection is None and binding.pin is not None and not seen:
+            of_pin.setdefault(str(binding.pin.label), []).append(binding)
+    for label, ports in of_pin.items():
+        yield _check(plan, f"what is on '{label}'", ports, list(ports))
+
+
+def _check(
+    plan: migration.MigrationPlan, what: str, ports: list[migration.PortBinding], elements: list[Element]
+) -> migration.PlanTask:
+    names = ", ".join(dict.fromkeys(str(b.name) for b in ports))
+    first = next((b.element for b in ports if b.element is not None), None)
+    unit = ancestor_of_kind(first, ccode.SourceUnit) if first is not None else None
+    return migration.PlanTask(
+        rule=RULE, severity=migration.SeverityLevel.info, message=f"{what}, port {names}: {_expected(plan, ports)}",
+        path=unit.path if unit is not None else "", line=first.line if first is not None and unit is not None else 0,
+        column=first.column if first is not None and unit is not None else 0, elements=elements,
+    )  # fmt: skip
+
+
+def _expected(plan: migration.MigrationPlan, ports: list[migration.PortBinding]) -> str:
+    """The instruction what a person should observe at the given ports."""
+    calls = [call for port in ports for call in port_calls(plan, port)]
+    component = ports[0].connection.component if ports[0].connection is not None else None
+    role = component.role if component is not None else None
+    said, way = _SEEN.get(role, _OTHERWISE) if role is not None else _OTHERWISE
+    ways = {str(use.name): {p.direction for p in use.function.parameters} for use in plan.adapterUses if use.function is not None}
+    fitting = [call for call in calls if way in ways.get(str(call.calleeName), ())] or calls
+    names = list(dict.fromkeys(str(call.calleeName) for call in fitting))
+    if not names:
+        return "see that it does what the program asks"
+    shown = ", ".join(names[:_MOST]) + (" ..." if len(names) > _MOST else "")
+    if role is hardware.Role.Input:
+        shown = f"{shown} {'read' if len(names) > 1 else 'reads'}"
+    return said.format(shown)
+
+
+def port_calls(plan: migration.MigrationPlan, binding: migration.PortBinding) -> list[ccode.Call]:
+    """The calls of platform functions that drive or read a port, in text order, except calls in macro bodies.
+
+    Args:
+        plan: the plan.
+        binding: the port's binding.
+    """
+    calls = [c for flow in plan.portFlows if any(b is binding for b in flow.bindings) for c in flow.calls]
+    if (port := binding.conventionalPort) is not None:
+        uses = [
+            u for u in plan.adapterUses if u.adapter is not None and any(port is p for a in closure([u.adapter]) for p in a.ports)
+        ]
+        calls += [c for use in uses for c in use.calls]
+    return sorted(calls, key=lambda c: int(c.startOffset))

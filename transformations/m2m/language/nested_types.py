@@ -1,0 +1,138 @@
+"""Types defined among the members of a record: C++ scopes their names to the record, C does not.
+
+An enumeration is moved before the record, with a new name if it has none. A nested record is named through the enclosing one
+(`outer::inner`) where it is used. Other C constructs that C++ refuses are in `language_gap`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from robosmi.metamodels import ccode
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.knowledge.lexer import Token, tokens
+from robosmi.transformations.m2m.language.text_change import Change
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.expression_type import FunctionType
+from robosmi.transformations.queries.macros.tokens import name_tokens
+
+
+def nested_enumerations(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """Find enumerations defined inside records, each with the text of its definition under a name."""
+    taken: set[str] = set()
+    for enumeration in view.of_kind(ccode.Enumeration):
+        record = _record_around(enumeration)
+        text = data[enumeration.startOffset : enumeration.endOffset]
+        if record is None or not text.startswith(b"enum") or not text.endswith(b"}"):  # a macro wrote it
+            continue
+        shown = text.decode("utf-8", "replace")
+        if not enumeration.name:
+            taken = taken or {name for _, _, name in name_tokens(data)}
+            named = _fresh(
+                next((f"{f.name}_values" for f in record.fields if f.startOffset == enumeration.startOffset), ""), taken
+            )
+            shown = f"enum {named} {shown.removeprefix('enum').lstrip()}"
+        yield Change(enumeration, "enumeration-before", shown, "C++ keeps the names of an enumeration to the record it is in")
+
+
+def _fresh(wanted: str, taken: set[str]) -> str:
+    name, number = wanted or "values", 1
+    while name in taken:
+        number += 1
+        name = f"{wanted or 'values'}{number}"
+    taken.add(name)
+    return name
+
+
+def _beside(enumeration: ccode.Enumeration) -> list[ccode.Declaration]:
+    around = enumeration.eContainer()
+    kinds = (ccode.SourceUnit, ccode.DeclarationStatement)
+    return [d for d in around.declarations if d is not enumeration] if isinstance(around, kinds) else []
+
+
+def _record_around(enumeration: ccode.Enumeration) -> ccode.Record | None:
+    """The record among whose members an enumeration is defined."""
+    start, end = enumeration.startOffset, enumeration.endOffset
+    records = (d for d in _beside(enumeration) if isinstance(d, ccode.Record))
+    return next((r for r in records if r.startOffset < start and end < r.endOffset), None)
+
+
+def before_record(enumeration: ccode.Enumeration, text: str) -> list[tuple[int, int, str]]:
+    """The changes that move an enumeration's definition before the record's declaration and leave its name in its place.
+
+    Args:
+        enumeration: the enumeration.
+        text: its definition with a name.
+    """
+    start, end = int(enumeration.startOffset), int(enumeration.endOffset)
+    around = enumeration.eContainer()
+    places = [int(d.startOffset) for d in _beside(enumeration) if d.startOffset < start and end <= d.endOffset]
+    if isinstance(around, ccode.DeclarationStatement):
+        places.append(int(around.startOffset))
+    name = " ".join(text.partition("{")[0].split())
+    return [(min(places), min(places), f"{text};\n"), (start, end, f"{name} ")]
+
+
+RECORDS = frozenset({"struct", "union"})
+
+
+def tags_within(data: bytes, record: ccode.Located, owner: str) -> dict[str, str]:
+    """The tags of records defined inside another record, each with its qualified name in C++.
+
+    Args:
+        data: the bytes of its unit.
+        record: the enclosing record.
+        owner: the enclosing record's name.
+    """
+    words = [word for word in tokens(data[record.startOffset : record.endOffset]) if word[0] not in ("comment", "directive")]
+    found: dict[str, str] = {}
+    around: list[str] = []  # the name of each brace that is open, empty for a record without one
+    for number, (_, _, _, text) in enumerate(words):
+        if text == "{":
+            tag = _tag_before(words, number) if around else owner
+            if around and tag and all(around):
+                found[tag] = "::".join([*around, tag])
+            around.append(tag)
+        elif text == "}" and around:
+            around.pop()
+    return found
+
+
+def _tag_before(words: Sequence[Token], brace: int) -> str:
+    named = brace > 1 and words[brace - 1][0] == "name" and words[brace - 2][3] in RECORDS
+    return words[brace - 1][3] if named else ""
+
+
+def nested_tags(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+    """Find records whose nested records may be named by their tags elsewhere."""
+    for record in view.of_kind(ccode.Record):
+        owner = str(record.name or "") or _typedef_of(record)
+        for tag, name in tags_within(data, record, owner).items() if owner else ():
+            yield Change(record, "tag-of-member", f"{tag} {name}", "C++ knows the record by the one that it is defined in")
+
+
+def _typedef_of(record: ccode.Record) -> str:
+    """The typedef name that an unnamed record is defined for; empty if there is none."""
+    around = record.eContainer()
+    beside = around.declarations if isinstance(around, (ccode.SourceUnit, ccode.DeclarationStatement)) else ()
+    types = (d for d in beside if isinstance(d, ccode.Typedef) and d.startOffset <= record.startOffset < d.endOffset)
+    return next((str(d.name) for d in types if d.aliased is not None and not d.aliased.pointerDepth), "")
+
+
+def tag_places(record: ccode.Record, choice: str, unit: ccode.SourceUnit, data: bytes) -> list[tuple[int, int, str]]:
+    """The replacements of a nested record's tag in a unit, outside of the enclosing record, by its qualified name.
+
+    Args:
+        record: the enclosing record.
+        choice: the nested record's tag and its qualified name in C++, separated by a blank.
+        unit: the unit.
+        data: its bytes.
+    """
+    tag, _, name = choice.partition(" ")
+    own = (int(record.startOffset), int(record.endOffset)) if ancestor_of_kind(record, ccode.SourceUnit) is unit else (0, 0)
+    found, before = [], ""
+    for start, end, text in name_tokens(data):
+        if text == tag and before in RECORDS and not own[0] <= start < own[1]:
+            found.append((start, end, name))
+        before = text
+    return found

@@ -1,0 +1,5 @@
+"""Retain, adapt, drop, hoist: what becomes of each element of the program (paper, section 3.4).
+
+`platform_dependence` is the rule, `dispositions` decides, `edit_rules` lists the edits of the text.
+Imports `language`, `adapters`, `ports`; the plan and the widths import it.
+"""

@@ -1,0 +1,436 @@
+"""Binds each port of the source program to a connection of the target (paper Listing 4: `leftQTI` becomes 10).
+
+A person's choice counts first, then the place of ports wired on the source board itself (console, EEPROM), then the evidence
+that `port_assignment` weighs. What none of these decides stays open with its options. The drawing alone never tells which of
+two like components is left and which is right.
+
+Assigns open ports to free connections, by the similarity of their names and by what the program uses the port for.
+
+This is an assignment, not a list of guesses: a port is bound to a connection only if each is the other's single best match, so
+that two ports never share a pin and one of two like components is never picked at random. Without evidence by name or library,
+a port and a component are bound if neither fits anything else and such ports are usually on such components. The evidence for a
+pair is computed in `port_evidence`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from msgspec import Struct
+
+from robosmi.diagnostics import Location
+from robosmi.errors import UsageError, did_you_mean, placed
+from robosmi.metamodels import migration, platform
+from robosmi.model.elements.strict import enum_literal
+from robosmi.transformations.knowledge.api_facts import PinParameter
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.m2m.choices.stored_choices import Said, explain
+from robosmi.transformations.m2m.ports.port_evidence import Fit, Seat, fit, may_meet
+from robosmi.transformations.queries.flows.value_flows import PinArgument
+from robosmi.transformations.queries.plans.binding_edits import referred, trace_binding
+from robosmi.transformations.queries.plans.port_pins import NOT_WIRED
+from robosmi.transformations.queries.ports.ports import Port, ProgramPorts, convention_of
+from robosmi.transformations.queries.ports.split_wires import wires_of
+
+_SIGNALS = {"in": "read", "out": "write"}
+_ANOTHER_PROGRAM = "take it out there, or give each program a folder of its own with its project file"
+
+
+class SaidPins(Struct, frozen=True):
+    """The pins that one source of choices (a flag, the project file) assigns to ports.
+
+    Attributes:
+        pins: port name -> pin: a label, a connection's name, or `none`.
+        places: port name -> the place of the choice, for messages; without choices that are in no file.
+    """
+
+    pins: Mapping[str, str]
+    places: Mapping[str, Location] = {}
+
+
+class _Pin(Struct, frozen=True):
+    """The pin chosen for a port, and the place of the choice for messages."""
+
+    name: str
+    place: Location | None = None
+
+
+def bind_ports(
+    found: ProgramPorts,
+    api: ApiIndex,
+    source: platform.Platform,
+    connections: Sequence[migration.Connection],
+    board: platform.Board,
+    said: Sequence[SaidPins],
+    limit: float,
+    stored: Mapping[str, Said] | None = None,
+    split: frozenset[str] = frozenset(),
+) -> list[migration.PortBinding]:
+    """Make the binding decision for each port of the program.
+
+    Args:
+        found: the ports.
+        api: what is known of the source platform.
+        source: the platform model that the plan refers to.
+        connections: the connections of the target board.
+        board: the target board.
+        said: as persons said; later ones count before earlier ones.
+        limit: a rule's choice is taken when its confidence is at least this.
+        split: functions that can serve a component with a wire for each direction.
+        stored: port -> what a person chose in a stored plan, before `said`; what no longer fits is passed over.
+
+    Raises:
+        UsageError: a name is no port of the program, one port is bound to two pins, or a pin is none of the board.
+    """
+    ports = list(found.ports)
+    pins = _kept(stored or {}, ports, found, api, connections, board)
+    for layer in said:
+        pins.update(_layer(layer, ports, found, api))
+    bindings = [_binding(port, source) for port in ports]
+    for port, binding in zip(ports, bindings, strict=True):
+        if port.name in pins:
+            with placed(pins[port.name].place):
+                _take(binding, pins[port.name].name, connections, board)
+            explain(binding, (stored or {}).get(port.name))
+    for port, binding in zip(ports, bindings, strict=True):
+        if binding.open:
+            _on_board(port, binding, api, connections, board, {id(b.pin) for b in bindings if b.pin is not None})
+    taken = {id(b.connection) for b in bindings if b.connection is not None} | {id(b.pin) for b in bindings if b.pin is not None}
+    free = [c for c in connections if id(c) not in taken and (c.pin is None or id(c.pin) not in taken)]
+    for port, binding in zip(ports, bindings, strict=True):
+        _split(port, binding, connections, split)
+    heard = {id(b.answer) for b in bindings if b.answer is not None}
+    free = [c for c in free if id(c) not in heard]
+    seats = [_seat(p, b, found, api, split) for p, b in zip(ports, bindings, strict=True) if b.open]
+    for seat in seats:
+        seat.binding.role = seat.role
+    assign(seats, free, limit, complete=not found.anything)
+    for port, binding in zip(ports, bindings, strict=True):
+        if not binding.open:
+            _split(port, binding, connections, split)
+            seat = _seat(port, binding, found, api, split)
+            binding.role = seat.role
+            rank(seat, _within_reach(binding, bindings, connections))
+    return bindings
+
+
+def _within_reach(
+    binding: migration.PortBinding, bindings: Sequence[migration.PortBinding], connections: Sequence[migration.Connection]
+) -> list[migration.Connection]:
+    """The connections available to a port: those whose pins no other port is bound to."""
+    others = {id(b.pin) for b in bindings if b is not binding and b.pin is not None}
+    return [c for c in connections if c.pin is None or id(c.pin) not in others]
+
+
+def _kept(
+    stored: Mapping[str, Said],
+    ports: list[Port],
+    program: ProgramPorts,
+    api: ApiIndex,
+    connections: Sequence[migration.Connection],
+    board: platform.Board,
+) -> dict[str, _Pin]:
+    """The pins that a stored plan chose, by port, without those that the program or its hardware no longer has."""
+    found: dict[str, _Pin] = {}
+    for name, kept in stored.items():
+        try:
+            layer = _layer(SaidPins({name: kept.value}), ports, program, api)
+            if kept.value != NOT_WIRED:
+                _chosen(kept.value, connections, board)
+        except UsageError:
+            continue  # `stored_choices.differences` says so
+        found |= layer
+    return found
+
+
+def _split(
+    port: Port, binding: migration.PortBinding, connections: Sequence[migration.Connection], functions: frozenset[str]
+) -> None:
+    """If the port's component has a wire for each direction and the functions can use both, bind the second wire for the
+    answer.
+    """
+    component = binding.connection.component if binding.connection is not None else None
+    wires = wires_of(component, connections)
+    if binding.answer is not None or not wires or not _is_split(port, functions):
+        return
+    asked, heard = wires["write"].pin, wires["read"].pin
+    assert asked is not None
+    assert heard is not None
+    binding.answer = wires["read"]
+    binding.evidence.append(f"its component is asked at {asked.label} and answers at {heard.label}")
+
+
+def _is_split(port: Port, functions: frozenset[str]) -> bool:
+    called = {use.function for use in port.uses}
+    return bool(called) and called <= functions
+
+
+def _seat(port: Port, binding: migration.PortBinding, found: ProgramPorts, api: ApiIndex, split: frozenset[str]) -> Seat:
+    facts = api.settings.get("ports", {})
+    given = _arguments(port, found)
+    siblings = [p.name for function in {a.function for a in given} for p in _pins(function, api)]
+    siblings += [p.name for p in found.ports if p.origin == "declaration"]
+    role = _role(port, facts.get("roles", {}), api)
+    names = [argument.parameter.name for argument in given]
+    return Seat(binding, _words(port, api), names, siblings, role, _usual(port, facts.get("usual", {})), _is_split(port, split))
+
+
+def _layer(layer: SaidPins, ports: list[Port], program: ProgramPorts, api: ApiIndex) -> dict[str, _Pin]:
+    """The pins that one source of choices gives, by port; a pin that the program may compute at run time is added as a port."""
+    found: dict[str, tuple[str, str]] = {}
+    for name, pin in layer.pins.items():
+        port = next((p for p in ports if name == p.name or name in p.names), None)
+        number = int(name[1:]) if name[:1] == "P" and name[1:].isdecimal() else None
+        if port is None and (port := next((p for p in program.unasked if name == p.name or name in p.names), None)) is not None:
+            ports.append(port)
+        if port is None and program.anything and number is not None and number < api.ports:
+            holder = next((p.element for p in ports), None)
+            port = Port(f"P{number}", "runtime", holder, number)  # type: ignore[arg-type]
+            ports.append(port)
+        if port is None:
+            known = sorted({alias for p in ports for alias in (p.name, *p.names)})
+            with placed(layer.places.get(name), _ANOTHER_PROGRAM):
+                raise UsageError(
+                    f"'{name}' is no port of the program{did_you_mean(name, known)}",
+                    fix=f"its ports are: {', '.join(p.name for p in ports) or 'none'}",
+                )
+        earlier = found.setdefault(port.name, (name, pin))
+        if earlier[1] != pin:
+            raise UsageError(
+                f"the port '{port.name}' is bound to two pins: {earlier[0]} = {earlier[1]} and {name} = {pin}",
+                location=layer.places.get(name),
+                fix="leave out one of them",
+            )
+    return {port: _Pin(pin, layer.places.get(name)) for port, (name, pin) in found.items()}
+
+
+def _binding(port: Port, source: platform.Platform) -> migration.PortBinding:
+    return migration.PortBinding(
+        name=port.name,
+        names=port.names,
+        sourcePin=-1 if port.pin is None else port.pin,
+        signal=enum_literal(migration.Signal, signal_of(port)),
+        origin=port.origin,
+        what=port.what,
+        element=port.element,
+        convention=convention_of(port, source) if port.origin == "convention" else None,
+        conventionalPort=port.conventional,
+        open=True,
+    )
+
+
+def _take(binding: migration.PortBinding, said: str, connections: Sequence[migration.Connection], board: platform.Board) -> None:
+    """Bind a port as a person chose."""
+    if said == NOT_WIRED:
+        binding.choice = NOT_WIRED
+    else:
+        binding.connection, binding.pin = _chosen(said, connections, board)
+        binding.choice = binding.connection.name if binding.connection is not None else said
+    binding.open, binding.confidence, binding.chosenBy = False, 1.0, migration.ChosenBy.person
+    binding.evidence.append("by flag or in the project file")
+
+
+def bind_by_hand(
+    binding: migration.PortBinding, said: str, connections: Sequence[migration.Connection], board: platform.Board
+) -> None:
+    """Set the reference of a stored binding to what a person chose; an empty text leaves the port unbound.
+
+    Args:
+        binding: the binding.
+        said: a pin's label, a connection's name, or `none`.
+        connections: the connections of the target board.
+        board: the target board.
+
+    Raises:
+        UsageError: it is neither a pin of the board, nor a connection, nor `none`.
+    """
+    bound = (None, None) if said in ("", NOT_WIRED) else _chosen(said, connections, board)
+    binding.connection, binding.pin = bound
+    binding.choice = referred(binding) or said
+    trace_binding(binding)
+
+
+def _chosen(
+    said: str, connections: Sequence[migration.Connection], board: platform.Board
+) -> tuple[migration.Connection | None, platform.Pin | None]:
+    """The connection that a person's choice names, or the pin if no connection is there."""
+    named = [c for c in connections if c.name == said]
+    on_pin = [c for c in connections if c.pin is not None and said in (c.pin.label, *c.pin.aliases)]
+    if named or on_pin:
+        connection = (named or on_pin)[0]
+        return connection, connection.pin
+    pin = next((p for p in board.pins if said in (p.label, *p.aliases)), None)
+    if pin is None:
+        names = [c.name for c in connections] + [p.label for p in board.pins] + [NOT_WIRED]
+        raise UsageError(
+            f"'{said}' is neither a pin of {board.title} nor a mapping{did_you_mean(said, names)}",
+            fix=f"use a label such as {board.pins[0].label}, {NOT_WIRED}"
+            + (f", or one of: {', '.join(c.name for c in connections)}" if connections else " for a port that is not wired"),
+        )
+    return None, pin
+
+
+def _on_board(
+    port: Port,
+    binding: migration.PortBinding,
+    api: ApiIndex,
+    connections: Sequence[migration.Connection],
+    board: platform.Board,
+    taken: set[int],
+) -> None:
+    """Bind a port that is wired on the source board to its counterpart on the target board, if there is one."""
+    known = api.settings.get("ports", {}).get("board", {}).get(f"P{port.pin}") if port.pin is not None else None
+    if known is None or (port.origin != "convention" and any(use.function not in known["functions"] for use in port.uses)):
+        return
+    binding.what = binding.what or str(known["what"])
+    if known["pin"] == NOT_WIRED:
+        binding.choice = NOT_WIRED
+    else:
+        pin = next((p for p in board.pins if known["pin"] in (p.label, *p.aliases)), None)
+        if pin is None or id(pin) in taken:
+            return
+        binding.connection = next((c for c in connections if c.pin is pin), None)
+        binding.pin = pin
+        binding.choice = binding.connection.name if binding.connection is not None else pin.label
+    binding.open, binding.confidence, binding.chosenBy = False, 0.95, migration.ChosenBy.rule
+    binding.evidence.append(f"wired on the board of the source: {known['what']}")
+
+
+def signal_of(port: Port) -> str:
+    """The direction in which the program uses a port: read, write, or bus for both."""
+    directions = port.directions
+    return _SIGNALS[next(iter(directions))] if len(directions) == 1 and directions <= set(_SIGNALS) else "bus"
+
+
+def _words(port: Port, api: ApiIndex) -> list[str]:
+    """The names of a port in the program and its platform, and the libraries whose functions receive it."""
+    if port.origin == "convention":
+        return [port.what]
+    headers = {entry.header.rpartition(".")[0] for use in port.uses for entry in api.entries(use.function)}
+    return [port.name, *port.names, port.what, *sorted(headers)]
+
+
+def _arguments(port: Port, found: ProgramPorts) -> list[PinArgument]:
+    """The arguments of platform functions that may have the port's number."""
+    return [
+        argument
+        for each in found.flows
+        for argument, known in zip(each.flow.arguments, each.values, strict=True)
+        if port.pin is not None and port.pin in {value.number for value in known}
+    ]
+
+
+def _pins(function: str, api: ApiIndex) -> list[PinParameter]:
+    facts = [api.pins(function, entry.header) for entry in api.entries(function)] or [api.pins(function, "")]
+    return [parameter for one in facts if one is not None for parameter in one.parameters]
+
+
+def _usual(port: Port, usual: Mapping[str, Sequence[str]]) -> frozenset[str]:
+    """The kinds of components that the functions receiving a port are usually used with; empty if they disagree."""
+    called = {use.function for use in port.uses}
+    called = called - set(usual.get("anything", ())) or called
+    kinds = [frozenset(usual[function]) for function in called if function in usual]
+    return frozenset.intersection(*kinds) if kinds and len(kinds) == len(called) else frozenset()
+
+
+def _role(port: Port, roles: Mapping[str, str], api: ApiIndex) -> str:
+    """The kind of component that the functions receiving a port expect; empty if they disagree or expect none."""
+    if port.origin == "convention":
+        return str(port.conventional.componentRole) if port.conventional is not None else ""
+    found = set()
+    for use in port.uses:
+        headers = [e.header for e in api.entries(use.function)]
+        found |= {roles[name] for name in (use.function, *headers) if name in roles}
+    return found.pop() if len(found) == 1 else ""
+
+
+NAME_CONFIDENCE = 0.9
+"""Confidence of a binding by name alone, or by a role that fits one free component only."""
+BOTH_CONFIDENCE = 0.95
+"""Confidence of a binding for which both role and name speak."""
+LEFT_CONFIDENCE = 0.85
+"""Confidence of a binding made because a single component was left after the others were bound."""
+
+
+def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: float, *, complete: bool = True) -> None:
+    """Bind the ports for which the evidence is decisive, and give the others their options, best first.
+
+    Args:
+        seats: the open ports.
+        free: the connections that no port is bound to.
+        limit: a binding is made when its confidence is at least this.
+        complete: whether no other port can be reached; else nothing is bound because it is left over.
+    """
+    waiting, left, first = list(seats), list(free), True
+    while True:
+        fits = {(i, k): f for i, s in enumerate(waiting) for k, c in enumerate(left) if (f := fit(s, c)) is not None}
+        pairs = [(i, k) for (i, k), f in fits.items() if f.points > 0 and _best(fits, i, k)]
+        pairs = [p for p in pairs if _confidence(fits[p], first) >= limit]
+        pins = [left[k].pin for _, k in pairs]
+        pairs = [(i, k) for i, k in pairs if left[k].pin is None or pins.count(left[k].pin) == 1]  # several parts on one pin
+        left_over = not pairs and complete and limit <= LEFT_CONFIDENCE
+        if left_over:
+            pairs = [(i, k) for i, k in fits if _only(fits, waiting, left, i, k)]
+            fits.update({(i, k): Fit(1.0, (_usual_components(waiting[i]), *fits[i, k].reasons), False) for i, k in pairs})
+        if not pairs:
+            break
+        for i, k in pairs:
+            _bind(waiting[i].binding, left[k], fits[i, k], first and not left_over)
+        taken = [left[k] for _, k in pairs]
+        whole = [left[k].component for i, k in pairs if waiting[i].split and left[k].component is not None]
+        waiting = [s for i, s in enumerate(waiting) if i not in {p[0] for p in pairs}]
+        left = [
+            c
+            for c in left
+            if c not in taken and c.component not in whole and (c.pin is None or c.pin not in [t.pin for t in taken])
+        ]
+        first = False
+    for seat in waiting:
+        rank(seat, left)
+
+
+def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
+    """Set a port's options, best first: connections with evidence for them, or else all that are possible."""
+    fits = [(found, connection) for connection in free if (found := fit(seat, connection)) is not None]
+    ranked = sorted(fits, key=lambda pair: -pair[0].points)
+    for found, connection in [pair for pair in ranked if pair[0].points > 0] or ranked:
+        seat.binding.options.append(
+            migration.Option(
+                label=connection.name, score=0.5 if found.points > 0 else 0.1,
+                reasons=list(found.reasons) or ["fits in direction only"],
+            )
+        )  # fmt: skip
+
+
+def _best(fits: dict[tuple[int, int], Fit], i: int, k: int) -> bool:
+    """Whether a port and a connection are each other's single best match."""
+    points = fits[i, k].points
+    return all(f.points < points for (a, b), f in fits.items() if (a == i) != (b == k))
+
+
+def _only(
+    fits: Mapping[tuple[int, int], Fit], seats: Sequence[Seat], free: Sequence[migration.Connection], i: int, k: int
+) -> bool:
+    """Whether a port is usually on such a component, and neither of them could be matched with any other that is left."""
+    component = free[k].component
+    if not may_meet(seats[i], free[k]) or sum(c.component is component for c in free) > 1:
+        return False
+    rivals = [(a, b) for a, b in fits if (a == i) != (b == k)]
+    return not any(may_meet(seats[a], free[b]) is not False for a, b in rivals)
+
+
+def _usual_components(seat: Seat) -> str:
+    return f"such a port is usually on: {', '.join(sorted(seat.usual or [seat.role]))}"
+
+
+def _confidence(found: Fit, first: bool) -> float:
+    if not first:
+        return LEFT_CONFIDENCE
+    return BOTH_CONFIDENCE if found.role and len(found.reasons) > 1 else NAME_CONFIDENCE
+
+
+def _bind(binding: migration.PortBinding, connection: migration.Connection, found: Fit, first: bool) -> None:
+    binding.connection, binding.pin = connection, connection.pin
+    binding.choice, binding.open = connection.name, False
+    binding.confidence, binding.chosenBy = _confidence(found, first), migration.ChosenBy.rule
+    binding.evidence.extend([*found.reasons, "no other free component fits as well, and no other port"])

@@ -1,0 +1,178 @@
+"""Evidence for and against a port being on a connection: directions, kinds of components, names, connectors.
+
+Words and kinds are those of `queries.component_kinds`. Which port gets which connection is decided in `port_assignment`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from msgspec import Struct
+
+from robosmi.metamodels import migration
+from robosmi.transformations.queries.circuits.component_kinds import (
+    EMPTY_WORDS,
+    RECEIVES,
+    SENDS,
+    PortWords,
+    component_texts,
+    connector_words,
+    is_serial,
+    kinds_of,
+    known_roles,
+    said,
+)
+from robosmi.transformations.queries.plans.port_pins import measures
+
+_NUMBERED = re.compile(r"(r|row|c|col|column)[ _]?(\d+)\Z", re.IGNORECASE)
+_ELEMENT = re.compile(r"(row|col)[a-z]*\[(\d+)\]\Z", re.IGNORECASE)
+
+
+class Seat(Struct, frozen=True):
+    """A port that is to be bound to a connection, with what is known about it.
+
+    Attributes:
+        binding: its decision, which is open.
+        words: its names in the program and the platform.
+        parameters: the names of the function parameters that receive it.
+        siblings: the names of all parameters of these functions that are ports, and those of the program's declared ports.
+        role: the kind of component that the functions expect; empty for any.
+        usual: the kinds that such functions are usually used with; empty if unknown.
+        split: whether its functions can use a component with a separate wire for each direction.
+    """
+
+    binding: migration.PortBinding
+    words: Sequence[str]
+    parameters: Sequence[str]
+    siblings: Sequence[str]
+    role: str
+    usual: frozenset[str]
+    split: bool = False
+
+
+class Fit(Struct, frozen=True):
+    """How well a port fits a connection: points (0: only the direction fits), the reasons, and whether the expected kind
+    matches.
+    """
+
+    points: float
+    reasons: tuple[str, ...]
+    role: bool
+
+
+def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
+    """How well a port fits a connection; None if direction, kind, side (left, right) or the connector's purpose contradict.
+
+    It is None, too, for a channel of an analog-to-digital converter on a pin without one.
+    """
+    known = known_roles()
+    if connection.pin is not None and not measures(connection.pin, seat.binding):
+        return None
+    own = connector_words(c.name for c in connection.connectors)
+    serial = is_serial(connection)
+    if not _same_direction(seat.binding.signal.name, connection, own, serial, known):
+        return None
+    if seat.split and _only_answers(connection, own, known):
+        return None
+    mine, theirs = said(seat.words), said(component_texts(connection))
+    for group in known.apart:
+        if mine & group and theirs & group and not mine & theirs & group:
+            return None
+    qualifiers = frozenset().union(*known.apart)
+    kinds = kinds_of(connection)
+    if seat.role and kinds and seat.role not in kinds:
+        return None
+    purposes = _purposes(own, known) if not serial else set()
+    wanted = _purposes(connector_words((*seat.parameters, seat.binding.name)), known)
+    numbered = _same_number(seat, connection)
+    if (purposes and wanted and not purposes & wanted) or numbered is False:
+        return None
+    by_role = bool(seat.role) and seat.role in kinds
+    by_name = {role for role, words in known.roles.items() if mine & words} & kinds if not by_role else set()
+    shared = (mine & theirs) - qualifiers
+    reasons = [f"the functions it is given to expect: {seat.role}"] if by_role else []
+    if shared:
+        reasons.append(f"shares '{', '.join(sorted(shared))}' with the port's name")
+    elif by_name:
+        reasons.append(f"its name means: {', '.join(sorted(by_name))}")
+    points = 2.0 * by_role + len(shared) + (len(by_name) if not shared else 0)
+    if points or _goes_together(seat, connection, known):
+        for purpose in sorted(purposes & wanted)[:1]:
+            reasons.append(f"its connector is for the same: {purpose}")
+            points += 1
+    if points and numbered:
+        reasons.append("its connector has the number of the element")
+        points += 1
+    if points and (same := (mine | said(seat.parameters)) & own - SENDS - RECEIVES - EMPTY_WORDS):
+        reasons.append(f"its connector is called '{', '.join(sorted(same))}', too")
+        points += 0.5 * len(same)
+    if points and (side := mine & theirs & qualifiers):
+        reasons.append(f"both are called '{', '.join(sorted(side))}'")
+        points += 0.5 * len(side)
+    return Fit(points, tuple(reasons), by_role)
+
+
+def may_meet(seat: Seat, connection: migration.Connection) -> bool | None:
+    """Whether a port is usually connected to such a component; None if the kind of either is unknown."""
+    kinds = kinds_of(connection)
+    expected = frozenset([seat.role]) if seat.role else seat.usual
+    return bool(kinds & expected) if kinds and expected else None
+
+
+def _same_direction(signal: str, connection: migration.Connection, own: set[str], serial: bool, known: PortWords) -> bool:
+    """Whether a connection allows the direction in which the program uses a port; connectors of known purpose determine it."""
+    if serial or not signal:
+        sends, receives = bool(own & SENDS), bool(own & RECEIVES)
+        return signal == "bus" or (sends if signal == "read" else receives)
+    ways = {known.connectors[purpose][1] for purpose in _purposes(own, known)}
+    if _numbers(connection):
+        ways = {"bus"}
+    there = ways or {connection.signal.name}
+    if (signal == "read" and own & RECEIVES) or (signal == "write" and own & SENDS):
+        return False
+    return signal == "bus" or signal in there or "bus" in there
+
+
+def _only_answers(connection: migration.Connection, own: set[str], known: PortWords) -> bool:
+    """Whether a connection is the output of a component whose requests go to another connection, such as an echo pin."""
+    component = connection.component
+    every = _purposes(connector_words(c.name for c in component.connectors), known) if component is not None else set()
+    ways = {known.connectors[purpose][1] for purpose in _purposes(own, known)}
+    return ways == {"read"} and "write" in {known.connectors[purpose][1] for purpose in every}
+
+
+def _purposes(words: set[str], known: PortWords) -> set[str]:
+    return {purpose for purpose, (called, _) in known.connectors.items() if words & called}
+
+
+def _goes_together(seat: Seat, connection: migration.Connection, known: PortWords) -> bool:
+    """Whether a component has connectors for several ports of one function, so that a matching purpose is not a coincidence."""
+    component = connection.component
+    every = _purposes(connector_words(c.name for c in component.connectors), known) if component is not None else set()
+    asked = {frozenset(_purposes(connector_words([name]), known)) for name in seat.siblings} - {frozenset()}
+    return sum(bool(purposes & every) for purposes in asked) > 1
+
+
+def _numbers(connection: migration.Connection) -> tuple[str, int] | None:
+    """The row or column of a keypad that a connection leads to, as ("r" or "c", number on the connector); None for others."""
+    for connector in connection.connectors:
+        if (found := _NUMBERED.match(str(connector.name).strip())) is not None:
+            return found[1][0].lower(), int(found[2])
+    return None
+
+
+def _same_number(seat: Seat, connection: migration.Connection) -> bool | None:
+    """Whether a port and a connection are the same row or column of a keypad; None if either is no numbered row or column.
+
+    The port is an element of an array counted from 0, such as `rows[2]`. Connectors count from the lowest number that the
+    component has for its rows or columns.
+    """
+    theirs = _numbers(connection)
+    element = next((m for name in (seat.binding.name, *seat.binding.names) if (m := _ELEMENT.match(str(name)))), None)
+    if theirs is None or element is None:
+        return None
+    component = connection.component
+    named = [_NUMBERED.match(str(c.name).strip()) for c in component.connectors] if component is not None else []
+    first = min((int(m[2]) for m in named if m is not None and m[1][0].lower() == theirs[0]), default=1)
+    return theirs == (element[1][0].lower(), int(element[2]) + first)

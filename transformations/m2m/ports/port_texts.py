@@ -1,0 +1,261 @@
+"""Text changes that bind ports: a port's number is replaced by its pin, or calls look up the pin at run time; never both.
+
+Which of the two is decided by the program's data flow (`queries.port_flows`). A replaced number is a change of the port's
+binding, a look-up one of the flow. A number that is on no pin of the target becomes an invalid pin, never another port's.
+
+Redirects calls inside macros to an invalid pin if their ports cannot be looked up: they would drive other pins of the
+target.
+
+Neither the macro's text nor its use belongs to the port alone. So around the use a macro with the function's name passes no
+pin; the preprocessor meets it when it has expanded the use. RS335 reports that such calls do nothing yet.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from msgspec import Struct
+
+from robosmi.metamodels import ccode, migration
+from robosmi.transformations.queries.flows.value_flows import PinArgument, PortPlace
+from robosmi.transformations.queries.plans.port_pins import NO_PIN, UNBOUND, text_in_place
+from robosmi.transformations.queries.ports.ports import FlowPorts, ProgramPorts
+from robosmi.transformations.queries.values import Value
+
+RULE = "port"
+"""Id of the rule that replaces a port's number by a pin."""
+LOOK_UP = "port-look-up"
+"""Id of the rule that looks up a port's pin where the port is passed to a platform function."""
+NEXT = "enumerator-after-port"
+"""Id of the rule that keeps the value of an enumerator that follows a replaced one."""
+_NAME = re.compile(r"[A-Za-z_]\w*")
+_REASONS = 4
+
+
+def port_changes(
+    ports: ProgramPorts, bindings: Sequence[migration.PortBinding], sources: Mapping[str, bytes], *, arrays: bool = False
+) -> list[migration.PortFlow]:
+    """Make the flows of a plan, and the text changes of flows and bindings.
+
+    A flow without a number, such as the parameter of a function that is never called, is included: its calls were considered.
+
+    Args:
+        ports: the program's ports.
+        bindings: the decision for each port; their changes are set here.
+        sources: path of a unit -> its bytes.
+        arrays: whether the target has a helper that looks up arrays of ports.
+    """
+    numbers = {b.sourcePin: b for b in bindings if b.sourcePin >= 0 and b.origin != "convention"}
+    for binding in bindings:
+        binding.changes.clear()
+    found, number = [], 1
+    shut = shut_pins([argument for each in ports.flows for argument in each.flow.arguments], sources)
+    moved = {id(place.element) for each in ports.flows if each.moved for place in each.flow.places}
+    for each in ports.flows:
+        if each.moved:
+            for place in _distinct(each.flow.places):
+                if place.value in numbers:
+                    changed = [_moved(place, numbers[place.value], sources), *_next(place, moved, sources)]
+                    numbers[place.value].changes.extend(changed)
+            changes: list[migration.TextChange] = []
+        else:
+            changes = []
+            looked: set[tuple[str, int, int]] = set()
+            for argument, known in zip(each.flow.arguments, each.values, strict=True):
+                changes += shut.pop(id(argument.call), []) if argument.unplaced else []
+                at = (str(argument.unit.path), argument.start, argument.end)
+                if _asks(argument, known) and at not in looked:
+                    looked.add(at)  # several functions may be given the same argument of a macro
+                    around = _around(argument, sources, number, arrays)
+                    number += argument.parameter.number is not None
+                    changes += _look_up(argument, around) if around is not None else []
+                    left = [f"'{argument.function}' has to look up the numbers of its array itself"] if around is None else []
+                    each.flow.kept[:0] = [text for text in left if text not in each.flow.kept]
+        if each.numbers or changes or any(True for _ in each.calls):
+            found.append(_flow(each, changes, numbers))
+    return found
+
+
+def looked_up(ports: ProgramPorts) -> list[str]:
+    """The names of the look-up helpers that the program's calls need: `port` for single ports, `ports` for arrays."""
+    asked = [
+        "port" if argument.parameter.number is None else "ports"
+        for each in ports.flows
+        if not each.moved
+        for argument, known in zip(each.flow.arguments, each.values, strict=True)
+        if _asks(argument, known)
+    ]
+    return sorted(set(asked))
+
+
+def _flow(
+    each: FlowPorts, changes: list[migration.TextChange], numbers: Mapping[int, migration.PortBinding]
+) -> migration.PortFlow:
+    first = each.flow.arguments[0]
+    names = list(dict.fromkeys(p.name for p in each.flow.places if p.name))[:3]
+    why = each.flow.kept[:_REASONS] if not each.moved else ["its numbers go to pins of platform functions only"]
+    return migration.PortFlow(
+        name=", ".join(names) or f"{first.function} {_where(first)}",
+        choice="target" if each.moved else "source",
+        chosenBy=migration.ChosenBy.rule,
+        confidence=1.0,
+        evidence=why,
+        anything=each.anything and bool(each.numbers or changes or any(argument.unplaced for argument in each.flow.arguments)),
+        bindings=[numbers[n] for n in each.numbers if n in numbers],
+        calls=list({id(call): call for call in each.calls}.values()),
+        changes=changes,
+    )
+
+
+def _where(argument: PinArgument) -> str:
+    """The place of a call that takes a pin: its line, or the macro whose body contains it."""
+    macros = [m for m in argument.unit.macros if m.startOffset <= argument.start < m.endOffset] if argument.call is None else []
+    line = argument.call.line if argument.call is not None else 0
+    return f"in the macro '{macros[0].name}'" if macros else f"in line {line}"
+
+
+def _distinct(places: Sequence[PortPlace]) -> Iterator[PortPlace]:
+    seen = set()
+    for place in places:
+        key = (place.unit.path, place.start)
+        if key not in seen:
+            seen.add(key)
+            yield place
+
+
+def _moved(place: PortPlace, binding: migration.PortBinding, sources: Mapping[str, bytes]) -> migration.TextChange:
+    return migration.TextChange(
+        unit=place.unit, startOffset=place.start, endOffset=place.end,
+        replacement=replacement(binding, sources[place.unit.path][place.start : place.end]),
+        rule=RULE, reason=f"{binding.name} is {binding.choice or 'not bound'} on the target", step=migration.Step.hardware,
+    )  # fmt: skip
+
+
+def _next(place: PortPlace, moved: set[int], sources: Mapping[str, bytes]) -> list[migration.TextChange]:
+    """The change that gives an enumerator an explicit value if its value followed from a replaced one."""
+    literal = place.element
+    owner = literal.eContainer() if isinstance(literal, ccode.EnumerationLiteral) else None
+    if not isinstance(literal, ccode.EnumerationLiteral) or not isinstance(owner, ccode.Enumeration):
+        return []
+    following = list(owner.literals)[list(owner.literals).index(literal) + 1 :][:1]
+    text = sources[place.unit.path]
+    if not following or id(following[0]) in moved or b"=" in text[following[0].startOffset : following[0].endOffset]:
+        return []
+    at, value = int(following[0].endOffset), int(following[0].value)
+    return [
+        migration.TextChange(
+            unit=place.unit, startOffset=at, endOffset=at, replacement=f" = {value}", rule=NEXT,
+            reason=f"its value was one more than that of {place.name}", step=migration.Step.hardware,
+        )
+    ]  # fmt: skip
+
+
+def replacement(binding: migration.PortBinding, original: bytes) -> str:
+    """The text that replaces a port's number; an enumerator keeps its name."""
+    value = text_in_place(binding)
+    name = _NAME.match(original.decode("utf-8", errors="replace"))
+    return f"{name[0]} = {value}" if name is not None else value
+
+
+def _asks(argument: PinArgument, known: Sequence[Value]) -> bool:
+    """Whether an argument's source number has to be translated to a target pin; constants that are all negative are no pins."""
+    numbers = [value.number for value in known]
+    return argument.translated and not (numbers and all(n is not None and n < 0 for n in numbers))
+
+
+def _look_up(argument: PinArgument, around: tuple[str, str]) -> list[migration.TextChange]:
+    """The insertions that wrap an argument in a look-up of its pin."""
+    reason = f"the number that '{argument.function}' is given is one of the source"
+    places = ((argument.start, around[0]), (argument.end, around[1]))
+    return [
+        migration.TextChange(
+            unit=argument.unit, startOffset=at, endOffset=at, replacement=text, rule=LOOK_UP, reason=reason,
+            step=migration.Step.hardware,
+        )
+        for at, text in places
+    ]  # fmt: skip
+
+
+def _around(argument: PinArgument, sources: Mapping[str, bytes], place: int, arrays: bool) -> tuple[str, str] | None:
+    """The text before and after an argument that looks up its pin; None for an array if the target has no helper for arrays."""
+    if argument.parameter.number is None:
+        return "port(", ")"
+    given = list(argument.call.arguments) if argument.call is not None else []
+    if not arrays or argument.parameter.number >= len(given):
+        return None
+    count = given[argument.parameter.number]
+    text = sources[argument.unit.path][count.startOffset : count.endOffset].decode(errors="replace")
+    return f"ports<{place}>(", f", {text})"
+
+
+class _Use(Struct, frozen=True):
+    """The text range of a macro's outermost use that expands to such calls."""
+
+    unit: ccode.SourceUnit
+    start: int
+    end: int
+
+
+def shut_pins(arguments: Iterable[PinArgument], sources: Mapping[str, bytes]) -> dict[int, list[migration.TextChange]]:
+    """Make the directives around each macro use that expands to calls whose ports cannot be looked up.
+
+    Args:
+        arguments: the pin arguments of the program's calls; only those without a place in the text are considered.
+        sources: path of a unit -> its bytes.
+
+    Returns:
+        `id()` of the first call at each use -> the changes there.
+    """
+    found: dict[tuple[str, int], tuple[_Use, list[PinArgument]]] = {}
+    for one in arguments:
+        if one.unplaced and one.call is not None and one.taken:
+            use = _outermost(one.unit, one.call)
+            found.setdefault((str(use.unit.path), use.start), (use, []))[1].append(one)
+    return {id(given[0].call): list(_directives_around(use, given, sources[str(use.unit.path)])) for use, given in found.values()}
+
+
+def _outermost(unit: ccode.SourceUnit, call: ccode.Call) -> _Use:
+    at = int(call.startOffset)
+    uses = [(int(use.startOffset), -int(use.endOffset)) for use in unit.macroUses if use.startOffset <= at < use.endOffset]
+    start, minus_end = min(uses, default=(at, -int(call.endOffset)))
+    return _Use(unit, start, -minus_end)
+
+
+def _directives_around(use: _Use, given: list[PinArgument], data: bytes) -> Iterator[migration.TextChange]:
+    """Put the directives on lines of their own before and after the use; before it they replace the indentation if possible."""
+    functions = list(dict.fromkeys(each.function for each in given))
+    before = "".join(f"{_directive(name, [each for each in given if each.function == name])}\n" for name in functions)
+    after = "".join(f"\n#undef {name}" for name in functions)
+    line = data.rfind(b"\n", 0, use.start) + 1
+    blanks = data[line : use.start]
+    own_line = bool(blanks) and not blanks.strip() and not data[:line].rstrip(b"\r\n").endswith(b"\\")
+    start, text = (line, before + blanks.decode()) if own_line else (use.start, f"\n{before}")
+    yield _change(use.unit, start, use.start, text, functions)
+    end = use.end + len(data[use.end :]) - len(data[use.end :].lstrip(b" \t"))
+    end = end + 1 if data[end : end + 1] == b";" else use.end
+    rest = data[end:].split(b"\n", 1)[0].strip()
+    yield _change(use.unit, end, end, after + "\n" * bool(rest and not rest.startswith(b"//")), functions)
+
+
+def _directive(function: str, given: list[PinArgument]) -> str:
+    """A macro definition that calls the function with an invalid pin, and with a length of 0 for arrays of pins."""
+    calls = [each.call for each in given if each.call is not None]
+    names = [f"a{i}" for i in range(min(len(call.arguments) for call in calls))]
+    texts = list(names)
+    for each in given:
+        pin = each.parameter
+        if pin.number is None:
+            texts[pin.position] = UNBOUND
+        elif pin.number < len(texts):
+            texts[pin.number] = "0"
+    more = any(len(call.arguments) > len(names) for call in calls)
+    parameters, passed = ", ".join([*names, *["..."] * more]), ", ".join([*texts, *["##__VA_ARGS__"] * more])
+    return f"#define {function}({parameters}) {function}({passed})  // no pin: nothing can look up the port that the macro gives"
+
+
+def _change(unit: ccode.SourceUnit, start: int, end: int, text: str, functions: list[str]) -> migration.TextChange:
+    return migration.TextChange(
+        unit=unit, startOffset=start, endOffset=end, replacement=text, rule=NO_PIN, step=migration.Step.hardware,
+        reason=f"a macro gives {', '.join(functions)} a number of the source that nothing can look up",
+    )  # fmt: skip

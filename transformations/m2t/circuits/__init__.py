@@ -1,0 +1,5 @@
+"""Pictures and wirings of a circuit: SVG, and projects for the Wokwi simulator.
+
+`circuit_picture` draws, `circuit_layout` places.
+Imports queries; reports and the wiring chain import it.
+"""

@@ -1,0 +1,82 @@
+"""The files of a Wokwi simulator project: `diagram.json`, the sketch under the name that Wokwi expects, `libraries.txt`.
+
+`m2m/wokwi_wiring` decides what is drawn and wired. The formats are those of https://docs.wokwi.com: diagram-format,
+guides/libraries. Positions are in pixels: parts are in columns at the right of the board, and Wokwi routes the wires.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from robosmi.base.data_text import Json, json_written
+
+if TYPE_CHECKING:
+    from robosmi.transformations.knowledge.wokwi_diagram import DrawnPart, WokwiWiring
+
+DIAGRAM, SKETCH, LIBRARIES, LISTED = "diagram.json", "sketch.ino", "libraries.txt", "not-drawn.txt"
+_SOURCES = (".ino", ".h", ".hpp", ".c", ".cpp", ".s")
+_LEFT, _COLUMN, _ROW, _ROWS = 420, 220, 150, 6
+_COLOURS = ("green", "blue", "orange", "purple", "gold", "cyan", "magenta", "limegreen", "brown", "gray")
+_CARRIED = {"GND": "black", "": ""}
+
+
+def diagram_text(wiring: WokwiWiring, author: str) -> str:
+    """The text of `diagram.json`, with one part or connection per line.
+
+    Args:
+        wiring: what is drawn.
+        author: the author that the file names.
+    """
+    parts = [json_written(_part(part, number), ensure_ascii=False) for number, part in enumerate(wiring.parts)]
+    wires = [
+        json_written([one, other, _CARRIED.get(carried, "red") or _COLOURS[number % len(_COLOURS)], []], ensure_ascii=False)
+        for number, (one, other, carried) in enumerate(wiring.wires)
+    ]
+    head = [f'  "version": 1,\n  "author": {json_written(author)},\n  "editor": "wokwi"']
+    lists = [f'  "{name}": [{_lines(entries)}]' for name, entries in (("parts", parts), ("connections", wires))]
+    return "{\n" + ",\n".join([*head, *lists, '  "dependencies": {}']) + "\n}\n"
+
+
+def project_files(
+    wiring: WokwiWiring, sketch: Mapping[str, bytes], libraries: Sequence[str], listed: Sequence[str], author: str
+) -> dict[str, bytes]:
+    """The files of the project, relative path -> bytes.
+
+    Args:
+        wiring: what is drawn.
+        sketch: the files of the sketch's folder, name -> bytes.
+        libraries: name of each library, with its version in brackets where it is known.
+        listed: a line about each part that is not drawn; no file is made where there is none.
+        author: who the diagram says has made it.
+    """
+    files = {DIAGRAM: diagram_text(wiring, author).encode()}
+    for name, data in sketch.items():
+        if name.lower().endswith(_SOURCES):
+            files[SKETCH if name.lower().endswith(".ino") else name] = data
+    lines = [
+        "# Libraries of this project, as Wokwi installs them (docs.wokwi.com/guides/libraries)",
+        *(_library(each) for each in libraries),
+    ]
+    files[LIBRARIES] = ("\n".join(lines) + "\n").encode()
+    if listed:
+        head = "Parts of the robot that Wokwi has none for; they are not in the diagram:"
+        files[LISTED] = ("\n".join([head, *listed]) + "\n").encode()
+    return files
+
+
+def _part(part: DrawnPart, number: int) -> dict[str, Json]:
+    place = number - 1
+    left = 0 if number == 0 else _LEFT + _COLUMN * (place // _ROWS)
+    top = 0 if number == 0 else _ROW * (place % _ROWS)
+    return {"type": part.kind, "id": part.identity, "top": top, "left": left, "attrs": part.attributes}
+
+
+def _lines(entries: Sequence[str]) -> str:
+    return "\n" + ",\n".join(f"    {entry}" for entry in entries) + "\n  " if entries else ""
+
+
+def _library(text: str) -> str:
+    """`Servo (1.2.2)` converted to `Servo@1.2.2`."""
+    name, _, version = text.removesuffix(")").partition(" (")
+    return f"{name}@{version}" if version else name

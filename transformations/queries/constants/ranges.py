@@ -1,0 +1,251 @@
+"""Value ranges of a program's expressions, as far as the text bounds them: constants, counters, remainders, masks.
+
+A range bounds the values that the program itself gives (`given`), or only those that a type can hold. Values that come from
+outside (a sensor, a person, an unknown function) have no range. `numbers` tells what machines make of them.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+from robosmi.metamodels import ccode
+from robosmi.model.elements.strict import Element
+from robosmi.transformations.queries.macros.constant_text import calculate
+from robosmi.transformations.queries.numbers import COMPARISONS, Numbers
+from robosmi.transformations.queries.values import Values, passed_arguments
+
+DEEP = 40
+"""Depth of names and operators to which the values of an expression are followed."""
+
+
+class Range(NamedTuple):
+    """The least and the greatest value, and whether the program's text gives both (`given`) or only a type bounds them."""
+
+    low: int
+    high: int
+    given: bool = True
+
+    @property
+    def single(self) -> bool:
+        """Whether the range is a single value."""
+        return self.low == self.high
+
+    def within(self, low: int, high: int) -> bool:
+        """Whether the range lies between these bounds, inclusive."""
+        return low <= self.low and self.high <= high
+
+
+class Ranges:
+    """Computes the ranges of expressions in a program.
+
+    Args:
+        numbers: the types of the program's expressions on its own machine.
+        values: the values of the program's macros.
+        program: the program.
+    """
+
+    def __init__(self, numbers: Numbers, values: Values, program: ccode.Program) -> None:
+        self.numbers = numbers
+        declared = Counter(d.name for u in program.units for d in u.declarations)
+        self._shared = {n for n, count in declared.items() if count > 1} | {e.name for e in program.externals}
+        self.values = values
+        self._known: dict[int, Range | None] = {}
+        self._depth = 0
+
+    def of(self, expression: ccode.Expression | None) -> Range | None:
+        """The range of an expression, None where the text does not say it."""
+        key = id(expression)
+        if key not in self._known:
+            self._known[key] = None  # where it depends on itself
+            if self._depth >= DEEP:
+                return None
+            self._depth += 1
+            try:
+                self._known[key] = self._rule(expression)
+            finally:
+                self._depth -= 1
+        return self._known[key]
+
+    def _rule(self, expression: ccode.Expression | None) -> Range | None:
+        rule = _RULES.get(type(expression).__name__)
+        found = rule(self, expression) if rule is not None else None
+        if found is not None:
+            return found
+        number = self.numbers.of(expression)
+        narrow = number is not None and not number.real and number.bits < self.numbers.machine.int_bits
+        return Range(number.least, number.most, given=False) if narrow and number is not None else None
+
+    def _binary(self, binary: ccode.Binary) -> Range | None:
+        operator = str(binary.operator)
+        if operator in COMPARISONS or operator in ("&&", "||"):
+            return Range(0, 1)
+        left, right = self.of(binary.left), self.of(binary.right)
+        if operator == "%" and right is not None and right.single and right.low > 0:
+            low = 0 if left is not None and left.low >= 0 else 1 - right.low
+            whole = left is not None and left.low >= 0 and left.high < right.low
+            return left if whole else Range(low, right.low - 1)
+        if operator == "&" and (mask := _mask(left, right)) is not None:
+            return Range(0, mask)
+        if left is None or right is None:
+            return None
+        given = left.given and right.given
+        if operator in ("+", "-", "*", "<<", ">>") or (operator == "/" and right.single) or (left.single and right.single):
+            ends = [calculate(operator, a, b) for a in (left.low, left.high) for b in (right.low, right.high)]
+            known = [x for x in ends if x is not None]
+            return Range(min(known), max(known), given) if len(known) == 4 else None
+        if operator in ("|", "^") and left.low >= 0 and right.low >= 0:
+            return Range(0, (1 << max(left.high, right.high).bit_length()) - 1, given)
+        return None
+
+    def _unary(self, unary: ccode.Unary) -> Range | None:
+        operand, operator = self.of(unary.operand), str(unary.operator)
+        if operator == "!":
+            return Range(0, 1)
+        if operand is None or operator not in ("+", "-", "~"):
+            return None
+        if operator == "+":
+            return operand
+        less = int(operator == "~")
+        return Range(-operand.high - less, -operand.low - less, operand.given)
+
+    def _conditional(self, choice: ccode.ConditionalExpression) -> Range | None:
+        return _union([self.of(choice.whenTrue), self.of(choice.whenFalse)])
+
+    def _cast(self, cast: ccode.Cast) -> Range | None:
+        inner, number = self.of(cast.operand), self.numbers.of(cast)
+        if number is None or number.real or inner is None:
+            return None
+        return inner if inner.within(number.least, number.most) else None
+
+    def _name(self, reference: ccode.NameReference) -> Range | None:
+        target = reference.target
+        if isinstance(target, ccode.EnumerationLiteral):
+            return Range(int(target.value), int(target.value))
+        if isinstance(target, (ccode.Variable, ccode.Parameter)):
+            key = id(target)
+            if key not in self._known:
+                self._known[key] = None
+                self._known[key] = self._variable(target)
+            return self._known[key]
+        if target is None and reference.name in self.values.macros:
+            known = self.values.of(reference)
+            number = known[0].number if len(known) == 1 else None
+            return Range(number, number) if number is not None else None
+        return None
+
+    def _variable(self, variable: ccode.Variable | ccode.Parameter) -> Range | None:
+        """The union of the ranges of all values that a variable is given; None where something unknown may write it."""
+        use = variable.valueType
+        if use is None or use.arrayDims or use.pointerDepth:
+            return None
+        number = self.numbers.declared(use)
+        if number is None or number.real:
+            return None
+        found: list[Range | None] = []
+        if isinstance(variable, ccode.Parameter):
+            arguments, function = passed_arguments(variable), variable.eContainer()
+            known = isinstance(function, ccode.Function) and len(arguments) == len(function.calls) and not function.references
+            if not arguments or not known:
+                return None
+            found += [self.of(a) for a in arguments]
+        elif variable.initializer is not None:
+            found.append(self.of(variable.initializer))
+        elif isinstance(variable.eContainer(), ccode.SourceUnit):
+            found.append(Range(0, 0))
+        if self._seen_elsewhere(variable):
+            return None
+        for reference in variable.references:
+            parent: Element | None = reference.eContainer()
+            if isinstance(parent, ccode.Assignment) and parent.left is reference:
+                found.append(self.of(parent.right) if parent.operator == "=" else None)
+            elif isinstance(parent, ccode.Unary) and parent.operator in ("++", "--", "&"):
+                found.append(self._counted(parent, variable))
+            if found and found[-1] is None:
+                return None
+        return _union(found)
+
+    def _assigned(self, assignment: ccode.Assignment) -> Range | None:
+        return self.of(assignment.right) if assignment.operator == "=" else None
+
+    def _seen_elsewhere(self, variable: ccode.Variable | ccode.Parameter) -> bool:
+        """Whether another file may write a variable, through a declaration of its own."""
+        if not isinstance(variable, ccode.Variable) or not isinstance(variable.eContainer(), ccode.SourceUnit):
+            return False
+        if variable.storage is ccode.Storage.staticStorage:
+            return False
+        return variable.storage is ccode.Storage.externStorage or variable.name in self._shared
+
+    def _counted(self, step: ccode.Unary, variable: ccode.Declaration) -> Range | None:
+        """The range of a for loop's counter, up to the bound of its condition; None for any other `++`, `--` or `&`."""
+        loop = step.eContainer()
+        up = step.operator == "++"
+        if not isinstance(loop, ccode.For) or loop.step is not step:
+            return None
+        condition = loop.condition
+        if not isinstance(condition, ccode.Binary):
+            return None
+        counter = condition.left
+        if not isinstance(counter, ccode.NameReference) or counter.target is not variable:
+            return None
+        operator, bound = str(condition.operator), self.of(condition.right)
+        if bound is None or not bound.given or operator not in (("<", "<=", "!=") if up else (">", ">=", "!=")):
+            return None
+        past = int(operator in ("<=", ">="))
+        return Range(bound.low, bound.high + past) if up else Range(bound.low - past, bound.high)
+
+    def _index(self, index: ccode.Index) -> Range | None:
+        """The range of all elements of an array that is initialised with known values and never written."""
+        array = index.array
+        target = array.target if isinstance(array, ccode.NameReference) else None
+        if not isinstance(target, ccode.Variable) or not isinstance(target.initializer, ccode.InitializerList):
+            return None
+        key = id(target.initializer)  # one range for all elements
+        if key not in self._known:
+            self._known[key] = None
+            self._known[key] = self._elements(target, target.initializer)
+        return self._known[key]
+
+    def _elements(self, target: ccode.Variable, values: ccode.InitializerList) -> Range | None:
+        if self._seen_elsewhere(target):
+            return None
+        for reference in target.references:
+            use = reference.eContainer()
+            if not (isinstance(use, ccode.Index) and use.array is reference) and not isinstance(use, ccode.SizeOf):
+                return None
+            outer = use.eContainer()
+            written = isinstance(outer, ccode.Assignment) and outer.left is use
+            if written or (isinstance(outer, ccode.Unary) and outer.operator in ("++", "--", "&")):
+                return None
+        elements = [self.of(e) for e in values.elements]
+        return _union([*elements, Range(0, 0)]) if elements and None not in elements else None
+
+
+def _mask(left: Range | None, right: Range | None) -> int | None:
+    masks = [x.low for x in (left, right) if x is not None and x.single and x.low >= 0]
+    return min(masks) if masks else None
+
+
+def _union(ranges: Sequence[Range | None]) -> Range | None:
+    known = [r for r in ranges if r is not None]
+    if not known or len(known) < len(ranges):
+        return None
+    return Range(min(r.low for r in known), max(r.high for r in known), all(r.given for r in known))
+
+
+def _constant(_: Ranges, literal: ccode.IntegerLiteral) -> Range:
+    return Range(int(literal.value), int(literal.value))
+
+
+_RULES: dict[str, Callable[[Ranges, Any], Range | None]] = {
+    "IntegerLiteral": _constant,
+    "CharacterLiteral": _constant,
+    "Binary": Ranges._binary,
+    "Unary": Ranges._unary,
+    "ConditionalExpression": Ranges._conditional,
+    "Cast": Ranges._cast,
+    "NameReference": Ranges._name,
+    "Index": Ranges._index,
+    "Assignment": Ranges._assigned,
+}

@@ -1,0 +1,438 @@
+"""Collects which declarations, parameters, results, array elements and members of a program can exchange values.
+
+It fills `value_flows`. Other uses of a value are collected by `value_uses`, bodies of macros are read by `port_macros`.
+
+The name under which a program keeps a number: the constant, array element or member whose initial value it is.
+
+A name counts only while nothing writes to it. What the number means is judged elsewhere.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Hashable, Iterator, Mapping, Sequence
+
+from robosmi.metamodels import ccode
+from robosmi.model.elements.strict import Element
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.knowledge.api_facts import PinParameter
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.flows.cores import handed_over
+from robosmi.transformations.queries.flows.pin_uses import pin_number
+from robosmi.transformations.queries.flows.pointers import gives_access, moved_pointer, pointed_functions, takes_number
+from robosmi.transformations.queries.flows.value_flows import Flows, PinArgument, PortPlace
+from robosmi.transformations.queries.initialisers import leaves, members_given, record_of, says_where
+from robosmi.transformations.queries.macros.argument_places import Holders, TokenText
+from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
+
+_WRITTEN = re.compile(rb"[0-9']")
+"""Matches what a number or character begins with that is written in the text itself, not made by a macro."""
+_DIMENSION = re.compile(r"\[\s*(\d+)\s*\]")
+
+
+class FlowReader:
+    """Builds the value flows of one program.
+
+    Args:
+        views: a view of each unit.
+        sources: path of a unit -> its bytes.
+    """
+
+    def __init__(self, views: Sequence[CodeView], sources: Mapping[str, bytes]) -> None:
+        self.views = views
+        self.flows = Flows()
+        self.texts = {view.unit.path: TokenText(sources[view.unit.path]) for view in views}
+        self.sources = sources
+        self.holders = {view.unit.path: Holders([*view.unit.macros, *view.unit.macroUses]) for view in views}
+        self.macros = {str(m.name): m for view in views for m in view.unit.macros}
+        self.functions = {
+            str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition
+        }
+        self.given: dict[tuple[str, int, int], list[Hashable]] = {}
+        """(path of the unit, start, end) of an argument of a macro use -> keys of the macro parameters that it is passed to."""
+        self.followed: set[tuple[str, int, int]] = set()
+        """The keys of `given` whose argument the code model has an expression for (filled by `value_uses`)."""
+        self._known: set[Hashable] = set()
+        self._fields: dict[str, dict[Hashable, None]] = {}
+        """Name of a member -> the keys of the members of that name."""
+        self._unread = 0
+        self._defined = {
+            str(d.name)
+            for v in views
+            for d in v.unit.declarations
+            if isinstance(d, ccode.Variable) and d.storage is not ccode.Storage.externStorage
+        }
+        self._shared: dict[str, ccode.Declaration] = {}
+        for declaration in (d for view in views for d in view.unit.declarations):
+            if isinstance(declaration, ccode.Variable) and declaration.storage is not ccode.Storage.staticStorage:
+                self._shared.setdefault(str(declaration.name), declaration)
+            elif isinstance(declaration, ccode.Enumeration):
+                self._shared.update({str(literal.name): literal for literal in declaration.literals})
+        pointed, own = pointed_functions(views)
+        known = {str(reference.name): view for reference, view in pointed} if not own else {}
+        self.pointed = {p.position: (name, p) for name, view in known.items() for p in self.pins(name, view)}
+        """Position -> (function, pin parameter) of platform functions called through pointers, if no own one is."""
+        for view in views:
+            self._macro_arguments(view)
+
+    # ---- what things are
+
+    def key(self, thing: Element | None) -> Hashable:
+        """The key of a declaration or expression in the flows; the same one for a thing that several files declare."""
+        if isinstance(thing, (ccode.Variable, ccode.Function)) and isinstance(
+            thing.eContainer(), (ccode.SourceUnit, ccode.Program)
+        ):
+            if thing.storage is not ccode.Storage.staticStorage:
+                return (type(thing).__name__, str(thing.name))
+        elif isinstance(thing, ccode.Parameter):
+            function = thing.eContainer()
+            if isinstance(function, ccode.Function):
+                return ("Parameter", self.key(function), list(function.parameters).index(thing))
+        return ("element", id(thing))
+
+    def value(self, expression: ccode.Located | None) -> Hashable:
+        """The key of the thing that an expression takes its value from, such as a variable, a member or a function's result."""
+        if expression is None:  # in text that the parser could not read
+            self._unread += 1
+            return self._once(("unread", self._unread), "it stands in text that could not be read")
+        if isinstance(expression, ccode.Cast):
+            return self.value(expression.operand)
+        if isinstance(expression, ccode.Index):
+            return self.value(expression.array)
+        if isinstance(expression, ccode.Assignment):
+            return self.value(expression.left)
+        if isinstance(expression, ccode.Unary) and str(expression.operator) in ("*", "&"):
+            return self.value(expression.operand)
+        if isinstance(expression, ccode.Unary) and str(expression.operator) in ("++", "--"):
+            stepped = self.value(expression.operand)
+            self.calculated(stepped, expression)
+            return stepped
+        if isinstance(expression, ccode.Binary) and str(expression.operator) == ",":
+            return self.value(expression.right)
+        if isinstance(expression, ccode.Binary) and (array := moved_pointer(expression)) is not None:
+            elements = self.value(array)
+            self.flows.keep(elements, f"line {expression.line} calculates where it is")
+            return elements
+        if isinstance(expression, ccode.NameReference):
+            return self._name(expression)
+        if isinstance(expression, ccode.Member):
+            return self._member(expression)
+        if isinstance(expression, ccode.Call):
+            return self._result(expression)
+        if isinstance(expression, ccode.IntegerLiteral):
+            return self._literal(expression)
+        key = self.key(expression)
+        if not isinstance(expression, ccode.ConditionalExpression):
+            self.calculated(key, expression)
+        return key
+
+    def calculated(self, key: Hashable, expression: ccode.Located) -> None:
+        """Record that computed values enter a flow, so that its numbers cannot be changed in the text."""
+        self.flows.keep(key, f"line {expression.line} calculates it")
+        unit = ancestor_of_kind(expression, ccode.SourceUnit)
+        if unit is not None and not (isinstance(expression, ccode.Unary) and gives_access(expression.operand)):
+            self.flows.of(key).calculated.append((unit, expression))
+
+    def _name(self, reference: ccode.NameReference) -> Hashable:
+        target = reference.target
+        if isinstance(target, (ccode.Variable, ccode.Parameter)):
+            return self.key(target)
+        if isinstance(target, ccode.EnumerationLiteral):
+            return self._enumerator(target)
+        if reference.name in self.macros:
+            return ("macro", str(reference.name))
+        shared = self._shared.get(str(reference.name))
+        if shared is not None:  # declared in a header that the parser did not see
+            return self._enumerator(shared) if isinstance(shared, ccode.EnumerationLiteral) else self.key(shared)
+        return self._once(("name", str(reference.name)), f"'{reference.name}' is not the program's own")
+
+    def _result(self, call: ccode.Call) -> Hashable:
+        own = self.functions.get(str(call.calleeName or "")) if call.callee is not None else None
+        if own is not None and not call.viaMacro:
+            return ("result", self.key(own))
+        name = call.calleeName or "a function"
+        return self._once(("element", id(call)), f"'{name}' returns it (line {call.line})")
+
+    def _member(self, member: ccode.Member) -> Hashable:
+        if member.object is None:  # it says in an initialiser which member a value is for
+            return self.key(member)
+        whole = whole_of_member(member)
+        return self.value(whole) if whole is not None else self._field(str(member.name), record_of_member(member))
+
+    def _field(self, name: str, record: Hashable | None) -> Hashable:
+        """The key of a record's member; a member of an unknown record is joined with all members of its name."""
+        key = ("field", name, record)
+        known = self._fields.setdefault(name, {})
+        if key not in known:
+            known[key] = None
+            self.flows.keep(key, f"'{name}' is a member of a structure")
+            if (unknown := ("field", name, None)) in known:
+                for other in known:
+                    self.flows.join(unknown, other)
+        return key
+
+    def _cast(self, cast: ccode.Cast) -> None:
+        """Join the members at equal positions of two records between whose pointers a cast converts."""
+        records = records_of_cast(cast)
+        fields = [record.fields for record in records] if records is not None else []
+        for one, other in zip(*fields, strict=False):
+            keys = [self._field(str(field.name), record_key(field.eContainer())) for field in (one, other)]
+            self.flows.join(*keys)
+
+    def _once(self, key: Hashable, why: str) -> Hashable:
+        self.flows.keep(key, why, computed=True)
+        return key
+
+    def _literal(self, literal: ccode.IntegerLiteral) -> Hashable:
+        key = self.key(literal)
+        if key not in self._known:
+            self._known.add(key)
+            name, within, holder = holder_of(literal)
+            unit = ancestor_of_kind(literal, ccode.SourceUnit)
+            assert unit is not None
+            start, end = int(literal.startOffset), int(literal.endOffset)
+            self.put(key, unit, start, end, pin_number(int(literal.value)), holder, name, within)
+            if not _WRITTEN.match(self.sources[unit.path], start, end):
+                self.flows.keep(key, f"a macro makes it (line {literal.line})")
+        return key
+
+    def put(
+        self, key: Hashable, unit: ccode.SourceUnit, start: int, end: int, value: int, element: ccode.Located, name: str,
+        within: str = "",
+    ) -> None:  # fmt: skip
+        """Record that a number in the text enters the flow of a thing."""
+        self.flows.put(key, PortPlace(unit, start, end, value, element, name, within))
+
+    def _enumerator(self, literal: ccode.EnumerationLiteral) -> Hashable:
+        key = self.key(literal)
+        if key not in self._known:
+            self._known.add(key)
+            unit = ancestor_of_kind(literal, ccode.SourceUnit)
+            if unit is None:
+                return self._once(key, f"'{literal.name}' is not the program's own")
+            number = pin_number(int(literal.value))
+            self.put(key, unit, literal.startOffset, literal.endOffset, number, literal, str(literal.name))
+        return key
+
+    # ---- what exchanges values with what
+
+    def follow(self, view: CodeView) -> None:
+        """Add the exchanges of values in a unit to the flows."""
+        for element in view.elements:
+            if isinstance(element, ccode.NameReference):
+                self._taken(element)
+            elif isinstance(element, ccode.Variable):
+                self._variable(element)
+            elif isinstance(element, ccode.Assignment):
+                self._assignment(element)
+            elif isinstance(element, ccode.Cast):
+                self._cast(element)
+            elif isinstance(element, ccode.ConditionalExpression):
+                self._give(self.key(element), element.whenTrue)
+                self._give(self.key(element), element.whenFalse)
+            elif isinstance(element, ccode.Return) and element.value is not None:
+                self._return(element)
+            elif isinstance(element, ccode.Call):
+                self._call(element, view)
+            elif isinstance(element, ccode.For) and element.range is not None:
+                for declaration in element.declaration.declarations if element.declaration is not None else ():
+                    self.flows.keep(self.key(declaration), f"line {element.line} goes through a range with it", computed=True)
+
+    def _give(self, taker: Hashable, expression: ccode.Expression | None) -> None:
+        """Join the flow of a thing with that of an expression which it is given."""
+        self.flows.join(taker, self.value(expression))
+        unit = ancestor_of_kind(expression, ccode.SourceUnit) if expression is not None else None
+        if unit is not None and expression is not None:
+            self.flows.of(taker).given.append((unit, expression))
+
+    def _taken(self, reference: ccode.NameReference) -> None:
+        """Join the parameters of a function that is used as a value with the arguments of all calls through pointers."""
+        function = reference.target
+        if not isinstance(function, ccode.Function) or not function.definition:
+            return
+        call = ancestor_of_kind(reference, ccode.Call)
+        handed, code = handed_over(call, self.views[0].api) if call is not None else (None, None)
+        if code is function and code.parameters:
+            parameter = self.key(code.parameters[0])
+            self._give(parameter, handed)
+            self.flows.keep(parameter, f"it is handed to '{code.name}' on another core")
+            return
+        why = f"'{function.name}' is called through a pointer"
+        for position, parameter in enumerate(function.parameters):
+            self.flows.join(("through a pointer", position), self.key(parameter))
+            self.flows.keep(self.key(parameter), why, computed=True)
+        self.flows.keep(("result", self.key(function)), why)
+
+    def _variable(self, variable: ccode.Variable) -> None:
+        key, use = self.key(variable), variable.valueType
+        if record_of(use) is not None and variable.initializer is not None:
+            if isinstance(variable.initializer, ccode.InitializerList):
+                for member, value in members_given(use, variable.initializer):
+                    self._give(self._field(str(member.name), record_key(member.eContainer())), value)
+            else:
+                self.flows.keep(self.value(variable.initializer), f"'{variable.name}' is a structure")
+            return
+        if variable.initializer is not None:
+            given = list(leaves(variable.initializer))
+            for inner in given:
+                self._give(key, inner)
+            sizes = [int(n) for n in _DIMENSION.findall(str(use.arrayDims or ""))] if use is not None else []
+            count = 1
+            for size in sizes:
+                count *= size
+            if sizes and len(given) < count and isinstance(variable.initializer, ccode.InitializerList):
+                self.flows.keep(key, f"elements of '{variable.name}' are 0 until they get a value")
+            return
+        lasting = isinstance(variable.eContainer(), ccode.SourceUnit) or variable.storage is ccode.Storage.staticStorage
+        if variable.storage is ccode.Storage.externStorage:
+            if variable.name not in self._defined:
+                self.flows.keep(key, f"'{variable.name}' is defined elsewhere", computed=True)
+        elif lasting:
+            self.flows.keep(key, f"'{variable.name}' is 0 until it gets a value")
+
+    def _assignment(self, assignment: ccode.Assignment) -> None:
+        if isinstance(assignment.eContainer(), ccode.InitializerList):
+            return  # a value for a member or element by its name
+        left = self.value(assignment.left)
+        if str(assignment.operator) != "=":
+            self.calculated(left, assignment)
+            return
+        self._give(left, assignment.right)
+        if not isinstance(assignment.left, ccode.NameReference):
+            self.flows.keep(left, f"line {assignment.line} fills it at run time")
+
+    def _return(self, statement: ccode.Return) -> None:
+        function = ancestor_of_kind(statement, ccode.Function)
+        if function is not None:
+            self._give(("result", self.key(function)), statement.value)
+
+    def _call(self, call: ccode.Call, view: CodeView) -> None:
+        if call.viaMacro:
+            return
+        arguments = list(call.arguments)
+        own = self.functions.get(str(call.calleeName or "")) if call.callee is not None else None
+        if own is not None:
+            for parameter, argument in zip(own.parameters, arguments, strict=False):
+                self._give(self.key(parameter), argument)
+            return
+        if call.callee is None and call.calleeExpression is not None:
+            for position, argument in enumerate(arguments):
+                self._give(("through a pointer", position), argument)
+            for name, pin in self.pointed.values():
+                if pin.position < len(arguments) and takes_number(call, pin.position):
+                    self.flows.keep(self.value(arguments[pin.position]), f"it is given through a pointer (line {call.line})")
+                    self._pin(name, pin, call, view)
+            return
+        parameters = self.pins(str(call.calleeName or ""), view)
+        if not parameters:
+            self._exchanged(arguments)
+            return
+        for pin in parameters:
+            if pin.position < len(arguments):
+                self._pin(str(call.calleeName), pin, call, view)
+
+    def _pin(self, function: str, pin: PinParameter, call: ccode.Call, view: CodeView) -> None:
+        """Let the flow of a call's argument end in a pin parameter of a platform function."""
+        text, arguments = self.texts[view.unit.path], list(call.arguments)
+        places = text.arguments(text.at(int(call.startOffset)))
+        argument = arguments[pin.position]
+        start, end = int(argument.startOffset), int(argument.endOffset)
+        if places is not None and len(places) == len(arguments) and places[pin.position]:
+            start, end = places[pin.position][0][1], places[pin.position][-1][2]
+        if not text.tokens or view_text(self.sources[view.unit.path], start, end) not in pin.none:
+            self.reach(self.value(argument), PinArgument(view.unit, start, end, function, pin, call, argument))
+
+    def _exchanged(self, arguments: Sequence[ccode.Expression]) -> None:
+        """Join the arguments through which an unknown function may pass values on: pointers, arrays, callbacks."""
+        open_ = [a for a in arguments if gives_access(a)]
+        for one in open_[1:]:
+            self.flows.join(self.value(open_[0]), self.value(one))
+        if open_ and any(isinstance(a, ccode.NameReference) and isinstance(a.target, ccode.Function) for a in arguments):
+            self.flows.join(("through a pointer", 0), self.value(open_[0]))
+
+    def reach(self, key: Hashable, pin: PinArgument) -> None:
+        """Record that a flow ends in an argument that is a pin."""
+        self.flows.of(key).arguments.append(pin)
+        if not pin.translated and not pin.unplaced:
+            self.flows.keep(key, f"it is the end of a range in '{pin.function}'")
+
+    def pins(self, name: str, view: CodeView) -> Sequence[PinParameter]:
+        """The parameters of a function that are pins for the platform or for its adapter; none for any other function."""
+        if view.defined(name):
+            return ()
+        function = view.called().get(name)
+        if function is not None and (function.entry is not None or function.calls):
+            facts = view.api.pins(name, function.header)
+        else:
+            entry = view.resolve(name)
+            facts = view.api.pins(name, entry.header if entry is not None else "")
+        return facts.parameters if facts is not None else ()
+
+    def _macro_arguments(self, view: CodeView) -> None:
+        """Record the places of macro arguments in `given`, since the macro's body decides what becomes of them."""
+        text = self.texts[view.unit.path]
+        for use in view.unit.macroUses:
+            macro = use.macro or self.macros.get(str(use.name))
+            if macro is None or not macro.functionLike:
+                continue
+            for i, argument in enumerate(text.arguments(text.at(int(use.startOffset))) or []):
+                if argument:
+                    place = (view.unit.path, argument[0][1], argument[-1][2])
+                    self.given.setdefault(place, []).append(("macro parameter", str(macro.name), i))
+
+    def elements_named(self, name: str) -> Iterator[Element]:
+        """The variables, parameters and enumerators of a name, wherever they are declared."""
+        for view in self.views:
+            for element in view.elements:
+                if isinstance(element, (ccode.Variable, ccode.Parameter, ccode.EnumerationLiteral)) and element.name == name:
+                    yield element
+
+    def named(self, name: str) -> list[Hashable]:
+        """The keys of all that a name may mean in the body of a macro."""
+        if name in self.macros:
+            return [("macro", name)]
+        found = [
+            self._enumerator(e) if isinstance(e, ccode.EnumerationLiteral) else self.key(e) for e in self.elements_named(name)
+        ]
+        return list(dict.fromkeys(found))
+
+
+def view_text(data: bytes, start: int, end: int) -> str:
+    """The text of a byte range of a unit, without white space around it."""
+    return data[start:end].decode("utf-8", errors="replace").strip()
+
+
+def _written(reference: ccode.Expression) -> bool:
+    """Whether a reference to a variable, or to an element of it, changes it."""
+    inner, outer = reference, reference.eContainer()
+    while isinstance(outer, ccode.Index) and outer.array is inner:
+        inner, outer = outer, outer.eContainer()
+    if isinstance(outer, ccode.Assignment):
+        return outer.left is inner
+    return isinstance(outer, ccode.Unary) and str(outer.operator) in ("++", "--")
+
+
+def holder_of(literal: ccode.IntegerLiteral) -> tuple[str, str, ccode.Located]:
+    """The constant that a literal initialises: its name, the function that declares it, the element that holds the value.
+
+    The names are empty, and the element is the literal, where the literal initialises no constant.
+    """
+    inner, outer = literal, literal.eContainer()
+    index = None
+    while isinstance(outer, (ccode.Cast, ccode.InitializerList)):
+        if isinstance(outer, ccode.InitializerList):
+            if index is not None or any(says_where(each) for each in outer.elements):
+                return "", "", literal
+            index = list(outer.elements).index(inner)
+        inner, outer = outer, outer.eContainer()  # type: ignore[assignment]
+    if not isinstance(outer, ccode.Variable):
+        return "", "", literal
+    function = ancestor_of_kind(outer, ccode.Function)
+    if any(_written(reference) for reference in outer.references):
+        return "", "", literal  # the name says no longer which port it is
+    name = str(outer.name) if index is None else f"{outer.name}[{index}]"
+    if (record := record_of(outer.valueType)) is not None and outer.valueType is not None:
+        if outer.valueType.arrayDims or index is None or index >= len(record.fields):
+            return "", "", literal
+        name = f"{outer.name}.{record.fields[index].name}"
+    return name, str(function.name) if function is not None else "", outer if index is None else literal

@@ -1,0 +1,115 @@
+"""What the values of a program are used for: whether each use is followed, or the numbers of its flow must not be changed.
+
+A number may be changed where it is written only if nothing else reads it on its way: it must not be printed, calculated with,
+compared, tested, used as an index or passed to an unknown function.
+"""
+
+from __future__ import annotations
+
+from robosmi.metamodels import ccode
+from robosmi.model.elements.strict import Element
+from robosmi.query import all_contents, ancestor_of_kind
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.flows.flow_reader import FlowReader
+from robosmi.transformations.queries.flows.pointers import gives_access
+from robosmi.transformations.queries.numbers import COMPARISONS
+
+_LOGICAL = frozenset(["&&", "||"])
+_HARMLESS = frozenset(["Cast", "Variable", "Return", "ExpressionStatement", "SizeOf", "Member"])
+_TESTS = frozenset(["If", "While", "DoWhile", "For", "Switch", "Case"])
+_VALUES = (
+    ccode.NameReference, ccode.Index, ccode.Call, ccode.Cast, ccode.Assignment, ccode.Member, ccode.ConditionalExpression,
+    ccode.Unary,
+)  # fmt: skip
+
+
+class ValueUses:
+    """Finds the uses of values that forbid changing the numbers of a flow.
+
+    Args:
+        reader: the flows of the program.
+    """
+
+    def __init__(self, reader: FlowReader) -> None:
+        self.reader = reader
+
+    def follow(self, view: CodeView) -> None:
+        """Keep the numbers of all flows of a unit that have a value used in a way that is not followed."""
+        for element in view.elements:
+            if isinstance(element, _VALUES):
+                self._use(element, view)
+
+    def _use(self, expression: ccode.Expression, view: CodeView) -> None:
+        """Keep the numbers of a value's flow if its use is not followed."""
+        if isinstance(expression, ccode.Unary) and str(expression.operator) not in ("*", "&"):
+            return
+        expanded = _expansion(expression)
+        if expanded is not None:
+            place = (view.unit.path, int(expression.startOffset), int(expression.endOffset))
+            takers = self.reader.given.get(place)
+            if takers is not None:
+                self.reader.followed.add(place)
+                for taker in takers:
+                    self.reader.flows.join(taker, self.reader.value(expression))
+                return
+            if place[1:] == (int(expanded.startOffset), int(expanded.endOffset)):
+                return  # of the macro's own body
+        why = self._why_kept(expression, expression.eContainer(), view)
+        if why:
+            self.reader.flows.keep(self.reader.value(expression), why, computed=gives_access(expression))
+
+    def _why_kept(self, expression: ccode.Expression, parent: Element | None, view: CodeView) -> str:
+        kind = type(parent).__name__
+        if kind in _HARMLESS or (isinstance(parent, ccode.Index) and parent.array is expression):
+            return ""
+        name = f"'{expression.name}'" if isinstance(expression, ccode.NameReference) else "it"
+        line = f"(line {expression.line})"
+        if isinstance(parent, ccode.ConditionalExpression):
+            return "" if parent.condition is not expression else f"{name} is tested {line}"
+        if isinstance(parent, ccode.Unary):
+            if str(parent.operator) in ("++", "--"):
+                self.reader.calculated(self.reader.value(expression), parent)
+                return ""
+            return "" if str(parent.operator) in ("*", "&") else f"{name} is calculated with {line}"
+        if isinstance(parent, ccode.Assignment):
+            return "" if str(parent.operator) == "=" else f"{name} is calculated with {line}"
+        if isinstance(parent, ccode.Binary):
+            operator = str(parent.operator)
+            if operator == ",":
+                return ""
+            if operator in COMPARISONS:
+                return f"{name} is compared {line}"
+            return f"{name} is {'tested' if operator in _LOGICAL else 'calculated with'} {line}"
+        if isinstance(parent, ccode.Call):
+            return self._passed(expression, parent, view, name, line)
+        if isinstance(parent, ccode.InitializerList):
+            return ""
+        return f"{name} is {'an index' if kind == 'Index' else 'tested' if kind in _TESTS else 'used in another way'} {line}"
+
+    def _passed(self, expression: ccode.Expression, call: ccode.Call, view: CodeView, name: str, line: str) -> str:
+        arguments = list(call.arguments)
+        position = next((i for i, a in enumerate(arguments) if a is expression), None)
+        if position is None or call.viaMacro:
+            return "" if position is None else f"{name} goes through a macro {line}"
+        own = self.reader.functions.get(str(call.calleeName or "")) if call.callee is not None else None
+        if own is not None:
+            return "" if position < len(own.parameters) else f"{name} goes to '{call.calleeName}' {line}"
+        if any(p.position == position for p in self.reader.pins(str(call.calleeName or ""), view)):
+            return ""
+        return f"{name} goes to '{call.calleeName or 'a function'}' {line}"
+
+
+def _expansion(expression: ccode.Expression) -> ccode.Call | None:
+    """The call in a macro's expansion that an expression is part of; None for an expression in the text itself."""
+    call = expression if isinstance(expression, ccode.Call) else ancestor_of_kind(expression, ccode.Call)
+    while call is not None and not call.viaMacro:
+        call = ancestor_of_kind(call, ccode.Call)
+    return call if isinstance(call, ccode.Call) else None
+
+
+def changes_nothing(value: ccode.Expression) -> bool:
+    """Whether an expression has no side effects, so that it may be evaluated twice or not at all; calls count as effects."""
+    return not any(
+        isinstance(each, (ccode.Call, ccode.Assignment)) or (isinstance(each, ccode.Unary) and each.operator in ("++", "--"))
+        for each in (value, *all_contents(value))
+    )

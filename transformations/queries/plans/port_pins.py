@@ -1,0 +1,79 @@
+"""How generated text refers to the pins of the source's ports."""
+
+from __future__ import annotations
+
+from robosmi.metamodels import migration, platform
+from robosmi.transformations.queries.circuits.circuit import pin_literal
+from robosmi.transformations.queries.plans.plan_adapters import emitted
+
+NOT_WIRED = "none"
+"""The recorded choice of a port that a person declared not to be wired."""
+UNBOUND = "255"
+"""The argument that adapters are given for a port without a pin: a number that is no pin of any target."""
+
+NO_PIN = "no-pin-in-macro"
+"""The rule by which calls in macros get no pin, because no text could look up their ports."""
+
+
+def port_text(binding: migration.PortBinding) -> str | None:
+    """The text for a port on the target: its connection's name, else its pin's literal; None if it has no pin."""
+    if binding.connection is not None:
+        return str(binding.connection.name)
+    return pin_literal(binding.pin) if binding.pin is not None else None
+
+
+def text_in_place(binding: migration.PortBinding) -> str:
+    """The replacement for a port's number in the text: its pin, or `UNBOUND` with a comment that names the port."""
+    text = port_text(binding)
+    if text is not None:
+        return text
+    called = f"P{binding.sourcePin}" if binding.sourcePin >= 0 else binding.name
+    return f"{UNBOUND} /* {called} is not wired{'' if binding.choice == NOT_WIRED else ' yet'} */"
+
+
+def measures(pin: platform.Pin, binding: migration.PortBinding) -> bool:
+    """Whether a pin has the analog input that a conventional port needs, or the port needs none."""
+    port = binding.conventionalPort
+    return port is None or port.capability is not platform.PinCapability.analog or "analog_in" in pin.abilities
+
+
+def port_literals(plan: migration.MigrationPlan) -> tuple[dict[str, str], dict[int, str]]:
+    """Name of a conventional port -> its pin, and number of a port of the source -> its pin; ports without a pin are left out.
+
+    A number that is used by itself and by convention has its own pin in the second.
+    """
+    names: dict[str, str] = {}
+    numbers: dict[int, str] = {}
+    conventional = [b for b in plan.portBindings if b.origin == "convention"]
+    for binding in conventional:
+        text = port_text(binding)
+        if text is not None:
+            named = [binding.conventionalPort.name] if binding.conventionalPort is not None else []
+            names |= dict.fromkeys([binding.name, *binding.names, *named], text)
+    for binding in (*conventional, *(b for b in plan.portBindings if b.origin != "convention")):
+        if binding.sourcePin >= 0:
+            pin = _pin(binding)
+            numbers.pop(binding.sourcePin, None)
+            if pin is not None:
+                numbers[binding.sourcePin] = pin_literal(pin)
+    return names, numbers
+
+
+def _pin(binding: migration.PortBinding) -> platform.Pin | None:
+    return binding.connection.pin if binding.connection is not None else binding.pin
+
+
+def looks_up_ports(plan: migration.MigrationPlan) -> bool:
+    """Whether the changed text of the program looks up pins of ports at run time (`port(x)`)."""
+    return any(change.rule != NO_PIN for flow in plan.portFlows for change in flow.changes)
+
+
+def table_is_declared(plan: migration.MigrationPlan) -> bool:
+    """Whether a piece of the plan's adapters declares the table that ports are looked up in."""
+    return any(piece.tables for piece in emitted(plan))
+
+
+def of_own_serial_port(binding: migration.PortBinding) -> bool:
+    """Whether a port is a line of the board's own serial port (its console), bound there by a rule."""
+    by_rule = binding.chosenBy is migration.ChosenBy.rule and binding.connection is None
+    return by_rule and binding.pin is not None and "uart" in binding.pin.abilities

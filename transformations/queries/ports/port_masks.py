@@ -1,0 +1,380 @@
+"""Upper bounds of bit masks: which bits of an expression such as `1 << pins[i]` or `mask |= ...` may be set.
+
+The bound of a mask that is put together, stored, passed and returned is the union of all its sources. None where a source comes
+from outside or where nothing bounds it. Which bits of a register a use touches is computed by `register_bits`.
+
+Which expressions give the variables, parameters, results and members of a program their values.
+
+Read from the code model alone, without regard to order: a thing may have any value that it is given anywhere in the program. A
+pointer and what it points to count as one thing, as do the elements of an array. The values themselves are computed elsewhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Iterable, Sequence
+from typing import Any
+
+from msgspec import Struct
+
+from robosmi.metamodels import ccode
+from robosmi.model.elements.strict import Element
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.queries.code import CodeView
+from robosmi.transformations.queries.flows.cores import handed_over
+from robosmi.transformations.queries.flows.pointers import gives_access, moved_pointer
+from robosmi.transformations.queries.initialisers import leaves, members_given, record_of
+from robosmi.transformations.queries.macros.constant_text import calculate
+from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
+from robosmi.transformations.queries.reached_values import ReachedValues
+from robosmi.transformations.queries.values import LIMIT, Value, Values
+
+WORD = 32
+"""Bits of a register."""
+_ALL = (1 << WORD) - 1
+_DEEP = 12
+"""Depth to which the sources of a stored mask are followed."""
+_TRUTHS = frozenset(["==", "!=", "<", ">", "<=", ">=", "&&", "||"])
+
+
+class PortMasks:
+    """Bounds the masks of one program.
+
+    Args:
+        views: a view of each of its units.
+    """
+
+    def __init__(self, views: Sequence[CodeView]) -> None:
+        self.given = GivenValues(views)
+        self._values = {id(v.unit): Values(v.program, v.unit) for v in views}
+        self._reached = {id(v.unit): ReachedValues(v.program, v.unit) for v in views}
+        self._assumed: dict[Hashable, int] = {}
+        self._active: set[Hashable] = set()
+        self._again = False
+        """Whether the numbers that were computed last depend on themselves."""
+
+    def values(self, expression: Element | None) -> list[Value]:
+        """The values of an expression as `Values` reads them in its unit."""
+        return self._values[_unit(expression)].of(expression)
+
+    def numbers(self, expression: Element | None) -> set[int] | None:
+        """The values of an expression as `Values` computes them in its unit."""
+        reached = self._reached[_unit(expression)]
+        for known in (self.values(expression), reached.of(expression)):
+            found = {value.number for value in known}
+            if None not in found:
+                return {number for number in found if number is not None}
+        if isinstance(expression, ccode.ConditionalExpression):
+            return _together([self.numbers(expression.whenTrue), self.numbers(expression.whenFalse)])
+        if isinstance(expression, ccode.Binary):
+            self._again = False
+            left, right = self.numbers(expression.left), self.numbers(expression.right)
+            if left is None or right is None or self._again or len(left) * len(right) > LIMIT:
+                return None
+            made = {calculate(str(expression.operator), a, b) for a in left for b in right}
+            return None if None in made else {number for number in made if number is not None}
+        key = self._thing(expression)
+        if key is None:
+            return None
+        if key in self._active:
+            self._again = True
+            return set()
+        self._active.add(key)
+        try:
+            return _together([self.numbers(one) for one in self.given.of(key)]) or None
+        finally:
+            self._active.discard(key)
+
+    def bits(self, expression: Element | None) -> int | None:
+        """The bits that may be set in an expression's value; None where the text does not bound them."""
+        numbers = [value.number for value in self.values(expression)]
+        if None not in numbers:
+            return union(numbers)
+        rule = _RULES.get(type(expression).__name__)
+        if rule is not None:
+            return rule(self, expression)
+        key = self._thing(expression)
+        return None if key is None else self._kept(key)
+
+    def _thing(self, expression: Element | None) -> Hashable | None:
+        """The key of the thing whose value an expression is; for a member that nothing is assigned to, of its record."""
+        key = self.given.key(expression)
+        if isinstance(expression, ccode.Member) and not self.given.of(key):
+            return self.given.key(expression.object)
+        return key
+
+    def _kept(self, key: Hashable) -> int | None:
+        """The bits that the values of a thing may have: the least fixed point if it is computed from itself."""
+        if key in self._assumed or len(self._assumed) > _DEEP:
+            return self._assumed.get(key)
+        given = self.given.of(key)
+        found = 0
+        try:
+            while True:
+                self._assumed[key] = found
+                more = found
+                for one in given:
+                    made = self.bits(one)
+                    if made is None:
+                        return None
+                    more |= made
+                if more == found:
+                    return found if given else None
+                found = more
+        finally:
+            self._assumed.pop(key, None)
+
+    def cleared(self, expression: Element | None, whole: int) -> int | None:
+        """The bits of `whole` that may be clear in an expression's value; None where the text does not bound them."""
+        numbers = [value.number for value in self.values(expression)]
+        if None not in numbers:
+            return union(~number & whole for number in numbers if number is not None)
+        if isinstance(expression, ccode.Cast):
+            return self.cleared(expression.operand, whole)
+        if isinstance(expression, ccode.Unary) and expression.operator == "~":
+            return self.bits(expression.operand)
+        if isinstance(expression, (ccode.Binary, ccode.Assignment)) and expression.operator in ("&", "&="):
+            return union(self.cleared(side, whole) for side in (expression.left, expression.right))
+        key = self.given.key(expression)
+        if key is None or not self.given.of(key):
+            return None
+        if key in self._active:
+            return 0
+        self._active.add(key)
+        try:
+            return union(self.cleared(one, whole) for one in self.given.of(key))
+        finally:
+            self._active.discard(key)
+
+    def _binary(self, binary: ccode.Binary) -> int | None:
+        return self._combined(binary, str(binary.operator))
+
+    def _assignment(self, assignment: ccode.Assignment) -> int | None:
+        operator = str(assignment.operator)
+        return self.bits(assignment.right) if operator == "=" else self._combined(assignment, operator.removesuffix("="))
+
+    def _combined(self, sides: ccode.Binary | ccode.Assignment, operator: str) -> int | None:
+        """The bits that may be set in an operator's result, in an expression or a compound assignment."""
+        if operator in _TRUTHS:
+            return 1
+        if operator == ",":
+            return self.bits(sides.right)
+        if operator in ("<<", ">>"):
+            return self._shifted(sides.left, self.numbers(sides.right), operator)
+        left, right = self.bits(sides.left), self.bits(sides.right)
+        if operator == "&":
+            return right if left is None else left if right is None else left & right
+        if left is None or right is None:
+            return None
+        if operator in ("|", "^") or (operator == "+" and not left & right):
+            return left | right
+        return left if operator == "-" and not right & ~left else None
+
+    def _shifted(self, left: ccode.Expression | None, places: set[int] | None, operator: str) -> int | None:
+        again = self.given.key(left)
+        bits = self.bits(left)
+        if bits is None or places is None:
+            return None
+        bits, found = bits & _ALL, 0
+        for place in places:  # a shift of the source counts the lower bits of its place
+            found |= bits << place % WORD if operator == "<<" else bits >> place % WORD
+        if again in self._assumed and operator == "<<":
+            return self._bounded(left, found)
+        return found & _ALL
+
+    def _bounded(self, stepped: ccode.Expression | None, found: int) -> int | None:
+        """The bits of a mask that is shifted repeatedly, limited by the numbers that it is compared with."""
+        target = stepped.target if isinstance(stepped, ccode.NameReference) else None
+        compared = self._reached[_unit(stepped)].bounds(target) if target is not None else ()
+        bounds = [n - (o in ("<", "!=")) for o, n, _ in compared if o not in (">", ">=") and n > 0]
+        return found & ((1 << max(bounds).bit_length()) - 1) if bounds else None
+
+    def _unary(self, unary: ccode.Unary) -> int | None:
+        operator = str(unary.operator)
+        if operator == "!":
+            return 1
+        if operator == "~":
+            return _ALL
+        key = self.given.key(unary)
+        return None if key is None else self._kept(key)
+
+    def _cast(self, cast: ccode.Cast) -> int | None:
+        return self.bits(cast.operand)
+
+    def _conditional(self, choice: ccode.ConditionalExpression) -> int | None:
+        return union(self.bits(way) for way in (choice.whenTrue, choice.whenFalse))
+
+
+_RULES: dict[str, Callable[[PortMasks, Any], int | None]] = {
+    "Binary": PortMasks._binary,
+    "Assignment": PortMasks._assignment,
+    "Unary": PortMasks._unary,
+    "Cast": PortMasks._cast,
+    "ConditionalExpression": PortMasks._conditional,
+}
+
+
+def _unit(expression: Element | None) -> int:
+    """The `id` of the unit that contains an expression."""
+    return id(ancestor_of_kind(expression, ccode.SourceUnit) if expression is not None else None)
+
+
+def union(parts: Iterable[int | None]) -> int | None:
+    """The union of some masks; None if one of them is unknown."""
+    found = 0
+    for part in parts:
+        if part is None:
+            return None
+        found |= part
+    return found
+
+
+def _together(parts: Sequence[set[int] | None]) -> set[int] | None:
+    found: set[int] = set()
+    for part in parts:
+        if part is None:
+            return None
+        found |= part
+    return found
+
+
+class MemberKey(Struct, frozen=True):
+    """The key of a member.
+
+    Attributes:
+        name: of the member.
+        record: the key of its record (`member_records`), None where the text does not say which it is.
+    """
+
+    name: str
+    record: Hashable | None
+
+
+class GivenValues:
+    """Maps each thing of a program (variable, parameter, result, member, register) to the expressions that give it a value.
+
+    Args:
+        views: a view of each of its units.
+    """
+
+    def __init__(self, views: Sequence[CodeView]) -> None:
+        self._views = views
+        self._given: dict[Hashable, list[ccode.Located]] = {}
+        self._members: dict[str, dict[Hashable | None, list[ccode.Located]]] = {}
+        """Name of a member -> key of its record, None where the text does not tell it -> the expressions that it is given."""
+        self._casts: dict[Hashable, set[Hashable]] = {}
+        """Key of a record -> keys of the records that a cast converts to or from it."""
+        self._registers = {name for v in views for name in v.api.settings.get("ports", {}).get("registers", {})}
+        self._functions = {
+            str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition
+        }
+        self._shared = {
+            str(d.name): d
+            for v in views
+            for d in v.unit.declarations
+            if isinstance(d, ccode.Variable) and d.storage is not ccode.Storage.staticStorage
+        }
+        for view in views:
+            for element in view.elements:
+                self._read(element, view)
+
+    def of(self, key: Hashable) -> list[ccode.Located]:
+        """The expressions that give a thing its values; a compound assignment, `++` and `--` are listed themselves."""
+        if not isinstance(key, MemberKey):
+            return self._given.get(key, [])
+        records = self._members.get(key.name, {})
+        alike = {None, *self._alike(key.record)} if key.record is not None else set(records)
+        return [one for record, given in records.items() if record in alike for one in given]
+
+    def _alike(self, record: Hashable) -> set[Hashable]:
+        """A record with all records that casts connect it with, directly or through others."""
+        found, pending = {record}, [record]
+        while pending:
+            new = self._casts.get(pending.pop(), set()) - found
+            found |= new
+            pending += new
+        return found
+
+    def key(self, expression: Element | None) -> Hashable | None:
+        """The key of the thing whose value an expression is; None for a literal or a computation."""
+        if isinstance(expression, ccode.Cast):
+            return self.key(expression.operand)
+        if isinstance(expression, ccode.Index):
+            return self.key(expression.array)
+        if isinstance(expression, ccode.Unary) and str(expression.operator) in ("*", "&"):
+            return self.key(expression.operand)
+        if isinstance(expression, ccode.Unary) and str(expression.operator) in ("++", "--"):
+            return self.key(expression.operand) if gives_access(expression.operand) else None
+        if isinstance(expression, ccode.Binary) and (array := moved_pointer(expression)) is not None:
+            return self.key(array)
+        if isinstance(expression, ccode.Member):
+            whole = whole_of_member(expression)
+            return self.key(whole) if whole is not None else MemberKey(str(expression.name), record_of_member(expression))
+        if isinstance(expression, ccode.Call):
+            own = self._own(expression)
+            return ("result", str(own.name)) if own is not None else None
+        if not isinstance(expression, ccode.NameReference):
+            return None
+        target = expression.target if expression.target is not None else self._shared.get(str(expression.name))
+        if isinstance(target, (ccode.Variable, ccode.Parameter)):
+            return self._declared(target)
+        return ("register", str(expression.name)) if expression.name in self._registers else None
+
+    def _declared(self, thing: ccode.Variable | ccode.Parameter) -> Hashable:
+        """The key of a declaration: the name of what all files share, else the identity of the element."""
+        if isinstance(thing, ccode.Parameter):
+            function = thing.eContainer()
+            if isinstance(function, ccode.Function):
+                return ("parameter", str(function.name), list(function.parameters).index(thing))
+        elif isinstance(thing.eContainer(), ccode.SourceUnit) and thing.storage is not ccode.Storage.staticStorage:
+            return ("variable", str(thing.name))
+        return ("element", id(thing))
+
+    def _own(self, call: ccode.Call) -> ccode.Function | None:
+        return self._functions.get(str(call.calleeName or "")) if call.callee is not None else None
+
+    def _give(self, key: Hashable | None, expression: ccode.Located | None) -> None:
+        if isinstance(key, MemberKey) and expression is not None:
+            self._members.setdefault(key.name, {}).setdefault(key.record, []).append(expression)
+        elif key is not None and expression is not None:
+            self._given.setdefault(key, []).append(expression)
+
+    def _read(self, element: Element, view: CodeView) -> None:
+        if isinstance(element, ccode.Variable):
+            self._initialised(element)
+        elif isinstance(element, ccode.Assignment):
+            if not isinstance(element.eContainer(), ccode.InitializerList):
+                self._give(self.key(element.left), element.right if str(element.operator) == "=" else element)
+        elif isinstance(element, ccode.Unary) and str(element.operator) in ("++", "--"):
+            if not gives_access(element.operand):
+                self._give(self.key(element.operand), element)
+        elif isinstance(element, ccode.Cast) and (records := records_of_cast(element)) is not None:
+            one, other = (record_key(record) for record in records)
+            self._casts.setdefault(one, set()).add(other)
+            self._casts.setdefault(other, set()).add(one)
+        elif isinstance(element, ccode.Return):
+            function = ancestor_of_kind(element, ccode.Function)
+            if function is not None:
+                self._give(("result", str(function.name)), element.value)
+        elif isinstance(element, ccode.Call):
+            self._called(element, view)
+
+    def _initialised(self, variable: ccode.Variable) -> None:
+        first = variable.initializer
+        if first is None:
+            return
+        if record_of(variable.valueType) is None:
+            for one in leaves(first):
+                self._give(self._declared(variable), one)
+        elif isinstance(first, ccode.InitializerList):
+            for member, one in members_given(variable.valueType, first):
+                self._give(MemberKey(str(member.name), record_key(member.eContainer())), one)
+
+    def _called(self, call: ccode.Call, view: CodeView) -> None:
+        own, arguments = self._own(call), list(call.arguments)
+        if own is not None:
+            for position, argument in enumerate(arguments[: len(own.parameters)]):
+                self._give(("parameter", str(own.name), position), argument)
+            return
+        handed, code = handed_over(call, view.api)
+        if code is not None and str(code.name) in self._functions:
+            self._give(("parameter", str(code.name), 0), handed)

@@ -1,0 +1,435 @@
+"""Where the ports of a program are on both boards, and which simulated device is at each: the binding of a verification.
+
+The ports, their pins on the target and the functions that use them are those of a stored plan. Which device a function stands
+for is data of the source platform (`devices.toml`), what devices show at rest is data of the simulation. `wired_devices` finds
+devices with several ports; `played_devices` plays the signals of a scenario with all of them. Nothing is run here.
+
+The numbers with which a program compares those that it reads, such as what is typed on its console.
+
+A number that was read is followed by names: through assignments, arguments, results of functions and pointers to what is to
+hold it. Names are not told apart by the function that they belong to, so that a number too many may be found.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from robosmi import inputs, resources
+from robosmi.base.data_tables import DataTable
+from robosmi.base.data_text import Json
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.model.elements.strict import Element
+from robosmi.project import read_data
+from robosmi.query import all_contents
+from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.queries.circuits.component_kinds import kinds_of
+from robosmi.transformations.queries.code import CodeView, views
+from robosmi.transformations.queries.flows.pin_uses import PinUse, pin_uses
+from robosmi.transformations.queries.numbers import COMPARISONS
+from robosmi.transformations.queries.own_headers import unit_of
+from robosmi.transformations.queries.place_names import named, names_within
+from robosmi.transformations.queries.plans.plan_adapters import OwnFunctionPins, rest_levels
+from robosmi.transformations.queries.ports.port_flows import port_flows
+from robosmi.transformations.queries.ports.ports import program_ports
+from robosmi.transformations.queries.ports.split_wires import answering_pin, asking_pin
+from robosmi.transformations.queries.values import Values
+from robosmi.transformations.verification.bound_devices.simulated_kinds import device_facts
+from robosmi.transformations.verification.bound_devices.wired_devices import WiredDevice, wired_devices
+
+_MOST_TEXTS = 24
+_LEVELS = {"low": 0, "high": 1}
+_NUMBERS = (50, 70000)
+_NUMBER_LINES = ("70000\r", "-40000\r", "4\r30\r-5\r12\r7\r")
+_MOST_COMPARED = 12
+"""At most this many numbers that a program compares are typed, each with its neighbours."""
+_NUMBERS_BEFORE = ("1\r", "1\r1\r")
+"""Other numbers that a program may read first."""
+_LARGEST = 2**31 - 1
+_LEVELS_DEVICE, _LEVELS_PIN = "levels", "pin"
+"""Kind of the device, and its pin, that plays a port at which the program reads levels."""
+_CHANNEL = re.compile(r"AD(\d+)|.*\.channel_(\d+)")
+
+
+class BoundPort(Struct, frozen=True):
+    """A port of the program on both boards.
+
+    Attributes:
+        name: constant or variable of the program, the name of a conventional port, or P12.
+        source: its pin on the source board (`P12`, `AD0`).
+        target: label of its pin on the target, or empty where it is not wired.
+        component: title of the component there, or empty.
+        identity: of the component in the drawing, or empty.
+        functions: the platform's functions that use it.
+        called_at: file name and line of each of their calls that uses it, as far as they are known.
+        device: kind of the device that is simulated there; empty if none is and what the program itself does is compared.
+        line: whether it is a line of a bus or of a serial connection, which is neither simulated nor compared.
+        pin: the device's name of the port; several names, separated by spaces, if it is several of its pins.
+        group: `source` of the first port of the device if that has several ports; otherwise empty.
+        settings: those settings of the device that the program's calls give.
+        shown: whether what the program does there is compared although a device is there.
+        pulsed: whether one function makes all pulses there, each in one go, so that their widths are exact.
+        averaged: whether it represents a voltage, so that only the duty cycle of a wave there is compared.
+        kinds: kinds of the component, known by its name (`parts/port_roles.toml`).
+        split: labels of the target's pins that trigger the component and receive its answer, if these are two; otherwise empty.
+        given_up: whether a person or a rule said that it is on no pin of the target.
+        shares_with: title of another port that has the same pin of the source and another one of the target; otherwise empty.
+            In the source's trace the two cannot be told apart.
+        near: how far from a border of the program values are tried, as per cent and an addition; None for the device's usual
+            distance.
+        loop_ms: tolerance of the end of a wait in milliseconds, if the program waits for the device in a closed loop.
+        placed: whether the program drives the device to positions that the device reports.
+        timed: whether the program drives the device for a time.
+        recounts: how far the last goal has to be from where the device stands for the next goal to be counted from there; 0 if it
+            is always counted from the last one.
+    """
+
+    name: str
+    source: str
+    target: str
+    component: str = ""
+    identity: str = ""
+    functions: tuple[str, ...] = ()
+    device: str = ""
+    pin: str = ""
+    line: bool = False
+    group: str = ""
+    settings: Mapping[str, Any] = {}
+    shown: bool = False
+    averaged: bool = False
+    pulsed: bool = False
+    called_at: frozenset[tuple[str, int]] = frozenset()
+    kinds: frozenset[str] = frozenset()
+    split: tuple[str, ...] = ()
+    given_up: bool = False
+    shares_with: str = ""
+    loop_ms: float = 0.0
+    placed: bool = False
+    timed: bool = False
+    recounts: float = 0.0
+    near: tuple[float, float] | None = None
+
+    @property
+    def watched(self) -> bool:
+        """Whether what the program does there is compared."""
+        return self.compared and (self.shown or not self.device) and not self.line
+
+    @property
+    def compared(self) -> bool:
+        """Whether anything that happens there can be compared: it is wired, and a pin of its own on both boards."""
+        return bool(self.target) and not self.shares_with
+
+    @property
+    def title(self) -> str:
+        """What reports call it: the component with the port."""
+        return f"{self.component} ({self.name})" if self.component else self.name
+
+    def to_json(self) -> dict[str, Any]:
+        """The port as an element of `binding[]` in the JSON contract."""
+        return {
+            "port": self.name, "component": self.component or None, "source": self.source, "target": self.target or None,
+            "device": self.device or None,
+        }  # fmt: skip
+
+
+def bound_ports(plan: migration.MigrationPlan, folder: Path | None = None) -> list[BoundPort]:
+    """The ports of a plan's program, in the order of the plan.
+
+    Args:
+        plan: a stored plan with its program and its source platform.
+        folder: where the program's files are stored under the paths of the plan; without it, uses of ports in the bodies of
+            macros and those that are decided at run time are not found.
+    """
+    assert plan.program is not None
+    assert plan.source is not None
+    own = OwnFunctionPins(plan)
+    seen = views(plan.program, ApiIndex.of(plan.source).adapted(own))
+    uses: dict[int, dict[str, set[str]]] = {}
+    places: dict[int, set[tuple[str, int]]] = {}
+    for use in _uses(plan, seen, folder):
+        if use.pin is not None:
+            uses.setdefault(use.pin, {}).setdefault(use.function, set()).add(use.direction)
+            places.setdefault(use.pin, set()).add((Path(str(unit_of(use.call).path)).name, use.line))
+    table = _table(str(plan.source.name))
+    averaged = set(table.texts("averaged", ()))
+    pulses, beside = (set(table.texts(name, ())) for name in ("pulses", "pulses_beside"))
+    rules, lines = table.tables("device", needed=False), set(table.table("lines").texts("functions", ()))
+    found: dict[str, BoundPort] = {}
+    others: list[BoundPort] = []
+    for binding in plan.portBindings:
+        channel = _CHANNEL.fullmatch(str(binding.name))
+        number = int(binding.sourcePin)
+        if channel is None and number < 0:
+            continue
+        source = f"AD{channel[1] or channel[2]}" if channel is not None else f"P{number}"
+        connection = binding.connection
+        pin = connection.pin if connection is not None and connection.pin is not None else binding.pin
+        component = connection.component if connection is not None else None
+        used = uses.get(number, {}) if channel is None else {}
+        line = not lines.isdisjoint(used)
+        device, called, near = ("", "", None) if line else _device(rules, used, channel is not None)
+        if not (device or line) and any("in" in used[function] for function in used.keys() & own.levels_read()):
+            device, called = _LEVELS_DEVICE, _LEVELS_PIN
+        port = BoundPort(
+            str(binding.name), source, str(pin.label) if pin is not None else "",
+            str(component.title or component.partTitle) if component is not None else "",
+            str(component.elementId) if component is not None else "", tuple(used), device, called, line,
+            averaged=bool(used) and bool(averaged & used.keys()),
+            pulsed=not pulses.isdisjoint(used) and used.keys() <= pulses | beside,
+            kinds=frozenset(kinds_of(connection)) if connection is not None else frozenset(),
+            split=_split(plan, binding), given_up=not binding.open, near=near,
+            called_at=frozenset(places.get(number, ())) if used else frozenset(),
+        )  # fmt: skip
+        first = found.setdefault(source, port)
+        if first is not port and first.target and port.target and first.target != port.target:
+            if binding.conventionalPort is not None:  # a device of several pins is at the ports that the convention says
+                first, port = port, first
+            found[source] = replace(first, shares_with=port.title)
+            others.append(replace(port, shares_with=first.title, device="", pin=""))
+    _connect(found, wired_devices(seen, table.tables("wired", needed=False), _roles(plan)))
+    for source in _asked_by_convention(plan):
+        there = found.get(source)
+        if there is not None and not there.device and not there.line:
+            found[source] = replace(there, device=_LEVELS_DEVICE, pin=_LEVELS_PIN)
+    return [*found.values(), *others]
+
+
+def _asked_by_convention(plan: migration.MigrationPlan) -> list[str]:
+    """The source pins of conventional ports that are digital inputs and belong to no particular component."""
+    return [
+        f"P{int(binding.sourcePin)}"
+        for binding in plan.portBindings
+        if (port := binding.conventionalPort) is not None
+        and port.direction == platform.Direction.input
+        and port.capability == platform.PinCapability.digital
+        and not port.componentRole
+        and int(binding.sourcePin) >= 0
+    ]
+
+
+def _split(plan: migration.MigrationPlan, binding: migration.PortBinding) -> tuple[str, ...]:
+    """The pins of a component with a wire for each direction: the one that triggers it, and the one that answers."""
+    pins = (asking_pin(binding, list(plan.connections)), answering_pin(binding))
+    return tuple(str(pin.label) for pin in pins if pin is not None)
+
+
+def _uses(plan: migration.MigrationPlan, seen: Sequence[CodeView], folder: Path | None) -> list[PinUse]:
+    """What the program does with its ports."""
+    if folder is None:
+        return pin_uses(seen)
+    assert plan.program is not None
+    try:
+        sources = {str(u.path): inputs.read_bytes(folder / str(u.path), inputs.SOURCE) for u in plan.program.units}
+    except OSError:
+        return pin_uses(seen)  # the caller that needs the files reports that they are missing
+    ports = program_ports(seen, port_flows(seen, sources)).ports
+    return [use if use.pin == port.pin else replace(use, pin=port.pin) for port in ports for use in port.uses]
+
+
+def _roles(plan: migration.MigrationPlan) -> dict[str, int]:
+    """The conventional ports of a plan: name of the role -> number."""
+    return {str(name): int(b.sourcePin) for b in plan.portBindings for name in (b.name, *b.names) if b.sourcePin >= 0}
+
+
+def _connect(ports: dict[str, BoundPort], devices: Sequence[WiredDevice]) -> None:
+    """Assign devices with several ports to these; a device on the bus gets a port of its own, named by its address."""
+    for device in devices:
+        if not device.pins:
+            place = f"I2C {device.settings['address']:#04x}"
+            ports[place] = BoundPort(place, place, place, device=device.kind, settings=device.settings)
+            continue
+        at = {called: f"P{number}" for called, number in device.pins.items()}
+        if not set(at.values()) <= ports.keys():
+            continue
+        group = next(iter(at.values()))
+        functions = {name for source in at.values() for name in ports[source].functions}
+        closed, placed, timed = (not functions.isdisjoint(by) for by in (device.closed_by, device.placed_by, device.timed_by))
+        settings = {**device.settings, "timed": int(timed)} if device.placed_by else device.settings
+        shown = () if closed else device_facts().get(device.kind, {}).get("shown", ())
+        for source in dict.fromkeys(at.values()):
+            called = [name for name, place in at.items() if place == source]
+            ports[source] = replace(
+                ports[source], device=device.kind, pin=" ".join(called), line=False, group=group, settings=settings,
+                shown=not set(called).isdisjoint(shown), loop_ms=device.loop_ms if closed else 0.0,
+                placed=placed, timed=timed, recounts=device.recounts,
+            )  # fmt: skip
+
+
+def resting_pins(plan: migration.MigrationPlan) -> dict[str, int]:
+    """Label -> level (0 or 1) of the pins that a program holds from its start so that the component there does nothing."""
+    return {str(c.pin.label): _LEVELS[str(c.restLevel)] for c in rest_levels(plan) if c.pin is not None}
+
+
+def reads_console(plan: migration.MigrationPlan) -> bool:
+    """Whether a plan's program reads what is typed."""
+    assert plan.source is not None
+    known = _table(str(plan.source.name)).table("console").texts("reads", ())
+    return any(use.name in known for use in plan.adapterUses)
+
+
+@cache
+def _table(platform: str) -> DataTable:
+    path = resources.find("platform_repo", f"{platform}/devices.toml")
+    return DataTable(path, read_data(path))
+
+
+def texts_understood(plan: migration.MigrationPlan) -> list[str]:
+    """Texts that a plan's program may react to: the characters in its code, and, as lines, the texts that it compares with.
+
+    If it compares with variables, these are the texts in its initializers. If it converts text to numbers, each text is also
+    given with a number after it, one of them beyond 16 bits, and there are lines of several numbers.
+    """
+    shown, words, reads_numbers = _understood(plan)
+    texts = [*shown, *(f"{word}\r" for word in words)][:_MOST_TEXTS]
+    if not reads_numbers:
+        return texts
+    behind = [f"{before}{number}\r" for number in _NUMBERS for before in (*(f"{word} " for word in words), *shown)]
+    return [*texts, *_NUMBER_LINES, *behind[:_MOST_TEXTS]]
+
+
+def numbers_understood(plan: migration.MigrationPlan) -> list[tuple[str, int]]:
+    """The numbers that a plan's program compares with those that it reads, each with a text to type before it.
+
+    That text is empty, one that the program may react to, or other numbers that it reads first. If the program compares none
+    with a constant, 0 stands for them.
+    """
+    assert plan.program is not None
+    assert plan.source is not None
+    shown, words, reads_numbers = _understood(plan)
+    before = ["", *[*(f"{word} " for word in words), *shown, *(f"{word}\r" for word in words)][:_MOST_TEXTS]]
+    numbers = compared_numbers(plan.program, _table(str(plan.source.name)).table("console").texts("numbers", ()))
+    if reads_numbers:
+        before += _NUMBERS_BEFORE
+        numbers = numbers or [0]
+    return [(each, number) for number in numbers[:_MOST_COMPARED] if abs(number) < _LARGEST for each in before]
+
+
+def _understood(plan: migration.MigrationPlan) -> tuple[list[str], list[str], bool]:
+    """The characters and the texts that a plan's program may react to, and whether it converts text to numbers."""
+    assert plan.program is not None
+    assert plan.source is not None
+    console = _table(str(plan.source.name)).table("console")
+    compares, numbers = console.texts("compares", ()), console.texts("numbers", ())
+    letters: dict[str, None] = {}
+    words: dict[str, None] = {}
+    reads_numbers = of_tables = False
+    for element in (e for unit in plan.program.units for e in all_contents(unit)):
+        if isinstance(element, ccode.CharacterLiteral):
+            letters.setdefault(chr(int(element.value) & 0xFF))
+        elif isinstance(element, ccode.Call) and element.calleeName in compares:
+            literals = [a for a in element.arguments if isinstance(a, ccode.StringLiteral)]
+            words |= {str(a.text).strip('"'): None for a in literals}
+            of_tables = of_tables or not literals
+        elif isinstance(element, ccode.Call):
+            reads_numbers = reads_numbers or element.calleeName in numbers
+    if of_tables:  # input is compared with the content of a variable
+        lists = [e for unit in plan.program.units for e in all_contents(unit) if isinstance(e, ccode.InitializerList)]
+        words |= {str(e.text).strip('"'): None for each in lists for e in each.elements if isinstance(e, ccode.StringLiteral)}
+    return [letter for letter in letters if letter.isprintable()], list(words), reads_numbers
+
+
+def _device(
+    rules: Sequence[DataTable], used: Mapping[str, set[str]], channel: bool
+) -> tuple[str, str, tuple[float, float] | None]:
+    """The kind of the device at a port (empty: none), its name of the port, and how far from borders values are tried."""
+    ways = {way for told in used.values() for way in told}
+    for rule in rules:
+        if rule.flag("channels", False) != channel:
+            continue
+        wanted, beside = set(rule.texts("ways", ())), set(rule.texts("beside", ()))
+        driven = not beside or not beside.isdisjoint(used)
+        if channel or (not used.keys().isdisjoint(rule.texts("functions", ())) and wanted <= ways and driven):
+            percent, more = rule.numbers("near", (0, 0))
+            return rule.text("kind"), rule.text("pin"), (percent, more) if percent else None
+    return "", "", None
+
+
+def at_rest(device: str, kinds: frozenset[str]) -> Mapping[str, Json]:
+    """What a device shows while nothing happens: setting -> value.
+
+    Args:
+        device: its kind.
+        kinds: kinds of the component there.
+    """
+    facts = device_facts().get(device, {})
+    own = [shown for kind, shown in facts.get("rest_of", {}).items() if kind in kinds]
+    return dict(own[0] if own else facts.get("rest", {}))
+
+
+def compared_numbers(program: ccode.Program, reads: Collection[str]) -> list[int]:
+    """The constants with which a program compares numbers that it has read, in text order, each once.
+
+    Args:
+        program: the program.
+        reads: the names of the functions that read numbers, and give them as results or through arguments.
+    """
+    units = [(unit, list(all_contents(unit))) for unit in program.units]
+    holders = {f"{name}()" for name in reads}
+    known = 0
+    while known < len(holders):
+        known = len(holders)
+        for element in (each for _, elements in units for each in elements):
+            holders.update(_given(element, holders, reads))
+    found: list[int] = []
+    for unit, elements in units:
+        values = Values(program, unit)
+        for element in elements:
+            for constant in _compared(element, holders):
+                if not any(isinstance(each, ccode.CharacterLiteral) for each in (constant, *all_contents(constant))):
+                    found += [value.number for value in values.of(constant) if value.number is not None]
+    return list(dict.fromkeys(found))
+
+
+def _given(element: Element, holders: set[str], reads: Collection[str]) -> Iterator[str]:
+    """The names that get a number that was read, or a pointer to what gets one, by an element."""
+    if isinstance(element, ccode.Assignment):
+        if _holds(element.right, holders):
+            yield from _holder(element.left)
+    elif isinstance(element, ccode.Variable):
+        if _holds(element.initializer, holders):
+            yield str(element.name)
+    elif isinstance(element, ccode.Function):
+        if any(isinstance(each, ccode.Return) and _holds(each.value, holders) for each in all_contents(element)):
+            yield f"{element.name}()"
+    elif isinstance(element, ccode.Call):
+        parameters = [] if element.callee is None else [str(each.name) for each in element.callee.parameters]
+        for number, argument in enumerate(element.arguments):
+            parameter = parameters[number] if number < len(parameters) else ""
+            if element.calleeName in reads or (parameter in holders and _is_address(argument)):
+                yield from _holder(argument)
+            elif parameter and _holds(argument, holders):
+                yield parameter
+
+
+def _compared(element: Element, holders: set[str]) -> Iterator[Element]:
+    """The expressions with which an element compares a number that was read."""
+    if isinstance(element, ccode.Binary) and str(element.operator) in COMPARISONS:
+        for side, other in ((element.left, element.right), (element.right, element.left)):
+            if other is not None and _holds(side, holders):
+                yield other
+    elif isinstance(element, ccode.Switch) and _holds(element.selector, holders):
+        for case in all_contents(element):
+            if isinstance(case, ccode.Case) and case.constant is not None:
+                yield case.constant
+
+
+def _is_address(expression: Element) -> bool:
+    return isinstance(expression, ccode.Unary) and str(expression.operator) == "&"
+
+
+def _holder(expression: Element | None) -> Iterator[str]:
+    """The name of the variable or member that an expression denotes, or points to; a member's name begins with a point."""
+    while isinstance(expression, (ccode.Index, ccode.Unary, ccode.Cast)):
+        expression = expression.array if isinstance(expression, ccode.Index) else expression.operand
+    yield from named(expression)
+
+
+def _holds(expression: Element | None, holders: set[str]) -> bool:
+    """Whether an expression has a number that was read."""
+    return not holders.isdisjoint(names_within(expression))

@@ -1,0 +1,144 @@
+"""Run the migrated program in each scenario, and compare it with what the original has done there.
+
+Of each run of the migrated program only the events of the channels are kept, since a trace may have some hundred thousand
+edges: only the traces of the runs in progress are in memory.
+
+A second look at a scenario in which the migrated program differs: does the source differ from itself there as well?
+
+The few varied runs of a scenario are a sample. If an input changes just beside the instant at which the program reads it, only
+some of them, by chance, see it at the next read; the same holds for the servo frame in which a new speed takes effect. So if
+there is a difference, further runs are made, and it counts only if they do not show it themselves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from msgspec import Struct
+
+from robosmi.base.doing import doing
+from robosmi.errors import VerificationError
+from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
+from robosmi.transformations.verification.judgement.after_the_end import simulated_longer
+from robosmi.transformations.verification.judgement.judging import SAME_MS, ended_badly, judged, without_target
+from robosmi.transformations.verification.judgement.seen_beside import NO_LEVELS
+from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, SourceRuns, channel_events, run_further
+from robosmi.transformations.verification.target_side import LIMIT_S, NOTHING_SEEN, TargetSide
+from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.scenario import Scenario
+from robosmi.verify.simulation import PinTrace
+from robosmi.verify.traces.activity import ActivityEvent
+from robosmi.verify.traces.alignment import alike
+from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NOT_DECIDABLE, ScenarioVerdict
+
+Case = tuple[Scenario, SourceRuns]
+
+
+class ComparedScenario(Struct):
+    """A scenario that was compared.
+
+    Attributes:
+        told: the verdict on it.
+        runs: the original's runs.
+        target: channel -> the events of the migrated program.
+        trace: its whole trace, if that was asked for.
+    """
+
+    told: ScenarioVerdict
+    runs: SourceRuns
+    target: dict[str, list[ActivityEvent]]
+    trace: PinTrace | None = None
+
+
+class ComparedScenarios(Struct):
+    """The results of all scenarios.
+
+    Attributes:
+        kept: the scenarios that were compared.
+        racy: generated scenarios that were dropped because a second look shows that the source differs from itself there.
+        undecided: the errors because of which a run of the migrated program is not known and a verdict is not possible.
+    """
+
+    kept: list[ComparedScenario] = []
+    racy: list[Case] = []
+    undecided: list[VerificationError] = []
+
+
+def compare_scenarios(
+    program: OriginalProgram, ports: Sequence[BoundPort], cases: Sequence[Case], side: TargetSide, one_thread: bool,
+    at_rest: Mapping[str, int], whole: bool = False,
+) -> ComparedScenarios:  # fmt: skip
+    """Run the migrated program in each scenario, and compare what both do.
+
+    Args:
+        program: the original.
+        ports: the ports.
+        cases: the scenarios with the original's runs.
+        side: the migrated program on its board.
+        one_thread: whether a single thread of the source does all that is observed.
+        at_rest: the pins that the migrated program holds so that the component there does nothing, with their levels.
+        whole: whether to keep the whole traces of the migrated program.
+    """
+
+    def further(scenario: Scenario, runs: SourceRuns) -> SourceRuns:
+        doing(f"look whether the source differs from itself in '{scenario.name}'")
+        return run_further(program, ports, scenario, runs, LIMIT_S)
+
+    found = ComparedScenarios()
+    number = 0
+    for (scenario, runs), trace in zip(cases, side.run([simulated_longer(*case) for case in cases]), strict=True):
+        number += 1
+        doing(f"compare what both do: {number} of {len(cases)}")
+        if not side.shows_console:
+            runs.channels.pop(CONSOLE_CHANNEL, None)
+        if isinstance(trace, VerificationError):
+            told, seen = without_target(scenario, runs, trace), NOTHING_SEEN
+            found.undecided += [] if ended_badly(runs) else [trace]
+        else:
+            first, seen = judged(scenario, runs, trace, ports, one_thread, at_rest), trace
+            told = looked_at_again(first, scenario, trace, ports, one_thread, runs, further, at_rest)
+            if told is not first and told.verdict == NOT_DECIDABLE and scenario.origin == "generated":
+                found.racy.append((scenario, runs))
+                continue
+        target = {name: events for name, (events, *_) in channel_events(seen, ports, target=True).items()}
+        found.kept.append(ComparedScenario(told, runs, target, seen if whole else None))
+    return found
+
+
+def looked_at_again(
+    told: ScenarioVerdict,
+    scenario: Scenario,
+    trace: PinTrace,
+    ports: Sequence[BoundPort],
+    one_thread: bool,
+    runs: SourceRuns,
+    further: Callable[[Scenario, SourceRuns], SourceRuns],
+    at_rest: Mapping[str, int] = NO_LEVELS,
+) -> ScenarioVerdict:
+    """The verdict on a scenario, with further runs of the source if it is a difference.
+
+    Args:
+        told: the verdict from the runs so far.
+        scenario: the scenario.
+        trace: the run of the migrated program.
+        ports: the ports.
+        one_thread: whether a single thread of the source does all that is observed.
+        runs: the runs of the source.
+        further: adds further runs of the source.
+        at_rest: the pins that the migrated program holds so that the component there does nothing, with their levels.
+    """
+    first = told.first
+    if told.verdict != DIFFERENT_VERDICT or first is None or told.crash is not None:
+        return told
+    more = further(scenario, runs)
+    again = judged(scenario, more, trace, ports, one_thread, at_rest)
+    selves = [each.itself for each in again.channels if each.channel == first.channel]
+    itself = selves[0] if selves else None
+    if itself is None or again.verdict == DIFFERENT_VERDICT:
+        return again
+    until_ms = first.at_ms
+    if first.source is not None and first.target is not None and alike(first.source, first.target):  # only its duration differs
+        events = more.channels[first.channel][0][0]
+        later_ms = [event.at_us / 1000 for event in events if event.at_us / 1000 > first.at_ms]
+        until_ms = min(later_ms) if later_ms else scenario.horizon_ms
+    return again if itself.at_ms <= until_ms + SAME_MS else told  # a later one explains nothing
