@@ -1,7 +1,7 @@
 # make demo   set everything up, move the line follower, show what was made
 # make test   set everything up (system packages too, where this may) and run all tests, in a process for each core
 # make lint   ruff and mypy, in an environment of its own
-# make bench  the figures of the README, measured
+# make bench  the figures of the README and others, measured, in one table
 # make fuzz  damaged and large inputs, odd environments, by hand (not in CI)
 # make evaluate  the figures of the library ranking on the labelled queries, where these are beside the checkout
 # make faults    faults and harmless rewritings in the migrated case studies, and what `verify` notices of them, by hand (not in CI)
@@ -46,16 +46,7 @@ lint:
 	@sh .ci/lint
 
 bench: $(VENV)/.ready
-	$(BIN)/python tests/bench/bench.py
-	$(BIN)/python tests/bench/c_source.py
-	$(BIN)/python tests/bench/recommend.py
-	$(BIN)/python -m tests.bench.drawings
-	$(BIN)/python tests/bench/xmi.py
-	$(BIN)/python tests/bench/rules.py
-	$(BIN)/python tests/bench/query.py
-	$(BIN)/python tests/bench/generate.py
-	$(BIN)/python tests/bench/simulation.py
-	$(BIN)/python -m tests.bench.page
+	$(BIN)/python -m tests.bench
 
 evaluate: $(VENV)/.ready
 	$(BIN)/python -m tests.recommend.paper_ranks
@@ -79,6 +70,7 @@ fuzz: $(VENV)/.ready
 	$(BIN)/python -m tests.fuzz.environments
 	$(BIN)/python -m tests.fuzz.runs
 	$(BIN)/python -m tests.fuzz.interrupts
+	$(BIN)/python -m tests.fuzz.native
 
 adapters: $(VENV)/.ready system-packages
 	$(BIN)/python -m tests.adapters.alone

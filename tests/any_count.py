@@ -14,7 +14,7 @@ ROOT = Path(__file__).parents[1]
 FOLDERS = ("robosmi", "transformations")
 
 
-def annotations(tree: ast.AST) -> Iterator[ast.expr]:
+def annotations_of(tree: ast.AST) -> Iterator[ast.expr]:
     """The annotations of parameters, results and variables; those written as texts are parsed."""
     for node in ast.walk(tree):
         found = node.returns if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) else getattr(node, "annotation", None)
@@ -33,7 +33,7 @@ def any_count(source: str) -> int:
             names |= {each.asname or each.name for each in node.names if each.name == "Any"}
         elif isinstance(node, ast.Import):
             names |= {f"{each.asname or each.name}.Any" for each in node.names if each.name == "typing"}
-    parts = (part for annotation in annotations(tree) for part in ast.walk(annotation))
+    parts = (part for annotation in annotations_of(tree) for part in ast.walk(annotation))
     return sum(isinstance(part, (ast.Name, ast.Attribute)) and ast.unparse(part) in names for part in parts)
 
 

@@ -204,10 +204,11 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
             return Q._of(self._items[:n])
         return self._items[0] if self._items else None
 
-    def flatten(self) -> Q[Any]:
+    def flatten(self) -> Q[Dynamic]:
         """The items of all nested collections, on all levels: a Sequence; without a nested collection the kind stays."""
         flat = flattened(self._items)
-        return self._made(list(self._items)) if flat is None else Q._of(flat)
+        made: Q[Any] = self._made(list(self._items)) if flat is None else Q._of(flat)
+        return made
 
     def distinct(self) -> Q[T]:
         """A Sequence of each item once, in the order first seen (see `as_ordered_set`)."""
@@ -236,8 +237,12 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
         return Map((value, Q._of(items)) for value, items in grouped(self._source(kind), body))
 
     def aggregate(
-        self, body: Callable[[T], K], value: Callable[[T, Any], Any], initial: Answer = None, kind: AnyKind | None = None
-    ) -> Map[K, Any]:
+        self,
+        body: Callable[[T], K],
+        value: Callable[[T, V], V],
+        initial: V | Callable[[T], V] | None = None,
+        kind: AnyKind | None = None,
+    ) -> Map[K, V]:
         """A map from the first body's values to a running total.
 
         Args:
@@ -251,11 +256,11 @@ class Q(FirstOrder[T], Items[T], Changeable[T], Totals[T], Sequence[T]):
         totals: Map[K, Any] = Map(())
         for x in self._source(kind):
             place = body(x)
-            total = totals[place] if place in totals else initial(x) if callable(initial) else initial
+            total: Any = totals[place] if place in totals else initial(x) if callable(initial) else initial
             totals[place] = value(x, total)
         return totals
 
-    def closure(self, body: Callable[[T], Any], kind: AnyKind | None = None) -> OrderedSet[Any]:
+    def closure(self, body: Callable[[T], R], kind: AnyKind | None = None) -> OrderedSet[Dynamic]:
         """Everything reached by applying the body again and again, depth first, each item once.
 
         The body may give one item, a collection, or None. An item of the source is in the result only if it is reached. With a

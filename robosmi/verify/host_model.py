@@ -38,6 +38,7 @@ class HostModel(Struct, frozen=True):
         pins: labels of the pins, by number.
         channels: labels of the converter's channels, by number.
         compiler: the table `compiler`: programs and their flags.
+        predefined: what the platform's own compiler defines: names of macros, and their text after `=`.
         same: functions of the machine's C library that programs may use as they are.
         devices: what the board has at its pins and buses by itself.
     """
@@ -54,6 +55,7 @@ class HostModel(Struct, frozen=True):
     pins: tuple[str, ...]
     channels: tuple[str, ...]
     compiler: DataTable
+    predefined: tuple[str, ...]
     same: frozenset[str]
     devices: tuple[DeviceUse, ...]
 
@@ -78,6 +80,12 @@ class HostModel(Struct, frozen=True):
         if missing:
             raise MissingToolError(f"not installed: {', '.join(missing)}", fix=self.install)
         return {role: path for role, path in found.items() if path is not None}
+
+    @property
+    def predefined_text(self) -> str:
+        """A header with what the platform's own compiler defines."""
+        macros = (macro.partition("=") for macro in self.predefined)
+        return "".join(f"#define {name} {text if sign else 1}\n" for name, sign, text in macros)
 
     @property
     def install(self) -> str:
@@ -107,6 +115,7 @@ def load_host_model(platform: str, project: Path | None = None) -> HostModel:
     libraries: dict[str, Path] = {}
     for library in (file for place in places for file in sorted((place / "libraries").glob("*.c"))):
         libraries.setdefault(library.name, library.resolve())
+    parser = DataTable.read(resources.find(KIND, f"{platform}/platform.toml", project)).table("parser")
     pin, channel = table.text("pin_label"), table.text("channel_label")
     return HostModel(
         folder=path.parent,
@@ -121,6 +130,7 @@ def load_host_model(platform: str, project: Path | None = None) -> HostModel:
         pins=tuple(f"{pin}{number}" for number in range(table.number("pins"))),
         channels=tuple(f"{channel}{number}" for number in range(table.number("channels"))),
         compiler=table.table("compiler"),
+        predefined=parser.texts("predefined", ()) + parser.texts("defines", ()),
         same=frozenset(table.table("compiler").texts("same")),
         devices=tuple(_device(each) for each in table.tables("devices", needed=False)),
     )

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 import subprocess
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from time import monotonic
@@ -18,20 +18,19 @@ from time import monotonic
 from msgspec import Struct
 
 from robosmi.diagnostics import Location
-from robosmi.errors import InternalError, MissingToolError, VerificationError
+from robosmi.errors import MissingToolError, VerificationError
+from robosmi.verify.assembler_text import check_directives
 from robosmi.verify.host_model import HostModel
+from robosmi.verify.joined_objects import Counters, elf_at, joined, made_by_tools, rename
+from robosmi.verify.linked_names import PROGRAM_DATA, Kept, check_linked, library_names, names_of
+from robosmi.verify.sandbox import FLAGS, SOURCE, Launcher, launcher
 from robosmi.verify.toolchains import archives
 from robosmi.verify.toolchains.machine_faults import check_machine
 from robosmi.verify.toolchains.processes import in_parallel
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.tools import run, tool_version
+from robosmi.verify.used_files import check_used, used_files
 
-_MODEL_NAME = re.compile(r"host_|__gcov|__sanitizer|__(?:start|stop)_program_|_GLOBAL_OFFSET_TABLE_")
-_ARITHMETIC = re.compile(
-    r"__(?:u?(?:div|mod|divmod|cmp)[sdt]i\d|(?:ash[lr]|lshr|mul|neg|ffs|clz|ctz|popcount|parity)[sd]i\d|fix\w+|float\w+)"
-)
-"""What gcc calls for arithmetic that the machine has no instruction for."""
-_COUNTERS = re.compile(r"__gcov0\.")
 _MESSAGE = re.compile(r"^(?P<path>[^\n:]+):(?P<line>\d+):(?:(?P<column>\d+):)? (?:fatal )?error: (?P<message>.*)$", re.MULTILINE)
 _IN_MACRO = re.compile(
     r"^<[\w-]+>: (?:fatal )?error: (?P<message>.*)\n"
@@ -41,6 +40,10 @@ _IN_MACRO = re.compile(
 """A compiler message about the expansion of a macro from the command line; its note has the place."""
 _TWICE = re.compile(r"multiple definition of [`']([^`']+)'")
 _GENERATED = "unmodelled.c"
+_FIRST = "predefined.h"
+"""What the compiler of the platform defines; read before the program, which also keeps gcc from precompiled headers."""
+_MOST_DATA = 1 << 24
+"""Bytes of data of a program, some hundred times what its platform has."""
 VARIANT = "$"
 """Separator in the file name of a replacement for a header without a model; what follows it only makes names unique."""
 
@@ -50,19 +53,23 @@ class OriginalProgram(Struct, frozen=True):
 
     Attributes:
         binary: the program; it lies in the folder that it was built in, with all that measuring its coverage takes.
+        launcher: starts it in its sandbox.
         model: the host model.
         sources: the user's files.
         compiler: name and version of the compiler.
         unmodelled: functions that it calls and that neither it nor the model has; reaching one ends a run.
-        counters: place and size in bytes of each function's coverage counters in the data that a run leaves.
+        counters: where each function's coverage counters are in the data that a run leaves.
+        data_bytes: the size of that data.
     """
 
     binary: Path
+    launcher: Launcher
     model: HostModel
     sources: tuple[Path, ...]
     compiler: str
     unmodelled: tuple[str, ...]
-    counters: tuple[tuple[int, int], ...]
+    counters: tuple[Counters, ...]
+    data_bytes: int
 
 
 def build_original(
@@ -72,6 +79,9 @@ def build_original(
     include_folders: Sequence[Path] = (),
     headers: Mapping[str, str] | None = None,
     limit_s: float = 60.0,
+    *,
+    only: Collection[Path] | None = None,
+    trusted: bool = False,
 ) -> OriginalProgram:
     """Compile and link a program.
 
@@ -82,12 +92,16 @@ def build_original(
         include_folders: where headers of the program are looked for, beside the file that includes them.
         headers: name -> text of further headers, looked for last.
         limit_s: seconds of this machine's time for all of it.
+        only: the files that the program may include, beside those of the model; any if None.
+        trusted: whether a person trusts the program, so that it may also run where the system has no sandbox for it.
 
     Raises:
-        MissingToolError: the host's compiler is not installed, or cannot make programs of the platform's word size.
+        MissingToolError: the host's compiler is not installed, or cannot make programs of the platform's word size; or the
+            system has no sandbox.
         VerificationError: the program does not compile or link, or that takes too long.
     """
-    build = _Build(model, folder.resolve(), monotonic() + limit_s)
+    files = None if only is None else frozenset(path.resolve() for path in only)
+    build = _Build(model, folder.resolve(), monotonic() + limit_s, files, trusted)
     return build.program([path.resolve() for path in sources], [path.resolve() for path in include_folders], headers or {})
 
 
@@ -105,44 +119,53 @@ class _Build(Struct, dict=True):
     model: HostModel
     folder: Path
     until: float
+    only: frozenset[Path] | None = None
+    trusted: bool = False
 
     def program(self, sources: list[Path], include_folders: list[Path], headers: Mapping[str, str]) -> OriginalProgram:
         self._find_tools()
+        started_by = self._launcher()
         library = self._library()
-        known = set(_defined(self.tools["names"], library))
+        known = _defined(self.tools["names"], library)
         more = self.folder / "headers"
+        more.mkdir(exist_ok=True)
         for name, text in headers.items():
             (more / name).parent.mkdir(parents=True, exist_ok=True)
             (more / name).write_text(text, encoding="utf-8")
-        flags = [*self._flags("machine"), *self._flags("program"), *self._flags("hooks")]
+        (self.folder / _FIRST).write_text(self.model.predefined_text)
+        flags = [*self._flags("machine"), *self._flags("program"), *self._flags("hooks"), "-include", str(self.folder / _FIRST)]
         flags += [f"-I{path}" for path in include_folders] + self._headers() + ["-isystem", str(more)]
         objects = [self.folder / f"{number}-{path.stem}.o" for number, path in enumerate(sources)]
-        jobs = [
-            ["command", *flags, f"-fmacro-prefix-map={path.parent}/=", "-c", str(path), "-o", str(target)]  # of __FILE__
-            for path, target in zip(sources, objects, strict=True)
-        ]
-        self._run_all(jobs)
-        joined, named = self.folder / "joined.o", self.folder / "program.o"
-        self._run(
-            "linker", "-r", "-m", self.model.compiler.text("linker_machine"), "-o", str(joined), *(str(path) for path in objects)
-        )
-        names = self._names(joined)
-        if "main" not in names.defined:
-            raise VerificationError("the program has no function main", fix="name the file that has it, too")
-        sections = {".bss": "program_data", ".init_array": "program_setup", ".text": "program_text"}
-        renamed = [word for old, new in sections.items() for word in ("--rename-section", f"{old}={new}")]
-        self._rename(joined, named, names, *renamed)
-        known |= {self.model.prefix + name for name in names.defined}
-        unmodelled = sorted(name for name in names.undefined if self._is_own(name) and self.model.prefix + name not in known)
+        for _ in in_parallel(lambda job: self._compile(*job, flags), list(zip(sources, objects, strict=True))):
+            pass
+        made = joined(objects, self.folder, self.model, known, self._run)
         binary = self.folder / "original"
-        self._link(binary, named, *([self._stubs(unmodelled)] if unmodelled else []), library)
-        unknown = tuple(dict.fromkeys(_as_written(name) for name in unmodelled))
-        return OriginalProgram(binary, self.model, tuple(sources), self.compiler, unknown, names.counters)
+        self._link(binary, made.path, *([self._stubs(made.unmodelled)] if made.unmodelled else []), library)
+        linked = elf_at(binary)
+        check_linked(linked)
+        data_bytes = sum(section.size for section in linked.sections if section.name == PROGRAM_DATA)
+        if data_bytes > _MOST_DATA:
+            raise VerificationError(
+                f"the program's data take {data_bytes} bytes", fix=f"let them take {_MOST_DATA} bytes at most"
+            )
+        unknown = tuple(dict.fromkeys(_as_written(name) for name in made.unmodelled))
+        return OriginalProgram(binary, started_by, self.model, tuple(sources), self.compiler, unknown, made.counters, data_bytes)
+
+    def _compile(self, source: Path, target: Path, flags: Sequence[str]) -> None:
+        """Compile a file of the program, and look at the files and the assembler text that it consists of."""
+        text, used = target.with_suffix(".s"), target.with_suffix(".d")
+        prefix = f"-fmacro-prefix-map={source.parent}/="  # of __FILE__
+        self._run("command", *flags, prefix, "-MD", "-MF", str(used), "-S", str(source), "-o", str(text))
+        if self.only is not None:
+            rule = made_by_tools(used).decode("utf-8", "surrogateescape")
+            check_used(used_files(rule, self.folder), self.only, (self.folder, *self.model.headers))
+        check_directives(made_by_tools(text).decode("latin-1"))
+        self._run("command", *self._flags("machine"), "-c", str(text), "-o", str(target))
 
     # ---- the model, compiled once
 
     def _library(self) -> Path:
-        flags = [*self._flags("machine"), *self._flags("program"), *self._flags("chip")]
+        flags = [*self._flags("machine"), *self._flags("program"), *self._flags("chip"), self.model.predefined_text]
         name = f"host-{self.model.platform}-{archives.digest(self.model.files, self.compiler, flags)}.a"
         return archives.cached(name) or archives.keep(self._compile_model(name), name)
 
@@ -150,7 +173,10 @@ class _Build(Struct, dict=True):
         folder = self.folder / "model"
         folder.mkdir(exist_ok=True)
         include = f"-I{self.model.folder / 'include'}"
-        kinds = {"chip": [*self._flags("chip"), include], "libraries": [*self._flags("program"), "-O1", *self._headers()]}
+        first = folder / _FIRST
+        first.write_text(self.model.predefined_text)
+        program = [*self._flags("program"), "-include", str(first), "-O1", *self._headers()]
+        kinds = {"chip": [*self._flags("chip"), include], "libraries": program}
         jobs, objects = [], []
         for part, flags in kinds.items():
             for path in self.model.sources(part):
@@ -158,12 +184,13 @@ class _Build(Struct, dict=True):
                 jobs.append(["command", *self._flags("machine"), *flags, "-c", str(path), "-o", str(objects[-1])])
         self.probe()
         self._run_all(jobs)
-        for path in objects:
-            if path.name.startswith("libraries-"):
-                names = self._names(path)
-                weak = [word for each in names.defined for word in ("--weaken-symbol", self.model.prefix + each)]
-                self._rename(path, path, names)
-                self._run("rename", *weak, str(path))
+        chip = {path: names_of(elf_at(path)) for path in objects if path.name.startswith("chip-")}
+        kept_names = Kept(self.model.same, frozenset[str]().union(*(names.defined for names in chip.values())))
+        for path in (path for path in objects if path not in chip):
+            names = names_of(elf_at(path))
+            weak = [word for each in names.defined for word in ("--weaken-symbol", self.model.prefix + each)]
+            rename(path, path, names, kept_names, self.model.prefix, self._run)
+            self._run("rename", *weak, str(path))
         library = folder / name
         self._run("archiver", "rcs", str(library), *(str(path) for path in objects))
         return library
@@ -179,6 +206,7 @@ class _Build(Struct, dict=True):
             MissingToolError: it does not, or is not there.
         """
         self._find_tools()
+        self._launcher()
         probe = self.folder / "probe.c"
         probe.write_text("#include <stdio.h>\nint main(void) { return 0; }\n")
         command = [
@@ -196,20 +224,11 @@ class _Build(Struct, dict=True):
                 fix=self.model.install,
             )
 
-    # ---- names
+    def _launcher(self) -> Launcher:
+        def compile_it(target: Path) -> subprocess.CompletedProcess[str]:
+            return self._start([self.tools["command"], *FLAGS, str(SOURCE), "-o", str(target)])
 
-    def _is_own(self, name: str) -> bool:
-        return not (_MODEL_NAME.match(name) or _ARITHMETIC.fullmatch(name) or name in self.model.same)
-
-    def _names(self, path: Path) -> _Names:
-        return _read_names(self._run("names", "-S", str(path)))
-
-    def _rename(self, path: Path, target: Path, names: _Names, *more: str) -> None:
-        own = {name for name in names.undefined if self._is_own(name)}
-        own |= {name for name in names.defined if not _MODEL_NAME.match(name)}
-        table = target.with_suffix(".names")
-        table.write_text("".join(f"{name} {self.model.prefix}{name}\n" for name in sorted(own)))
-        self._run("rename", f"--redefine-syms={table}", *more, str(path), str(target))
+        return launcher(compile_it, self.compiler, self.folder, not self.trusted)
 
     # ---- linking
 
@@ -229,7 +248,7 @@ class _Build(Struct, dict=True):
         command = [self.tools["command"], *(str(part) for part in parts), *self._flags("link"), "-o", str(binary)]
         done = self._start(command)
         if done.returncode != 0:
-            raise InternalError(f"the program cannot be linked with the host model: {done.stderr.strip()[-500:]}")
+            raise _unusual("linked with the host model", done)
 
     # ---- running tools
 
@@ -262,7 +281,7 @@ class _Build(Struct, dict=True):
             )  # fmt: skip
         if twice := set(_TWICE.findall(done.stderr)):
             raise VerificationError(f"the program defines {', '.join(sorted(twice))} more than once", fix="keep one of them")
-        raise InternalError(f"'{self.model.compiler.text(role)}' failed: {done.stderr.strip()[-500:]}")
+        raise _unusual(f"compiled on this machine by '{self.model.compiler.text(role)}'", done)
 
     def _start(self, command: Sequence[str]) -> subprocess.CompletedProcess[str]:
         try:
@@ -276,28 +295,18 @@ def _as_written(name: str) -> str:
     return name.partition(VARIANT)[0]
 
 
-class _Names(Struct, frozen=True):
-    """The global names of an object or archive, and the place and size of its coverage counters."""
-
-    defined: frozenset[str]
-    undefined: frozenset[str]
-    counters: tuple[tuple[int, int], ...]
-
-
-def _read_names(said: str) -> _Names:
-    """Parse the output of `nm -S`: value and size (if any), kind and name."""
-    found = [words for line in said.splitlines() if len(words := line.split()) >= 2]
-    return _Names(
-        frozenset(name for *_, kind, name in found if kind not in "Uw" and (kind.isupper() or kind in "vu")),
-        frozenset(name for *_, kind, name in found if kind in "Uw"),
-        tuple((int(words[0], 16), int(words[1], 16)) for words in found if len(words) == 4 and _COUNTERS.match(words[3])),
+def _unusual(what: str, done: subprocess.CompletedProcess[str]) -> VerificationError:
+    """The error of a tool that does not take what the compiler has made of the program."""
+    return VerificationError(
+        f"the program cannot be {what}: {done.stderr.strip()[-500:]}",
+        fix="take assembler text and unusual attributes out of the program",
     )
 
 
 @cache
 def _defined(tool: str, archive: Path) -> frozenset[str]:
     """The names that an archive defines; its name says its content (see `archives`), so that it is read once."""
-    return _read_names(run([tool, "-S", str(archive)]).stdout).defined
+    return frozenset(library_names(run([tool, str(archive)]).stdout))
 
 
 def _environment() -> dict[str, str]:

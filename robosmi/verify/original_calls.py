@@ -19,6 +19,8 @@ from robosmi.verify.original_run import OriginalRun, run_original
 from robosmi.verify.simulation import DeviceUse
 from robosmi.verify.toolchains.tools import run
 
+_MOST_PLACES = 5000
+"""So many places of calls no program of the platform has."""
 _CALL_BYTES = 1
 """A return address minus this many bytes lies within the call instruction."""
 
@@ -64,7 +66,9 @@ def library_calls(
     places = _places(program, {site for _, site, _, _ in made})
     found: list[LibraryCall] = []
     for at_us, site, inside, prints in made:
-        called = LibraryCall(at_us, _named(functions, inside).removeprefix(program.model.prefix), *places[site], prints)
+        called = LibraryCall(
+            at_us, _named(functions, inside).removeprefix(program.model.prefix), *places.get(site, ("", 0)), prints
+        )
         if not found or (called.function, called.line) != (found[-1].function, found[-1].line):
             found.append(called)
         elif prints:
@@ -96,8 +100,13 @@ def _places(program: OriginalProgram, addresses: set[int]) -> dict[int, tuple[st
     """Address -> file and line."""
     if not addresses:
         return {}
-    listed = sorted(addresses)
-    command = [program.model.tools()["places"], "-e", str(program.binary), *(f"{each - _CALL_BYTES:#x}" for each in listed)]
+    listed = sorted(addresses)[:_MOST_PLACES]
+    command = [
+        program.model.tools()["places"],
+        "-e",
+        str(program.binary),
+        *(f"{max(each - _CALL_BYTES, 0):#x}" for each in listed),
+    ]
     found = {}
     for address, line in zip(listed, run(command).stdout.splitlines(), strict=True):
         file, _, number = line.split(" (")[0].rpartition(":")

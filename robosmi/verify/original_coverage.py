@@ -6,8 +6,8 @@ coverage tool which lines and branches the counters stand for.
 
 from __future__ import annotations
 
-import tempfile
-from collections.abc import Iterable, Mapping
+import struct
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +15,8 @@ from msgspec import Struct
 
 from robosmi.base.data_text import as_table, json_of
 from robosmi.errors import InternalError, MissingToolError
-from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.coverage_files import counters_file, read_notes
+from robosmi.verify.original_build import Counters, OriginalProgram
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.tools import run
 
@@ -61,7 +62,7 @@ def reached(program: OriginalProgram, counts: bytes) -> frozenset[int]:
         program: what ran.
         counts: what the run left (`OriginalRun.counts`).
     """
-    places = (at for begin, size in program.counters for at in range(begin, begin + size, _COUNTER_BYTES))
+    places = (at for each in program.counters for at in range(each.begin, each.begin + each.size, _COUNTER_BYTES))
     return frozenset(at for at in places if any(counts[at : at + _COUNTER_BYTES]))
 
 
@@ -75,11 +76,8 @@ def coverage(program: OriginalProgram, runs: Iterable[bytes]) -> SourceCoverage:
     Raises:
         MissingToolError: the coverage tool is not installed.
     """
+    _write_counters(program, [counts for counts in runs if counts])
     folder = program.binary.parent
-    for old in folder.glob("*.gcda"):
-        old.unlink()
-    for counts in (*runs, b""):
-        _add(program, counts)
     lines: dict[tuple[str, int], int] = {}
     branches: dict[tuple[str, int, int], int] = {}
     for data in sorted(folder.glob("*.gcda")):
@@ -97,15 +95,23 @@ def _ask_folder(program: OriginalProgram) -> Path:
     return program.binary.parent
 
 
-def _add(program: OriginalProgram, counts: bytes) -> None:
-    """Let the program write its coverage files from what a run left; they add up."""
-    size = max((begin + size for begin, size in program.counters), default=0)
-    if not counts and any(program.binary.parent.glob("*.gcda")):
-        return
-    with tempfile.TemporaryFile() as given:
-        given.write(counts or bytes(size))
-        given.seek(0)
-        run([str(program.binary), "counters"], program.binary.parent, {}, stdin=given)
+def _write_counters(program: OriginalProgram, runs: Sequence[bytes]) -> None:
+    """Write the coverage tool's file for each object, with the counters of all runs."""
+    of_object: dict[Path, list[Counters]] = {}
+    for each in program.counters:
+        of_object.setdefault(each.notes, []).append(each)
+    for path, counters in of_object.items():
+        notes = read_notes(path)
+        functions = {function.name: function for function in notes.functions}
+        counts = [(functions[each.function], _summed(each, runs)) for each in counters if each.function in functions]
+        path.with_suffix(".gcda").write_bytes(counters_file(notes, counts, len(runs)))
+
+
+def _summed(counters: Counters, runs: Sequence[bytes]) -> list[int]:
+    """The counters of a function, summed over runs."""
+    layout = struct.Struct(f"<{counters.size // _COUNTER_BYTES}Q")
+    found = [layout.unpack_from(counts, counters.begin) for counts in runs if len(counts) >= counters.begin + layout.size]
+    return [sum(each) for each in zip(*found, strict=True)] or [0] * (counters.size // _COUNTER_BYTES)
 
 
 def _ask(program: OriginalProgram, data: Path) -> dict[str, Any]:

@@ -1,8 +1,8 @@
 """Runs the original program in a process of its own and in virtual time, with the devices that a simulator would have.
 
-The process may only read and write its two pipes. It reports what happens at its pins, and asks back when it reaches the time
-of a device's action or changes a pin that a device is connected to; the devices, on a `Bench`, answer. So a run is
-reproducible, however fast this machine is. A `Variation` changes the costs of the program's steps, to find out whether its
+The process may only read and write its two pipes (see `sandbox`). It reports what happens at its pins, and asks back when it
+reaches the time of a device's action or changes a pin that a device is connected to; the devices, on a `Bench`, answer. So a run
+is reproducible, however fast this machine is. A `Variation` changes the costs of the program's steps, to find out whether its
 behaviour depends on them.
 
 The bench of a program that runs in a host model: it takes the records that come from its process, and makes the answers.
@@ -14,31 +14,46 @@ from __future__ import annotations
 
 import math
 import os
+import select
 import signal
 import struct
 import subprocess
 import threading
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from pathlib import Path
 from time import monotonic
+from typing import TypeVar
 
 from msgspec import Struct
 
-from robosmi.errors import UsageError, VerificationError
+from robosmi import inputs
+from robosmi.errors import UsageError
 from robosmi.verify.bench import AIMS, Bench, Level, device_class
 from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.sandbox import refusal
 from robosmi.verify.simulation import ConsoleByte, DeviceUse, PinChange, PinTrace, Wave
 from robosmi.verify.toolchains.processes import ending_with_us
 from robosmi.verify.toolchains.processor_time import HANGS
-from robosmi.verify.toolchains.temporary import temporary_folder
 
 STATES = {"running": "running", "finished": "done"}
 """Status of a run -> state of its trace; any other status is `crashed`."""
 
 _RECORD = struct.Struct("<QIIII")
-_SETTINGS = struct.Struct("<QQQQdddddddIIIIIIIII")
+_SETTINGS = struct.Struct("<QQQQdddddddIIIIIIII")
 _MOST_RECORDS = 1_000_000
 """Limit on the records of a run: a trace of this many takes 150 MB and a few seconds."""
+
+
+_MOST_TEXT = 4096
+"""Bytes of a text that the process sends: its status, its cause, or why it was not started."""
+_SIGSYS, _SIGKILL = 31, 9
+_MORE_RECORDS = 2000
+"""Records that the model may still send when it has reached the limit: a buffer of them, and the last one."""
+_PATIENCE_MS = 1000
+"""Milliseconds after which a process that sends nothing is looked at, whether it sleeps."""
+_STATUSES = ("running", "finished", "unmodelled", "crashed", "recursion", "output limit")
+"""What a process reports of its end."""
 
 
 class Variation(Struct, frozen=True):
@@ -118,14 +133,15 @@ def run_original(
     """
     bench = HostBench(program)
     bench.connect([*devices, *_boards_own(program, devices)], brief)
-    with temporary_folder("original") as place, ending_with_us(
+    command = program.launcher.command(program.binary, max(1, math.ceil(limit_s)))
+    with ending_with_us(
         lambda: subprocess.Popen(
-            [program.binary], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=place, env={},
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd="/", env={},
             bufsize=0, start_new_session=True,
         )
     ) as process, _killed_after(process, HANGS * limit_s):  # fmt: skip
-        run = _Conversation(bench, process, monotonic() + HANGS * limit_s)
-        run.begin(program, horizon_us, variation or Variation(), limit_s, calls_from_us)
+        run = _Conversation(bench, process, monotonic() + HANGS * limit_s, program.data_bytes)
+        run.begin(program, horizon_us, variation or Variation(), calls_from_us)
         status, cause, counts = run.result()
     trace = bench.trace(
         f"{program.model.title}, {program.compiler}", STATES.get(status, "crashed"), horizon_us, bench.waves, bench.console
@@ -149,40 +165,55 @@ def _address(use: DeviceUse) -> object:
 
 def _ended_by(code: int) -> str:
     """The reason why a process ended without telling it, from its exit code (a signal as a negative number)."""
-    if code == -signal.SIGKILL:
-        return (
-            "it was stopped from outside: it calls the operating system itself, which it may not, or needs more memory than "
-            "there is"
-        )
+    if code == -_SIGSYS:
+        return "it calls the operating system itself, which it may not"
+    if code == -_SIGKILL:
+        return "it was stopped from outside, or needs more memory than there is"
     return f"its process ended with {f'signal {-code}' if code < 0 else f'exit code {code}'} before its time"
+
+
+class _StuckError(Exception):
+    """A process waits for an answer that it has not asked for."""
 
 
 class _Conversation:
     """Records come in, answers go out, until the end or the time limit."""
 
-    def __init__(self, bench: HostBench, process: subprocess.Popen[bytes], until: float) -> None:
+    def __init__(self, bench: HostBench, process: subprocess.Popen[bytes], until: float, data_bytes: int) -> None:
         assert process.stdin is not None
         assert process.stdout is not None
-        self.bench, self.process, self.until = bench, process, until
+        self.bench, self.process, self.until, self.data_bytes = bench, process, until, data_bytes
         self._to, self._from = process.stdin.fileno(), process.stdout.fileno()
         self._data, self._at = b"", 0
+        os.set_blocking(self._to, False)
+        self._readable = select.poll()
+        self._readable.register(self._from, select.POLLIN)
 
-    def begin(
-        self, program: OriginalProgram, horizon_us: float, variation: Variation, limit_s: float, calls_from_us: float | None
-    ) -> None:
+    def begin(self, program: OriginalProgram, horizon_us: float, variation: Variation, calls_from_us: float | None) -> None:
         model, bench = program.model, self.bench
+        self.latest = 2 * round(horizon_us * model.clock_hz / 1e6) + model.clock_hz
         settings = _SETTINGS.pack(
             round(horizon_us * model.clock_hz / 1e6), 0, _MOST_RECORDS,
             NEVER if calls_from_us is None else max(0, round(calls_from_us * model.clock_hz / 1e6)),
             variation.block_factor, variation.call_factor, variation.noise, variation.late_us,
             variation.early_part, variation.line_part, variation.clock_us,
             model.block_ticks, model.call_ticks, bench.watched, *bench.asking, bench.bits(bench.brief),
-            variation.seed & 0xFFFFFFFF, max(1, math.ceil(limit_s)),
+            variation.seed & 0xFFFFFFFF,
         )  # fmt: skip
         self._say(settings)
 
     def result(self) -> tuple[str, str, bytes]:
         """Status, cause and counters."""
+        try:
+            return self._result()
+        except _StuckError:
+            cause = "it waits for what never comes"
+        except ForeignRecordsError:
+            cause = "it writes into the pipe by which the host model reports"
+        self.bench.ended()
+        return "crashed", cause, b""
+
+    def _result(self) -> tuple[str, str, bytes]:
         bench = self.bench
         unheeded, clock_hz, changed = bench.unheeded, bench.clock_hz, bench.changes.append
         tick: int
@@ -190,19 +221,29 @@ class _Conversation:
         a: int
         b: int
         c: int
+        seen = 0
         while records := self._records():
+            seen += len(records) // _RECORD.size
+            if seen > _MOST_RECORDS + _MORE_RECORDS:
+                raise ForeignRecordsError
             begun = self._at - len(records)
             for number, (tick, kind, a, b, c) in enumerate(_RECORD.iter_unpack(records), 1):
-                if kind == PIN and a in unheeded:  # nearly all records are such
+                if kind == PIN and a in unheeded and b <= LET_GO:  # nearly all records are such
                     changed(PinChange(tick * 1e6 / clock_hz, unheeded[a], LEVELS[b]))
                     continue
+                if tick > self.latest:
+                    raise ForeignRecordsError
                 bench.tick = tick
                 if kind == END:
                     self._at = begun + number * _RECORD.size
                     bench.refuse_too_many()
+                    if max(a, b) > _MOST_TEXT or c not in (0, self.data_bytes):
+                        raise ForeignRecordsError
                     parts = [self._read(size) for size in (a, b, c)]
                     bench.ended()
                     status, cause, counts = (part or b"" for part in parts)
+                    if status.decode("ascii", "replace") not in _STATUSES:
+                        raise ForeignRecordsError
                     return status.decode(), cause.decode("utf-8", "replace"), counts
                 value = bench.told(kind, a, b, c)
                 if value is not None:
@@ -214,14 +255,49 @@ class _Conversation:
         self.bench.ended()
         if monotonic() >= self.until or (code := self.process.wait()) == -signal.SIGXCPU:
             return "time limit", "", b""
+        assert self.process.stderr is not None
+        if reason := self.process.stderr.read(_MOST_TEXT):  # the program itself has no such descriptor
+            raise refusal(reason.decode("utf-8", "replace"))
         return ("crashed", _ended_by(code), b"")
 
     def _say(self, data: bytes) -> None:
         try:
             while data:
-                data = data[os.write(self._to, data) :]
+                try:
+                    data = data[os.write(self._to, data) :]
+                except BlockingIOError:
+                    self._wait_to_write()
         except BrokenPipeError:
             pass  # it has ended: reading tells how
+
+    def _wait_to_write(self) -> None:
+        """Wait until the process has read something; the model reads an answer before it sends more."""
+        ready = select.poll()
+        ready.register(self._to, select.POLLOUT)
+        ready.register(self._from, select.POLLIN)
+        if any(descriptor == self._from and event & select.POLLIN for descriptor, event in ready.poll()):
+            raise ForeignRecordsError
+
+    def _wait_to_read(self) -> None:
+        """Wait until the process has sent something, or ended.
+
+        Raises:
+            _StuckError: it sleeps, too, until it is sent something.
+        """
+        before = ""
+        while not self._readable.poll(_PATIENCE_MS):
+            now = self._sleeping()
+            if now and now == before:
+                raise _StuckError
+            before = now
+
+    def _sleeping(self) -> str:
+        """The processor time that the process has used, if it sleeps; else nothing."""
+        try:
+            words = inputs.read_text(Path(f"/proc/{self.process.pid}/stat"), inputs.SETTINGS).rpartition(")")[2].split()
+        except OSError:
+            return ""
+        return f"{words[11]} {words[12]}" if words[0] == "S" else ""
 
     def _records(self) -> bytes:
         """The records that are there, at least one; none if the process has ended."""
@@ -235,6 +311,7 @@ class _Conversation:
     def _read(self, size: int) -> bytes | None:
         """The given number of bytes; None if the process has ended."""
         while len(self._data) - self._at < size:
+            self._wait_to_read()
             more = os.read(self._from, 65536)
             if not more:
                 return None
@@ -255,13 +332,14 @@ def _killed_after(process: subprocess.Popen[bytes], seconds: float) -> Iterator[
         timer.cancel()
 
 
+_Known = TypeVar("_Known")
 _COMMAND = struct.Struct("<iiq")
 _DECAY_FOR = struct.Struct("<dd")
 _FLOAT = struct.Struct("<f")
 _WORD = struct.Struct("<I")
 PIN, _WAVE, _CONSOLE, _SYNC, _BUS_START, _BUS_WRITE, _BUS_READ, _BUS_STOP, END, _CALL, _AIM, _COMPARED = range(1, 13)
 _GO, _LEVEL, _VOLTAGE, _TYPED, _JOIN, _PART, _LEVEL_AHEAD, _DECAY = range(8)
-_LET_GO = 2
+LET_GO = 2
 LEVELS: tuple[Level, ...] = (0, 1, "z")
 """What the process calls 0, 1 and 2."""
 _MOST_DECAYS = 1024
@@ -272,10 +350,35 @@ _TOGETHER_US = 45_000.0
 """Cores that print within this time print concurrently, since a line may be this much later in another run (see `comparison`)."""
 
 
-def _float(bits: int) -> float:
+def _number(bits: int) -> float:
     """The number whose bits came as a word."""
     number: float = _FLOAT.unpack(_WORD.pack(bits))[0]
+    if math.isnan(number):
+        raise ForeignRecordsError
     return number
+
+
+def _finite(bits: int) -> float:
+    number = _number(bits)
+    if math.isinf(number):
+        raise ForeignRecordsError
+    return number
+
+
+def _byte(value: int) -> int:
+    if value > 0xFF:
+        raise ForeignRecordsError
+    return value
+
+
+def _one_of(known: Sequence[_Known], number: int) -> _Known:
+    if number >= len(known):
+        raise ForeignRecordsError
+    return known[number]
+
+
+class ForeignRecordsError(Exception):
+    """A process sends what the host model does not: the program has written into the model's pipe."""
 
 
 class HostBench(Bench):
@@ -345,7 +448,7 @@ class HostBench(Bench):
 
     def set_level(self, pin: str, level: int | None) -> None:
         """Drive a pin from outside, low or high; None releases it."""
-        self._command(_LEVEL, self.numbers[pin], _LET_GO if level is None else level)
+        self._command(_LEVEL, self.numbers[pin], LET_GO if level is None else level)
 
     def set_level_at(self, at_us: float, pin: str, level: int | None, holds: Callable[[], bool] = lambda: True) -> None:
         """Tell the process ahead, which saves one exchange of messages; it forgets it when the pin's level is set before."""
@@ -353,7 +456,7 @@ class HostBench(Bench):
         if cycle <= self.cycle:
             self.set_level(pin, level)
         else:
-            self._command(_LEVEL_AHEAD, self.numbers[pin] | (_LET_GO if level is None else level) << 5, cycle)
+            self._command(_LEVEL_AHEAD, self.numbers[pin] | (LET_GO if level is None else level) << 5, cycle)
 
     def keeps_charge(self, pin: str, decays: Sequence[tuple[float, float]]) -> bool:
         """Let the process play a capacitor, as far as it can keep so many decays."""
@@ -387,29 +490,33 @@ class HostBench(Bench):
         return said
 
     def told(self, kind: int, a: int, b: int, c: int) -> int | None:
-        """Take a record; the value to answer with, None if it asks for no answer."""
+        """Take a record; the value to answer with, None if it asks for no answer.
+
+        Raises:
+            ForeignRecordsError: the model sends no such record.
+        """
         if kind == PIN:
-            pin, level = self.labels[a], LEVELS[b]
+            pin, level = _one_of(self.labels, a), _one_of(LEVELS, b)
             self.pin_changed(pin, level)
             return 0 if self._reacts(pin, level) else None
         if kind == _WAVE:
-            self.waves.append(Wave(self.now, self.labels[a], _float(b), _float(c)))
+            self.waves.append(Wave(self.now, _one_of(self.labels, a), _finite(b), _finite(c)))
             return None
         if kind == _CONSOLE:
             if self.console and self._speaker != b and self.now - self.console[-1].at_us < _TOGETHER_US:
                 self.mixed_text_us.append(self.now)
             self._speaker = b
-            self.console.append(ConsoleByte(self.now, a))
+            self.console.append(ConsoleByte(self.now, _byte(a)))
             return None
         if kind == _COMPARED:
-            self.compared[a] = (_float(b), _float(c))
+            self.compared[a] = (_number(b), _number(c))
             return None
         if kind == _CALL:
             if not self.calls or self.calls[-1][1:] != (a, b, bool(c)):
                 self.calls.append((self.now, a, b, bool(c)))
             return None
         if kind == _AIM:
-            self.aimed(self.labels[a], AIMS[b])
+            self.aimed(_one_of(self.labels, a), _one_of(AIMS, b))
             return None
         if kind == _SYNC:
             due = self.wake()
@@ -417,15 +524,12 @@ class HostBench(Bench):
             return 0
         if kind == _BUS_START:
             self._addressed[a] = b >> 1
-            return int(self.bus_start(b >> 1, bool(b & 1)))
+            return int(self.bus_start(_byte(b) >> 1, bool(b & 1)))
         if kind == _BUS_WRITE:
-            return int(self.bus_write(self._addressed.get(a, -1), b))
+            return int(self.bus_write(self._addressed.get(a, -1), _byte(b)))
         if kind == _BUS_READ:
             return self.bus_read(self._addressed.get(a, -1))
         if kind == _BUS_STOP:
             self.bus_stop(self._addressed.get(a, -1))
             return 0
-        raise VerificationError(
-            "what the original program tells of its pins cannot be read: it writes to files that it has not opened",
-            fix="take out what writes by the number of a file, or by the system's own calls",
-        )
+        raise ForeignRecordsError

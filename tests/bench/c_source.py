@@ -1,15 +1,13 @@
 """The speed of the C reader against libclang's bare parse of the same files in the same run, and what large programs cost.
 
-Usage: python tests/bench/c_source.py [--files N] [--lines N] [--no-pool]. Programs and headers are those below ROBOSMI_CORPUS,
-else the ones of the tests. A file's figure is the least processor time of several runs in which the stages take turns, so that a
-busy machine slows all of them; files are added up. Partition is what the dispositions need (constructs of the platform and of
-the standard library), everything is the whole report with all findings and pin uses.
-Exit 1 when a figure is over its bound.
+Programs and headers are those below ROBOSMI_CORPUS, else the programs are the ones of the tests. A file's figure is the least
+processor time of several runs in which the stages take turns, so that a busy machine slows all of them; files are added up.
+Partition is what the dispositions need (constructs of the platform and of the standard library), everything is the whole report
+with all findings and pin uses.
 """
 
 from __future__ import annotations
 
-import argparse
 import multiprocessing
 import os
 import resource
@@ -17,15 +15,20 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+from tests.bench.figures import Figure, not_measured
+
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT))
 TIMES = 5
+FILES = 160
+"""How many programs are timed one by one."""
+LINES = 100_000
+"""Of the synthetic program."""
 PLATFORM = "propeller"
 BOUNDS = {("partition", False): 4.0, ("partition", True): 1.6, ("everything", False): 7.0, ("everything", True): 2.2}
 """Bounds of each stage as multiples of the bare parse, without and with the headers."""
@@ -183,46 +186,26 @@ def pooled(stage: str, paths: Sequence[Path], folders: Sequence[str]) -> float:
         return time.perf_counter() - start
 
 
-def main() -> int:
-    """Measure, print, compare."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--files", type=int, default=160, help="how many programs are timed one by one")
-    parser.add_argument("--lines", type=int, default=100_000, help="of the synthetic program; 0 for none")
-    parser.add_argument("--no-pool", action="store_true")
-    parser.add_argument("--pool-corpus", type=Path, help="folder with the programs for the pool (default: those timed)")
-    arguments = parser.parse_args()
+def figures() -> Iterator[Figure]:
+    """Ratios to the bare parse, one by one and in a pool of processes; growth of time and memory with the size of a program."""
     paths = corpus()
-    sample = paths[:: max(1, len(paths) // arguments.files)]
-    good = True
-    for folders in ([], headers()):
-        if folders or not os.environ.get("ROBOSMI_CORPUS"):
-            print(f"{len(sample)} programs, {'with' if folders else 'without'} headers, mean per file")
-        elif not folders:
-            print(f"{len(sample)} programs, without headers, mean per file")
+    sample = paths[:: max(1, len(paths) // FILES)]
+    for folders in [[], headers()] if headers() else [[]]:
+        kind = "with headers" if folders else "without headers"
         times = seconds(sample, folders)
-        for stage, took in times.items():
-            ratio, bound = took / times["bare parse"], BOUNDS.get((stage, bool(folders)))
-            good &= bound is None or ratio <= bound
-            limit = f"  (bound {bound:.1f})" if bound else ""
-            print(f"  {stage:12} {took / len(sample) * 1000:8.2f} ms  {ratio:5.2f} x bare parse{limit}")
-        if not headers():
-            break
-    if arguments.lines:
-        rows = growth(arguments.lines)
-        for lines, took, memory in rows:
-            print(f"  on demand, {lines:7} lines: {took:6.1f} s, {took / lines * 1e6:5.0f} us a line, {memory:6.0f} MB")
-        good &= rows[-1][2] <= MEGABYTES and rows[-1][1] / rows[-1][0] <= 2 * rows[0][1] / rows[0][0]
-    if not arguments.no_pool:
-        whole = sorted(arguments.pool_corpus.rglob("*.c")) if arguments.pool_corpus else paths
-        for folders in [[], headers()] if headers() else [[]]:
-            times = {stage: pooled(stage, whole, folders) for stage in STAGES}
-            for stage in ("partition", "everything"):
-                ratio = times[stage] / times["bare parse"]
-                good &= ratio <= POOL
-                what = f"pool, {len(whole)} programs {'with' if folders else 'without'} headers, {stage}"
-                print(f"  {what}: {times[stage]:.1f} s, {ratio:.2f} x bare parses (bound {POOL})")
-    return 0 if good else 1
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+        for stage in ("partition", "everything"):
+            ratio, each = times[stage] / times["bare parse"], times[stage] / len(sample) * 1000
+            note = f"to a bare parse; {each:.1f} ms a file, {len(sample)} files"
+            yield Figure(f"C reader, {stage}, {kind}", ratio, "x", BOUNDS[stage, bool(folders)], note=note)
+    if not headers():
+        yield not_measured("C reader, with headers", "set ROBOSMI_CORPUS to a folder with programs and parallaxinc's headers")
+    rows = growth(LINES)
+    (few, little, _), (lines, took, memory) = rows[0], rows[-1]
+    yield Figure(f"{lines:,} lines on demand, peak memory", memory, "MB", MEGABYTES, note=f"{took:.1f} s")
+    yield Figure(f"{lines:,} lines on demand, time per line", took / lines / (little / few), "x", 2, note=f"to {few:,} lines")
+    for folders in [[], headers()] if headers() else [[]]:
+        kind = "with headers" if folders else "without headers"
+        times = {stage: pooled(stage, paths, folders) for stage in STAGES}
+        for stage in ("partition", "everything"):
+            note = f"to a bare parse; {len(paths)} files in {times[stage]:.1f} s"
+            yield Figure(f"C reader in a pool, {stage}, {kind}", times[stage] / times["bare parse"], "x", POOL, note=note)

@@ -1,6 +1,6 @@
-"""How quick the page of a plan is in a real browser: `python -m tests.bench.page [RUNS]` (in make bench; needs chromium).
+"""How quick the page of a plan is in a real browser, chromium.
 
-Of each figure the least and the median are printed, with the bound. Ready: from the first byte of the server's answer to the
+Each figure is the least of several runs; the note has the median. Ready: from the first byte of the server's answer to the
 event that all is in place, by the clock; for a case study as it is, and for one with 3,000 lines more and 5,000 findings.
 A choice shown: from the key to the new plan on the page, with the sketch made again.
 Scrolling: the longest task that the browser reports to the page (it does so from 50 ms on, by the clock), and what the page's
@@ -12,7 +12,6 @@ from __future__ import annotations
 import os
 import shutil
 import statistics
-import sys
 import tempfile
 import time
 from collections.abc import Iterator
@@ -23,14 +22,16 @@ from threading import Thread
 from typing import Any
 
 import robosmi
+from robosmi.errors import MissingToolError
 from robosmi.metamodels import migration
 from robosmi.report.page_server import PageServer
 from robosmi.transformations.chains.page import PlanPage
 from robosmi.transformations.chains.stages.models import load_models
+from tests.bench.figures import Figure
 from tests.page.browsers import Served, chromium, task_seconds
 
 EXAMPLES = Path(__file__).parents[2] / "docs" / "examples"
-FINDINGS, LINES, STEPS = 5000, 3000, 50
+FINDINGS, LINES, STEPS, RUNS = 5000, 3000, 50, 5
 WATCH = """
 window.tasks = [];
 const watch = new PerformanceObserver(list => { for (const task of list.getEntries()) tasks.push(task.duration); });
@@ -45,19 +46,19 @@ requestAnimationFrame(() => requestAnimationFrame(() => done(true)));
 READY = "const t = performance.getEntriesByType('navigation')[0]; return t.domContentLoadedEventEnd - t.responseStart"
 
 
-def main() -> None:
-    """Measure and print."""
-    runs = int(sys.argv[1]) if len(sys.argv) > 1 else 5
+def figures() -> Iterator[Figure]:
+    """Times of the page.
+
+    Raises:
+        MissingToolError: there is no chromium, or no driver for it.
+    """
+    for tool in ("chromium", "chromedriver"):
+        if shutil.which(tool) is None:
+            raise MissingToolError(f"{tool} is not installed", fix="apt-get install chromium chromium-driver")
     with tempfile.TemporaryDirectory() as name:
         os.environ["ROBOSMI_HOME"] = f"{name}/data"
-        show(measured(Path(name), runs))
-
-
-def show(figures: Iterator[tuple[str, float, list[float]]]) -> None:
-    """Print the figures as they come."""
-    for what, bound, values in figures:
-        least, middle, said = min(values), statistics.median(values), "ok" if min(values) <= bound else "LATE"
-        print(f"{what:60} least {least:5.0f} ms  median {middle:5.0f} ms  bound {bound:5.0f} ms  {said}", flush=True)
+        for what, bound, values in measured(Path(name), RUNS):
+            yield Figure(f"page: {what}", min(values), "ms", bound, note=f"median {statistics.median(values):.0f} ms")
 
 
 def measured(folder: Path, runs: int) -> Iterator[tuple[str, float, list[float]]]:
@@ -139,7 +140,3 @@ def scrolled(page: Served) -> tuple[float, float]:
     page.browser.execute_cdp_cmd("Performance.disable", {})
     longest = max(page.script("return window.tasks"), default=0.0)
     return float(longest), 1000 * max(after - before for before, after in pairwise(taken))
-
-
-if __name__ == "__main__":
-    main()

@@ -193,7 +193,8 @@ def judgement(
     """
     how = adapters or default_text("migrate", "adapters")
     target.reserve_names_of(board)
-    files = adapter_files_of(settings, target, api)
+    index = api.adapters.index if api.adapters is not None else None
+    files = index if index is not None else adapter_files_of(settings, target, api)
     members, calls = outside_members(program.views), {name for view in program.views for name in view.called()}
     choice = adapter_choice(files, api, board, how, widened=widths != KEEP, members=members, calls=calls)
     known = api.settings.get("ports", {}).get("look_up", {})

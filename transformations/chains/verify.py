@@ -46,7 +46,7 @@ from robosmi.transformations.verification.original_side import (
     run_source,
     run_varied,
 )
-from robosmi.transformations.verification.originals import original_program, with_stored_names
+from robosmi.transformations.verification.originals import original_program, written_sources
 from robosmi.transformations.verification.search.scenario_search import search
 from robosmi.transformations.verification.target_side import LIMIT_S, TargetSide
 from robosmi.verify.host_model import load_host_model
@@ -108,6 +108,7 @@ def verify(
     vcd: Path | None = None,
     generate: bool = True,
     budget_s: float = 240.0,
+    trust_original: bool = False,
 ) -> Verified:
     """Compare a migrated program with its original.
 
@@ -119,11 +120,12 @@ def verify(
         vcd: file for both traces of the first scenario that differs, else of the one in which most happens.
         generate: whether to search for scenarios where none are given.
         budget_s: seconds of this machine's time for that search.
+        trust_original: whether the original may run where the system has no sandbox for it.
 
     Raises:
         SourceError: there is no plan or program, or a file cannot be read or written.
         UsageError: a scenario names what is not there, or no simulator knows the board.
-        MissingToolError: a compiler or simulator is not installed.
+        MissingToolError: a compiler or simulator is not installed, or the system has no sandbox for the original.
         VerificationError: the simulator crashed or did not end.
     """
     plan_file = plan_beside(output)
@@ -168,7 +170,7 @@ def verify(
         (folder / "source").mkdir()
         doing("compile the original")
         try:
-            program = _original(models, plan_file.parent, folder / "source")
+            program = _original(models, folder / "source", trust_original)
         except VerificationError as error:
             at = error.location
             where = f" ({Path(at.path).name}:{at.line})" if at is not None and at.line else ""
@@ -259,14 +261,17 @@ def _board(models: MigrationModels, report: CompileReport) -> platform.Board:
     return stored if stored is not None and stored.name == report.board else load_board(report.board)
 
 
-def _original(models: MigrationModels, folder: Path, place: Path) -> OriginalProgram:
+def _original(models: MigrationModels, place: Path, trusted: bool) -> OriginalProgram:
     plan = models.plan
     assert plan.program is not None
     assert plan.source is not None
-    stored = with_stored_names(list(plan.program.units), folder, place / "stored")
+    recorded = {str(entry.path): models.files[entry.path] for entry in plan.inputs if entry.kind == "source"}
+    stored = place / "stored"
+    files = written_sources(list(plan.program.units), recorded, stored)
     sources = [stored / unit.path for unit in plan.program.units if not is_header(unit)]
     with acting(host=True):
-        return original_program(sources, load_host_model(str(plan.source.name)), place, limit_s=LIMIT_S)
+        model = load_host_model(str(plan.source.name))
+        return original_program(sources, model, place, limit_s=LIMIT_S, only=files, trusted=trusted)
 
 
 class _Made(Struct):

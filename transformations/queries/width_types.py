@@ -11,17 +11,16 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from robosmi.transformations.knowledge.lexer import QUALIFIERS, STORAGE_WORDS, Token, tokens
+from robosmi.transformations.knowledge.replacements import Replacement
 
 _SIZES = frozenset(["short", "char", "long", "double", "float", "_Complex", "__int128"])
 _INTS = frozenset(["int", "unsigned", "signed", "__signed__"])
 _DEFINE = re.compile(r"(?:#|%:)[ \t]*define\b")
 _BETWEEN = QUALIFIERS | STORAGE_WORDS
 _NONE: Mapping[str, str] = {}
-Word = tuple[int, int, str]
-"""A replacement: first byte, byte after the last, new text."""
 
 
-def retyped_words(data: bytes, bits: int = 32, names: Mapping[str, str] = _NONE) -> list[Word]:
+def retyped_words(data: bytes, bits: int = 32, names: Mapping[str, str] = _NONE) -> list[Replacement]:
     """The words of declared types that are to be changed, in text order.
 
     Args:
@@ -31,7 +30,9 @@ def retyped_words(data: bytes, bits: int = 32, names: Mapping[str, str] = _NONE)
     """
     found = list(_plain(data))
     types = [
-        (start, end, names[text]) for kind, start, end, text in found if kind == "name" and text.endswith("_t") and text in names
+        Replacement(start, end, names[text])
+        for kind, start, end, text in found
+        if kind == "name" and text.endswith("_t") and text in names
     ]
     return sorted([*types, *(word for run in _runs(iter(found)) for word in _written(run, bits))])
 
@@ -74,15 +75,15 @@ def _runs(found: Iterator[Token]) -> Iterator[list[Token]]:
         yield run
 
 
-def _written(run: Sequence[Token], bits: int) -> Iterator[Word]:
+def _written(run: Sequence[Token], bits: int) -> Iterator[Replacement]:
     words = [t for t in run if t[3] in _INTS or t[3] in _SIZES]
     if any(t[3] in _SIZES for t in words) or not words:
         return
     new = f"{'u' if any(t[3] == 'unsigned' for t in words) else ''}int{bits}_t"
     first, last = run.index(words[0]), run.index(words[-1])
     if last - first == len(words) - 1:
-        yield words[0][1], words[-1][2], new
+        yield Replacement(words[0][1], words[-1][2], new)
         return
-    yield words[0][1], words[0][2], new
+    yield Replacement(words[0][1], words[0][2], new)
     for _, start, end, _text in words[1:]:
-        yield start, end, ""
+        yield Replacement(start, end, "")

@@ -7,7 +7,7 @@ header runs as long as it does not call one.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from pathlib import Path
 
 from robosmi import inputs
@@ -20,7 +20,14 @@ _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTI
 
 
 def original_program(
-    sources: Sequence[Path], model: HostModel, folder: Path, include_folders: Sequence[Path] = (), limit_s: float = 60.0
+    sources: Sequence[Path],
+    model: HostModel,
+    folder: Path,
+    include_folders: Sequence[Path] = (),
+    limit_s: float = 60.0,
+    *,
+    only: Collection[Path] | None = None,
+    trusted: bool = False,
 ) -> OriginalProgram:
     """Compile and link a program (see `build_original`), with headers of its platform that have no model.
 
@@ -30,45 +37,45 @@ def original_program(
         folder: an empty folder, in which everything is made.
         include_folders: where headers of the program are looked for.
         limit_s: seconds of this machine's time for all of it.
+        only, trusted: as for `build_original`.
 
     Raises:
-        MissingToolError: the host's compiler is not installed, or cannot make programs of the platform's word size.
+        MissingToolError: the host's compiler is not installed, or cannot make programs of the platform's word size; or the
+            system has no sandbox.
         VerificationError: the program does not compile or link, or that takes too long.
     """
-    return build_original(sources, model, folder, include_folders, stand_in_headers(sources, model, include_folders), limit_s)
+    headers = stand_in_headers(sources, model, include_folders)
+    return build_original(sources, model, folder, include_folders, headers, limit_s, only=only, trusted=trusted)
 
 
-def with_stored_names(units: Iterable[ccode.SourceUnit], folder: Path, place: Path) -> Path:
-    """The folder of a program's stored files, in which they include each other by the names that they are stored under.
+def written_sources(units: Iterable[ccode.SourceUnit], files: Mapping[str, bytes], place: Path) -> list[Path]:
+    """Write a program's stored files into a folder that holds nothing else, so that a compiler finds no other file beside them.
 
-    The files of a migration lie side by side, wherever they came from; `#include "lib/util.h"` leads nowhere there. Only the name
-    of such a directive is another in the copies, so that all lines keep their numbers.
+    The files include each other by the names that they are stored under: those of a migration lie side by side, wherever they
+    came from, so that `#include "lib/util.h"` would lead nowhere. Only the name of such a directive is another, so that all lines
+    keep their numbers.
 
     Args:
-        units: the units of the program, with the paths of their files in `folder`.
-        folder: where the files are stored.
-        place: an empty folder for copies; it is used only where a directive needs another name.
+        units: the units of the program, with the paths of their files.
+        files: path -> content as the plan has recorded it.
+        place: an empty folder.
 
     Returns:
-        `place` where the program was copied, otherwise `folder`.
+        The files that were written.
     """
-    texts = {unit.path: inputs.read_bytes(folder / unit.path, inputs.SOURCE) for unit in units}
-    changed = False
+    texts = dict(files)
     for unit in units:
         lines = texts[unit.path].split(b"\n")
         for include in unit.includes:
             name = Path(include.resolvedPath).name
             if include.resolvedPath in texts and name != include.header and include.line <= len(lines):
                 pattern = rb"""(["<])\s*""" + re.escape(include.header.encode()) + rb"""\s*[">]"""
-                lines[include.line - 1], count = re.subn(pattern, b'"' + name.encode() + b'"', lines[include.line - 1], count=1)
-                changed = changed or count > 0
+                lines[include.line - 1] = re.sub(pattern, b'"' + name.encode() + b'"', lines[include.line - 1], count=1)
         texts[unit.path] = b"\n".join(lines)
-    if not changed:
-        return folder
     for path, text in texts.items():
         (place / path).parent.mkdir(parents=True, exist_ok=True)
         (place / path).write_bytes(text)
-    return place
+    return [place / path for path in texts]
 
 
 def stand_in_headers(sources: Sequence[Path], model: HostModel, include_folders: Sequence[Path] = ()) -> dict[str, str]:

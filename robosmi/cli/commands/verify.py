@@ -24,6 +24,9 @@ def configure(parser: Options) -> None:
     )  # fmt: skip
     parser.add_argument("--engine", metavar="NAME", help="simulator; the first that is installed if not given")
     parser.add_argument("--seed", metavar="N", type=int, default=1, help="of the search for scenarios (default: 1)")
+    parser.add_argument(
+        "--trust-original", action="store_true", help="run the original also where this system has no sandbox for it"
+    )
     parser.add_argument("-o", dest="vcd", metavar="FILE.vcd", type=Path, help="write both traces of the first difference")
 
 
@@ -34,6 +37,7 @@ class _Arguments(argparse.Namespace):
     scenarios: list[Path]
     engine: str | None
     seed: int
+    trust_original: bool
     vcd: Path | None
     verbose: bool
 
@@ -43,8 +47,9 @@ def run(arguments: _Arguments) -> Report:
     report = Report("verify")
     check_replaced(arguments.vcd, b"$timescale", "trace")
     done: ComparedPrograms = content("chain", "verify")(
-        arguments.output, scenarios=arguments.scenarios, engine=arguments.engine, seed=arguments.seed, vcd=arguments.vcd
-    )
+        arguments.output, scenarios=arguments.scenarios, engine=arguments.engine, seed=arguments.seed, vcd=arguments.vcd,
+        trust_original=arguments.trust_original,
+    )  # fmt: skip
     report.ok, report.failure_code = done.exit_code == 0, done.exit_code
     report.result, report.findings = done.result, list(done.findings)
     report.lines = done.verdict.lines(arguments.verbose)

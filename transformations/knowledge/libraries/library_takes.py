@@ -87,6 +87,8 @@ def taken_of(board: platform.Board, kind: platform.UserKind) -> dict[str, Takes]
 
 def bus_pins(board: platform.Board, buses: Iterable[str]) -> list[str]:
     """The labels of a board's pins that buses of its microcontroller are on, in the order of the bus's signals."""
+    if not (buses := list(buses)):
+        return []
     chip = board.microcontroller
     known = {bus.name: list(bus.ports) for bus in (chip.buses if chip is not None else ())}
     labels = {pin.port: pin.label for pin in board.pins}

@@ -73,8 +73,9 @@ def _components(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
 
 def _bare_pins(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
     of_pin: dict[str, list[migration.PortBinding]] = {}
+    has_console = bool(_bauds(plan))
     for binding in plan.portBindings:
-        seen = (_bauds(plan) and of_own_serial_port(binding)) or is_idle(plan, binding)
+        seen = (has_console and of_own_serial_port(binding)) or is_idle(plan, binding)
         if binding.connection is None and binding.pin is not None and not seen:
             of_pin.setdefault(str(binding.pin.label), []).append(binding)
     for label, ports in of_pin.items():

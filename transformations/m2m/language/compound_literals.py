@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
+from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.language.designated_lists import positional
 from robosmi.transformations.m2m.language.text_change import Change
 from robosmi.transformations.queries.code import CodeView
@@ -70,7 +71,7 @@ def _local(declared: object) -> bool:
     return isinstance(declared, (ccode.Variable, ccode.Parameter)) and ancestor_of_kind(declared, ccode.Function) is not None
 
 
-def replacements(whole: ccode.Unary | ccode.Cast, name: str, data: bytes) -> list[tuple[int, int, str]]:
+def replacements(whole: ccode.Unary | ccode.Cast, name: str, data: bytes) -> list[Replacement]:
     """The changes that declare the object and assign the literal to it, as (first byte, byte after the last, new text).
 
     Args:
@@ -103,10 +104,14 @@ def replacements(whole: ccode.Unary | ccode.Cast, name: str, data: bytes) -> lis
     statement = place_before(whole)
     if statement is not None:
         at = int(statement.startOffset)
-        return [(at, at, f"{declared} "), (start, first, f"({name} = {before}"), (last, end, f"{ends}{behind}, {taken})")]
+        return [
+            Replacement(at, at, f"{declared} "),
+            Replacement(start, first, f"({name} = {before}"),
+            Replacement(last, end, f"{ends}{behind}, {taken})"),
+        ]
     captured = "&" if any(_local(name.target) for name in all_of_kind(inner, ccode.NameReference)) else ""
     lasting = declared.replace(f"}} {name};", f"}}; static {name}_type {name};") if length else f"static {declared}"
     return [
-        (start, first, f"[{captured}]() -> {given} {{ {lasting} {name} = {before}"),
-        (last, end, f"{ends}{behind}; return {taken}; }}()"),
+        Replacement(start, first, f"[{captured}]() -> {given} {{ {lasting} {name} = {before}"),
+        Replacement(last, end, f"{ends}{behind}; return {taken}; }}()"),
     ]

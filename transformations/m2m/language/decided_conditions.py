@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.platforms.target_names import TargetNames
+from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.language.shared_names import linkage
 from robosmi.transformations.m2m.language.text_change import Change
 from robosmi.transformations.queries.code import CodeView
@@ -87,10 +88,10 @@ def _differs(word: str, view: CodeView, names: TargetNames) -> bool:
     return entry is not None and entry.kind != "function" and view.api.kind_of(entry) == "platform"
 
 
-def as_decided(directive: ccode.PreprocessorConditional, text: SourceText) -> list[tuple[int, int, str]]:
+def as_decided(directive: ccode.PreprocessorConditional, text: SourceText) -> list[Replacement]:
     """The change, as (first byte, byte after the last, new text), that replaces the condition by its value on the source."""
     start, end = int(directive.startOffset), int(directive.endOffset)
     word = "elif" if str(directive.directive).startswith("elif") else "if"
     said = " ".join(text.data[start:end].decode("utf-8", "replace").replace("\\\n", " ").replace("\\\r\n", " ").split())
     shown = said.removeprefix("#").strip().replace("/*", "").replace("*/", "")
-    return [(start, end, f"#{word} {int(bool(directive.active))} /* {shown} */")]
+    return [Replacement(start, end, f"#{word} {int(bool(directive.active))} /* {shown} */")]

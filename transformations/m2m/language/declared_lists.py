@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from robosmi.transformations.knowledge.lexer import Token, tokens
+from robosmi.transformations.knowledge.replacements import Replacement
 
 _OPENING, _CLOSING = frozenset("([{"), frozenset(")]}")
 
@@ -73,7 +74,7 @@ def _within_star(chunk: Sequence[Token], number: int) -> bool:
     return number > 1 and chunk[number - 1][3] == "*" and chunk[number - 2][3] == "("
 
 
-def without(data: bytes, start: int, names: Sequence[int]) -> list[tuple[int, int, str]]:
+def without(data: bytes, start: int, names: Sequence[int]) -> list[Replacement]:
     """The deletions, as (first byte, byte after the last, new text), that remove names from a declaration; one name must stay.
 
     Args:
@@ -81,7 +82,7 @@ def without(data: bytes, start: int, names: Sequence[int]) -> list[tuple[int, in
         start: the byte where the declaration begins.
         names: the indices of the declarators to remove, from 0.
     """
-    made: list[tuple[int, int, str]] = []
+    made: list[Replacement] = []
     begin, end, behind, gone = -1, -1, -1, False  # where the names that go begin, and the end of the last one that stays
     for number, each in enumerate(declarators(data, start)):
         if number in names:
@@ -89,6 +90,6 @@ def without(data: bytes, start: int, names: Sequence[int]) -> list[tuple[int, in
             end = each.end
             continue
         if gone:
-            made.append((begin, end if behind >= 0 else each.start, ""))
+            made.append(Replacement(begin, end if behind >= 0 else each.start, ""))
         behind, gone = each.end, False
-    return [*made, (begin, end, "")] if gone and behind >= 0 else made
+    return [*made, Replacement(begin, end, "")] if gone and behind >= 0 else made

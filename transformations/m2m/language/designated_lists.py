@@ -19,6 +19,7 @@ from msgspec import Struct
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, tokens
+from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.language.list_values import (
     MOST,
     ListValue,
@@ -41,7 +42,7 @@ def list_holders(view: CodeView) -> Iterator[ccode.Variable | ccode.Cast]:
     yield from (cast for cast in view.of_kind(ccode.Cast) if isinstance(cast.operand, ccode.InitializerList))
 
 
-def positional(holder: ccode.Variable | ccode.Cast, data: bytes) -> list[tuple[int, int, str]] | None:
+def positional(holder: ccode.Variable | ccode.Cast, data: bytes) -> list[Replacement] | None:
     """The changes, as (first byte, byte after the last, new text), that make a list positional; None if impossible.
 
     Args:
@@ -59,18 +60,16 @@ def positional(holder: ccode.Variable | ccode.Cast, data: bytes) -> list[tuple[i
         try:
             return _list(plain, of_use(use), constants, data)
         except UnknownList:
-            return [(start, int(first.endOffset), reordered(words, of_use(use), constants, data))]
+            return [Replacement(start, int(first.endOffset), reordered(words, of_use(use), constants, data))]
     except UnknownList:
         return None
 
 
-def _list(
-    words: Sequence[Token], kind: ValueType | None, constants: Mapping[str, int], data: bytes
-) -> list[tuple[int, int, str]]:
+def _list(words: Sequence[Token], kind: ValueType | None, constants: Mapping[str, int], data: bytes) -> list[Replacement]:
     values = values_of(words[1:-1])
     fields = members_of(kind)
-    made: list[tuple[int, int, str]] = []
-    inner: list[tuple[int, int, str]] = []
+    made: list[Replacement] = []
+    inner: list[Replacement] = []
     position, gaps, texts = 0, False, False
     for each in values:
         last = place = position
@@ -79,7 +78,9 @@ def _list(
             if place < position or place - position > MOST or last - place > MOST:
                 raise UnknownList
             text = data[each.value[0][1] : each.value[-1][2]].decode("utf-8", "replace")
-            made.append((each.designator[0][1], each.value[0][1], "{}, " * (place - position) + f"{text}, " * (last - place)))
+            made.append(
+                Replacement(each.designator[0][1], each.value[0][1], "{}, " * (place - position) + f"{text}, " * (last - place))
+            )
             gaps |= place > position or each.designator[0][3] == "["
         if each.value and each.value[0][3] == "{":
             within = of_use(fields[place].valueType) if place < len(fields) else element_type(kind)

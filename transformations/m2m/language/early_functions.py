@@ -11,6 +11,7 @@ import re
 from collections.abc import Collection, Iterator, Mapping
 
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.language.text_change import Change
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
@@ -64,7 +65,7 @@ def left_early(view: CodeView, data: bytes) -> Iterator[ccode.Function]:
     return (function for function, _ in found if not _callable(view, function, found))
 
 
-def without_attribute(function: ccode.Function, data: bytes) -> list[tuple[int, int, str]]:
+def without_attribute(function: ccode.Function, data: bytes) -> list[Replacement]:
     """The deletion of the constructor attribute, as (first byte, byte after the last, new text)."""
     pattern = _ALONE if _ALONE.search(data, function.startOffset, _head_end(function)) else _WORD
-    return [(m.start(), m.end(), "") for m in pattern.finditer(data, function.startOffset, _head_end(function))]
+    return [Replacement(m.start(), m.end(), "") for m in pattern.finditer(data, function.startOffset, _head_end(function))]

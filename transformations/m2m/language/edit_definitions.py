@@ -6,11 +6,9 @@ import re
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.adapters.adapter_ranges import parameter_names
+from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.queries.signature_text import nothing
 from robosmi.transformations.queries.source_text import SourceText, is_header
-
-Replacement = tuple[int, int, str]
-"""First byte, byte after the last, new text."""
 
 
 def name_place(variable: ccode.Variable | ccode.Parameter, data: bytes) -> int:
@@ -28,7 +26,10 @@ def define_local(element: ccode.Variable, choice: str, text: SourceText) -> list
     found = re.compile(rb"extern\b").match(text.data, start) if start >= 0 else None
     outside = found is not None and text.blank(found.end(), int(element.startOffset))
     if found is not None and (outside or start >= element.startOffset):
-        return [(found.start(), found.end(), "static"), *(each for each in changes if each[2] and each[0] > found.start())]
+        return [
+            Replacement(found.start(), found.end(), "static"),
+            *(each for each in changes if each[2] and each[0] > found.start()),
+        ]
     return changes
 
 
@@ -46,7 +47,7 @@ def _defined(before: str, element: ccode.Variable, choice: str, text: SourceText
     """Turn a declaration into a definition by replacing `extern` with another specifier."""
     found = re.compile(rb"\bextern\b\s*").search(text.data, element.startOffset, element.endOffset)
     kept = before + "__attribute__((weak)) " * is_header(text.unit)
-    made = [(found.start(), found.end(), kept)] if found else []
+    made = [Replacement(found.start(), found.end(), kept)] if found else []
     return made + sized(element, choice, text)
 
 
@@ -59,14 +60,14 @@ def is_constant(variable: ccode.Variable) -> bool:
 def sized(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
     """Give an array of unknown size a size, and a constant an initial value."""
     found = re.compile(rb"\[\s*\]").search(text.data, name_place(element, text.data), element.endOffset)
-    value = [(int(element.endOffset), int(element.endOffset), " = {0}")] if is_constant(element) and choice else []
-    return [*([(found.end() - 1, found.end() - 1, "16")] if found else []), *value]
+    value = [Replacement(int(element.endOffset), int(element.endOffset), " = {0}")] if is_constant(element) and choice else []
+    return [*([Replacement(found.end() - 1, found.end() - 1, "16")] if found else []), *value]
 
 
 def one_element(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
     """Give an array without a size that no other declaration completes one element (C11 6.9.2)."""
     found = re.compile(rb"\[\s*\]").search(text.data, name_place(element, text.data), element.endOffset)
-    return [(found.end() - 1, found.end() - 1, "1")] if found else []
+    return [Replacement(found.end() - 1, found.end() - 1, "1")] if found else []
 
 
 def define_behind(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
@@ -75,7 +76,7 @@ def define_behind(element: ccode.Variable, choice: str, text: SourceText) -> lis
     weak = "__attribute__((weak)) " if is_header(text.unit) else ""
     value = " = {0}" * is_constant(element)
     made = "".join(f" {weak}__typeof__({name}) {name}{value};" for name in choice.split())
-    return [*sized(element, "", text), *([(place, place, made)] if place else [])]
+    return [*sized(element, "", text), *([Replacement(place, place, made)] if place else [])]
 
 
 _ATTRIBUTES_BEHIND = re.compile(rb"(?:\s*__attribute__\s*\(\((?:[^()]|\([^()]*\))*\)\))+\s*\Z")
@@ -96,9 +97,9 @@ def body(element: ccode.Function, choice: str, text: SourceText) -> list[Replace
     if "(" in choice:  # plans of 0.1.0 have the name here
         named = [f"  (void){name};" for name in parameter_names(choice) if name]
         lines = ["  // TODO: complete method", *named, *([f"  return {result};"] if result else [])]
-        return [(end, end, "\n" + "inline " * shared + choice + " {\n" + "\n".join(lines) + "\n}")]
-    made = [(element.startOffset, element.startOffset, "inline ")] if shared else []
+        return [Replacement(end, end, "\n" + "inline " * shared + choice + " {\n" + "\n".join(lines) + "\n}")]
+    made = [Replacement(element.startOffset, element.startOffset, "inline ")] if shared else []
     place = found if found >= 0 else end
     attributes = _ATTRIBUTES_BEHIND.search(text.data, element.startOffset, place)
     start = attributes.start() if attributes is not None else place  # a definition has none behind its list
-    return [*made, (start, end, " {\n" + "\n".join(lines) + "\n}")]
+    return [*made, Replacement(start, end, " {\n" + "\n".join(lines) + "\n}")]

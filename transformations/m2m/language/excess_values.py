@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import Token, tokens
+from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.language.list_values import (
     UnknownList,
     constants_of,
@@ -35,7 +36,7 @@ def excess_values(view: CodeView, data: bytes, functions: Mapping[str, FunctionT
             yield Change(variable, RULE, "", "a list in C++ has no more values than there are places for")
 
 
-def places(variable: ccode.Variable, data: bytes) -> list[tuple[int, int, str]]:
+def places(variable: ccode.Variable, data: bytes) -> list[Replacement]:
     """The deletions of excess values from a variable's list, as (first byte, byte after the last, new text).
 
     Args:
@@ -57,7 +58,7 @@ def places(variable: ccode.Variable, data: bytes) -> list[tuple[int, int, str]]:
 
 def _excess(
     words: Sequence[Token], kind: ValueType | None, sizes: Sequence[str], constants: Mapping[str, int]
-) -> list[tuple[int, int, str]]:
+) -> list[Replacement]:
     values = values_of(words[1:-1])
     if kind is None or any(each.designator for each in values) or words[-1][3] not in ("}", "%>"):
         raise UnknownList
@@ -86,7 +87,7 @@ def _excess(
             made += _excess(each.value, of_use(member) if fields else inner, dimensions, constants)
     if room < len(values) and (array or fields or kind.arithmetic):
         begin = values[room - 1].value[-1][2] if room > 0 else words[0][2]
-        made.append((begin, words[-1][1], ""))
+        made.append(Replacement(begin, words[-1][1], ""))
     return made
 
 

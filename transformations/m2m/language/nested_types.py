@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.lexer import Token, tokens
+from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.language.text_change import Change
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
@@ -57,7 +58,7 @@ def _record_around(enumeration: ccode.Enumeration) -> ccode.Record | None:
     return next((r for r in records if r.startOffset < start and end < r.endOffset), None)
 
 
-def before_record(enumeration: ccode.Enumeration, text: str) -> list[tuple[int, int, str]]:
+def before_record(enumeration: ccode.Enumeration, text: str) -> list[Replacement]:
     """The changes that move an enumeration's definition before the record's declaration and leave its name in its place.
 
     Args:
@@ -70,7 +71,7 @@ def before_record(enumeration: ccode.Enumeration, text: str) -> list[tuple[int, 
     if isinstance(around, ccode.DeclarationStatement):
         places.append(int(around.startOffset))
     name = " ".join(text.partition("{")[0].split())
-    return [(min(places), min(places), f"{text};\n"), (start, end, f"{name} ")]
+    return [Replacement(min(places), min(places), f"{text};\n"), Replacement(start, end, f"{name} ")]
 
 
 RECORDS = frozenset({"struct", "union"})
@@ -119,7 +120,7 @@ def _typedef_of(record: ccode.Record) -> str:
     return next((str(d.name) for d in types if d.aliased is not None and not d.aliased.pointerDepth), "")
 
 
-def tag_places(record: ccode.Record, choice: str, unit: ccode.SourceUnit, data: bytes) -> list[tuple[int, int, str]]:
+def tag_places(record: ccode.Record, choice: str, unit: ccode.SourceUnit, data: bytes) -> list[Replacement]:
     """The replacements of a nested record's tag in a unit, outside of the enclosing record, by its qualified name.
 
     Args:
@@ -133,6 +134,6 @@ def tag_places(record: ccode.Record, choice: str, unit: ccode.SourceUnit, data: 
     found, before = [], ""
     for start, end, text in name_tokens(data):
         if text == tag and before in RECORDS and not own[0] <= start < own[1]:
-            found.append((start, end, name))
+            found.append(Replacement(start, end, name))
         before = text
     return found

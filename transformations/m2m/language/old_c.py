@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_of_kind, ancestor_of_kind
+from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.language.text_change import Change
 from robosmi.transformations.queries.block_braces import is_torn
 from robosmi.transformations.queries.code import CodeView
@@ -238,15 +239,15 @@ _ONCE = frozenset({"const", "volatile"})
 """Qualifiers that C allows twice in a row (C11 6.7.3) and C++ only once."""
 
 
-def word_places(data: bytes) -> Iterator[tuple[int, int, str]]:
+def word_places(data: bytes) -> Iterator[Replacement]:
     """The replacements, as (first byte, byte after the last, new text), of C keywords that have another name in C++."""
     last, before = 0, ""
     for start, end, name in name_tokens(data):
         repeated = name in _ONCE and name == before and not data[last:start].strip()
         if repeated or not WORDS.get(name, name):  # it goes with the blanks behind it
-            yield start, end + len(data[end:]) - len(data[end:].lstrip(b" \t")), ""
+            yield Replacement(start, end + len(data[end:]) - len(data[end:].lstrip(b" \t")), "")
         elif name in WORDS and not data[last:start].endswith(b"["):  # what says the size of a parameter goes as a whole
-            yield start, end, WORDS[name]
+            yield Replacement(start, end, WORDS[name])
         last, before = end, name
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.language.text_change import Change
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType
@@ -37,21 +38,28 @@ def _register(expression: ccode.Expression | None, names: set[str], data: bytes)
     return not known and data[expression.startOffset : expression.endOffset] == expression.name.encode()
 
 
-def value_of_register(element: ccode.Assignment | ccode.Unary, choice: str, data: bytes) -> list[tuple[int, int, str]]:
+def value_of_register(element: ccode.Assignment | ccode.Unary, choice: str, data: bytes) -> list[Replacement]:
     """The changes, as (first byte, byte after the last, new text), that replace a write by its value; a statement discards it."""
     start, end = int(element.startOffset), int(element.endOffset)
-    made: list[tuple[int, int, str]] = []
+    made: list[Replacement] = []
     before, behind = ("(void)(", ")") if isinstance(element.eContainer(), ccode.ExpressionStatement) else ("", "")
     if isinstance(element, ccode.Unary):
         operand = element.operand
         assert operand is not None  # else the rule does not hold
         step = "" if element.postfix else f" {element.operator[0]} 1"
-        made = [(start, int(operand.startOffset), before + "(" * bool(step)), (int(operand.endOffset), end, "")]
-        return [*made, (end, end, f"{step}{')' * bool(step)}{behind}")]
+        made = [
+            Replacement(start, int(operand.startOffset), before + "(" * bool(step)),
+            Replacement(int(operand.endOffset), end, ""),
+        ]
+        return [*made, Replacement(end, end, f"{step}{')' * bool(step)}{behind}")]
     assert element.left is not None
     assert element.right is not None  # else the rule does not hold
     if element.operator == "=":
-        return [(start, int(element.right.startOffset), before), (end, end, behind)]
-    made = [(start, start, before)] if before else []
+        return [Replacement(start, int(element.right.startOffset), before), Replacement(end, end, behind)]
+    made = [Replacement(start, start, before)] if before else []
     operator = f" {element.operator[:-1]} ("
-    return [*made, (int(element.left.endOffset), int(element.right.startOffset), operator), (end, end, f"){behind}")]
+    return [
+        *made,
+        Replacement(int(element.left.endOffset), int(element.right.startOffset), operator),
+        Replacement(end, end, f"){behind}"),
+    ]

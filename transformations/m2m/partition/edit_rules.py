@@ -12,12 +12,12 @@ from collections.abc import Callable
 from typing import Any
 
 from robosmi.metamodels import ccode
+from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.language import compound_literals, early_functions, excess_values
 from robosmi.transformations.m2m.language.decided_conditions import as_decided
 from robosmi.transformations.m2m.language.declared_lists import without
 from robosmi.transformations.m2m.language.designated_lists import positional
 from robosmi.transformations.m2m.language.edit_definitions import (
-    Replacement,
     body,
     define_behind,
     define_extern,
@@ -41,19 +41,19 @@ def _line(element: ccode.Located, choice: str, text: SourceText) -> list[Replace
     """Delete the whole line of an element; a comment after the element stays as a line of its own."""
     start, end = text.line_start(element.startOffset), text.line_end(element.endOffset)
     comments = [c for c in text.unit.comments if element.endOffset <= c.startOffset < end]
-    return [(start, comments[0].startOffset if comments else end, "")]
+    return [Replacement(start, comments[0].startOffset if comments else end, "")]
 
 
 def _line_with_comment(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
     """Delete the whole line of an include with its comment, which describes the header or moves with it to the file's head."""
     end = text.line_end(element.endOffset)
     longer = [c for c in text.unit.comments if element.endOffset <= c.startOffset < end < c.endOffset]
-    return [(text.line_start(element.startOffset), longer[0].startOffset if longer else end, "")]
+    return [Replacement(text.line_start(element.startOffset), longer[0].startOffset if longer else end, "")]
 
 
 def _keyword(word: str) -> Callable[[ccode.Located, str, SourceText], list[Replacement]]:
     def replaced(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-        return [(element.startOffset, _end(element, text), word)]
+        return [Replacement(element.startOffset, _end(element, text), word)]
 
     return replaced
 
@@ -69,17 +69,17 @@ def _end(element: ccode.Located, text: SourceText) -> int:
 def _void_value(element: ccode.Return, choice: str, text: SourceText) -> list[Replacement]:
     value = element.value
     assert value is not None  # else the rule does not hold
-    return [(value.startOffset, value.startOffset, "(void)("), (value.endOffset, value.endOffset, ")")]
+    return [Replacement(value.startOffset, value.startOffset, "(void)("), Replacement(value.endOffset, value.endOffset, ")")]
 
 
 def _go_on(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
     """Replace a statement that leaves main's loop by a return that calls the function with the statements after the loop."""
-    return [(element.startOffset, _end(element, text), f"return {choice}()")]
+    return [Replacement(element.startOffset, _end(element, text), f"return {choice}()")]
 
 
 def _value_and_go_on(element: ccode.Return, choice: str, text: SourceText) -> list[Replacement]:
     assert element.value is not None  # else the rule does not hold
-    return [*_void_value(element, choice, text), (element.value.endOffset, element.value.endOffset, f", {choice}()")]
+    return [*_void_value(element, choice, text), Replacement(element.value.endOffset, element.value.endOffset, f", {choice}()")]
 
 
 def _out(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
@@ -88,8 +88,8 @@ def _out(element: ccode.Located, choice: str, text: SourceText) -> list[Replacem
     end = found + 1 if found >= 0 else element.endOffset
     start = text.line_start(element.startOffset)
     if text.blank(start, element.startOffset) and text.blank(end, text.line_end(end)):
-        return [(start, text.line_end(end), "")]
-    return [(element.startOffset, end, "")]
+        return [Replacement(start, text.line_end(end), "")]
+    return [Replacement(element.startOffset, end, "")]
 
 
 def _out_of_list(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
@@ -98,26 +98,30 @@ def _out_of_list(element: ccode.Variable, choice: str, text: SourceText) -> list
 
 
 def _rename(element: ccode.Declaration | ccode.Macro, choice: str, text: SourceText) -> list[Replacement]:
-    return [(start, end, choice) for start, end, name in name_tokens(text.data) if name == element.name]
+    return [Replacement(start, end, choice) for start, end, name in name_tokens(text.data) if name == element.name]
 
 
 def _rename_tag(element: ccode.Declaration, choice: str, text: SourceText) -> list[Replacement]:
     """Rename the tag after `struct`, `union` or `enum` only; a typedef of the same name keeps it."""
     names = list(name_tokens(text.data))
     pairs = itertools.pairwise(names)
-    return [(start, end, choice) for (_, _, before), (start, end, name) in pairs if name == element.name and before in _TAGGED]
+    return [
+        Replacement(start, end, choice)
+        for (_, _, before), (start, end, name) in pairs
+        if name == element.name and before in _TAGGED
+    ]
 
 
 def _qualify_type(element: ccode.Declaration, choice: str, text: SourceText) -> list[Replacement]:
     """Qualify the type of a member that has its type's name with `::`, so that it means the type at file scope."""
     found = re.compile(rb"\b%s\b" % re.escape(element.name.encode())).search(text.data, element.startOffset, element.endOffset)
-    return [(found.start(), found.start(), "::")] if found else []
+    return [Replacement(found.start(), found.start(), "::")] if found else []
 
 
 def _open_size(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
     """Delete the first size of an array parameter, which has no effect on its type."""
     found = re.compile(rb"\[([^\]]*)\]").search(text.data, name_place(element, text.data), element.endOffset)
-    return [(found.start(1), found.end(1), "")] if found else []
+    return [Replacement(found.start(1), found.end(1), "")] if found else []
 
 
 def _branch_out(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
@@ -127,7 +131,7 @@ def _branch_out(element: ccode.Located, choice: str, text: SourceText) -> list[R
         if directive.startOffset <= element.startOffset:
             continue
         if depth == 0 and directive.directive not in ("if", "ifdef", "ifndef"):
-            return [(start, text.line_start(directive.startOffset), "")]
+            return [Replacement(start, text.line_start(directive.startOffset), "")]
         depth += directive.directive in ("if", "ifdef", "ifndef")
         depth -= directive.directive == "endif"
     return []
@@ -137,18 +141,21 @@ _TAGGED = frozenset({"struct", "union", "enum"})
 
 
 def _convert(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    return [(element.startOffset, element.startOffset, f"({choice})")]
+    return [Replacement(element.startOffset, element.startOffset, f"({choice})")]
 
 
 def _convert_compound(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    return [(element.startOffset, element.startOffset, f"({choice})("), (element.endOffset, element.endOffset, ")")]
+    return [
+        Replacement(element.startOffset, element.startOffset, f"({choice})("),
+        Replacement(element.endOffset, element.endOffset, ")"),
+    ]
 
 
 def _parentheses(element: ccode.Declaration, choice: str, text: SourceText) -> list[Replacement]:
     found = re.compile(rb"\b%s(?:\s*\[[^\]]*\])*\s*\)?\s*\(\s*\)" % re.escape(element.name.encode())).search(
         text.data, element.startOffset, element.endOffset
     )
-    return [(found.end() - 1, found.end() - 1, choice)] if found else []
+    return [Replacement(found.end() - 1, found.end() - 1, choice)] if found else []
 
 
 def _parameters_behind(element: ccode.Function, choice: str, text: SourceText) -> list[Replacement]:
@@ -159,7 +166,7 @@ def _parameters_behind(element: ccode.Function, choice: str, text: SourceText) -
     comments = [c for c in text.unit.comments if start <= c.startOffset < end]
     end = comments[0].startOffset if comments and comments[0].startOffset > text.data.rfind(b";", start, end) else end
     shown = [text.slice(c.startOffset, c.endOffset)[0].strip() for c in comments if c.startOffset < end]
-    return [(start, end, f"{choice})" + "".join(f"\n{line}" for line in shown))]
+    return [Replacement(start, end, f"{choice})" + "".join(f"\n{line}" for line in shown))]
 
 
 def _return_at_end(element: ccode.Function, choice: str, text: SourceText) -> list[Replacement]:
@@ -168,29 +175,32 @@ def _return_at_end(element: ccode.Function, choice: str, text: SourceText) -> li
     start = text.line_start(brace)
     if text.blank(start, brace):
         indent = text.data[start:brace].decode("latin-1")
-        return [(start, start, f"{indent}  return {choice};\n")]
-    return [(brace, brace, f"return {choice}; ")]
+        return [Replacement(start, start, f"{indent}  return {choice};\n")]
+    return [Replacement(brace, brace, f"return {choice}; ")]
 
 
 def _replace(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
-    return [(element.startOffset, element.endOffset, choice)]
+    return [Replacement(element.startOffset, element.endOffset, choice)]
 
 
 def _comment(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
     """Turn an element's text into a comment followed by an empty statement; comments inside do not end the new one."""
     start, end = element.startOffset, element.endOffset
     marks = re.compile(rb"/\*|\*/").finditer(text.data, start, end)
-    inner = [(m.start(), m.end(), " ".join(m[0].decode())) for m in marks]
-    return [(start, start, "/* "), *inner, (end, end, " */;")]
+    inner = [Replacement(m.start(), m.end(), " ".join(m[0].decode())) for m in marks]
+    return [Replacement(start, start, "/* "), *inner, Replacement(end, end, " */;")]
 
 
 def _compound(element: ccode.Assignment, choice: str, text: SourceText) -> list[Replacement]:
     assert element.right is not None
-    return [(element.startOffset, element.right.startOffset, choice), (element.endOffset, element.endOffset, "))")]
+    return [
+        Replacement(element.startOffset, element.right.startOffset, choice),
+        Replacement(element.endOffset, element.endOffset, "))"),
+    ]
 
 
 def _insert(words: str) -> Callable[[ccode.Located, str, SourceText], list[Replacement]]:
-    return lambda element, choice, text: [(element.startOffset, element.startOffset, words)]
+    return lambda element, choice, text: [Replacement(element.startOffset, element.startOffset, words)]
 
 
 def _static(words: str) -> Callable[[ccode.Located, str, SourceText], list[Replacement]]:
@@ -198,7 +208,7 @@ def _static(words: str) -> Callable[[ccode.Located, str, SourceText], list[Repla
 
     def changed(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
         found = re.compile(rb"static\b\s*").search(text.data, text.line_start(element.startOffset), element.endOffset)
-        return [(found.start(), found.end(), words)] if found else []
+        return [Replacement(found.start(), found.end(), words)] if found else []
 
     return changed
 
@@ -206,22 +216,22 @@ def _static(words: str) -> Callable[[ccode.Located, str, SourceText], list[Repla
 def _share_one(variable: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
     """Make one of several declared variables a weak symbol, so that several files can define it."""
     place = variable.endOffset
-    return [(place, place, " __attribute__((weak))")]
+    return [Replacement(place, place, " __attribute__((weak))")]
 
 
 def _behind_return(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
     place = element.startOffset + len("return")
-    return [(place, place, f" {choice}")]
+    return [Replacement(place, place, f" {choice}")]
 
 
 def _inner_block(element: ccode.Block, choice: str, text: SourceText) -> list[Replacement]:
     start, end = inside(text.data, element)
-    return [(start, start, " {"), (end, end, "} ")]
+    return [Replacement(start, start, " {"), Replacement(end, end, "} ")]
 
 
 def _assign_behind(variable: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
     place = name_place(variable, text.data) + len(variable.name.encode())
-    return [(place, place, f"; {choice}")]
+    return [Replacement(place, place, f"; {choice}")]
 
 
 def _words_of_c(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
@@ -236,11 +246,11 @@ def _words_between(element: ccode.Located, choice: str, text: SourceText) -> lis
 
 def _implicit_int(element: ccode.Located, choice: str, text: SourceText) -> list[Replacement]:
     place = element.startOffset + int(choice)
-    return [(place, place, "int ")]
+    return [Replacement(place, place, "int ")]
 
 
 def _more_arguments(element: ccode.Call, choice: str, text: SourceText) -> list[Replacement]:
-    return [(element.endOffset - 1, element.endOffset - 1, choice)]
+    return [Replacement(element.endOffset - 1, element.endOffset - 1, choice)]
 
 
 def _fewer_arguments(element: ccode.Call, choice: str, text: SourceText) -> list[Replacement]:
@@ -249,7 +259,7 @@ def _fewer_arguments(element: ccode.Call, choice: str, text: SourceText) -> list
     mark, before = (b",", given[kept - 1]) if kept else (b"(", element.calleeExpression)
     assert before is not None  # it is called through a pointer
     place = text.data.index(mark, before.endOffset) + (not kept)
-    return [(place, element.endOffset - 1, "")]
+    return [Replacement(place, element.endOffset - 1, "")]
 
 
 def _own_header(element: ccode.Include, choice: str, text: SourceText) -> list[Replacement]:
@@ -258,7 +268,7 @@ def _own_header(element: ccode.Include, choice: str, text: SourceText) -> list[R
     wanted = f'"{own_header(element)}"'
     if written is None or written[0] == wanted.encode():
         return []
-    return [(written.start(), written.end(), wanted)]
+    return [Replacement(written.start(), written.end(), wanted)]
 
 
 EditRule = Callable[[Any, str, SourceText], list[Replacement]]
@@ -311,7 +321,7 @@ RULES: dict[str, EditRule] = {
     "source-assembler": _comment,
     "return-with-value": _behind_return,
     "return-without-value": _void_value,
-    "zero-value": lambda element, choice, text: [(element.endOffset, element.endOffset, f" = {choice}")],
+    "zero-value": lambda element, choice, text: [Replacement(element.endOffset, element.endOffset, f" = {choice}")],
     RUN_IN_SETUP: lambda element, choice, text: early_functions.without_attribute(element, text.data),
     "inner-block": _inner_block,
     "assign-behind": _assign_behind,

@@ -10,7 +10,8 @@ import re
 from collections.abc import Iterator, Mapping
 
 from robosmi.metamodels import ccode, migration
-from robosmi.transformations.m2m.language.edit_definitions import Replacement, name_place
+from robosmi.transformations.knowledge.replacements import Replacement
+from robosmi.transformations.m2m.language.edit_definitions import name_place
 from robosmi.transformations.queries.programs.main_locals import MovedDeclaration
 from robosmi.transformations.queries.source_text import SourceText
 
@@ -69,13 +70,13 @@ def _assignments(moved: MovedDeclaration, text: SourceText) -> Iterator[Replacem
         name = _name(variable, text)
         behind = name + len(variable.name.encode())
         value = text.data.rfind(b"=", behind, int(variable.initializer.startOffset))
-        yield position, name, "; " if number else ""
+        yield Replacement(position, name, "; " if number else "")
         if not text.blank(behind, value):  # the rest of a declarator, as of a pointer to a function
-            yield behind, value, " "
+            yield Replacement(behind, value, " ")
         position = int(variable.initializer.endOffset)
     rest = text.data.find(b";", position)
     if rest > position and not text.blank(position, rest):
-        yield position, rest, ""
+        yield Replacement(position, rest, "")
 
 
 def _without_values(moved: MovedDeclaration, data: bytes) -> Iterator[Replacement]:
@@ -88,15 +89,15 @@ def _without_values(moved: MovedDeclaration, data: bytes) -> Iterator[Replacemen
         name = name_place(variable, data)
         if variable in moved.assigned and variable.initializer is not None:
             value = data.rfind(b"=", name, int(variable.initializer.startOffset))
-            yield len(data[:value].rstrip()), int(variable.initializer.endOffset), ""
+            yield Replacement(len(data[:value].rstrip()), int(variable.initializer.endOffset), "")
             star = data.rfind(b"*", before, name)
             if star >= 0:
-                yield from ((*m.span(), "") for m in _CONST.finditer(data, star, name))
+                yield from (Replacement(*m.span(), "") for m in _CONST.finditer(data, star, name))
             else:
                 plain = True
         before = int(variable.endOffset)
     if plain:
-        yield from ((*m.span(), "") for m in _CONST.finditer(data, begin, specifiers))
+        yield from (Replacement(*m.span(), "") for m in _CONST.finditer(data, begin, specifiers))
 
 
 def _moved(moved: MovedDeclaration, source: SourceText) -> tuple[int, int, tuple[int, int]]:

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Sequence
 from robosmi.errors import ModelError
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
-from robosmi.transformations.m2m.language.edit_definitions import Replacement
+from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.partition.edit_rules import EVERYWHERE, RULES
 from robosmi.transformations.m2m.ports.port_texts import RULE as PORT
 from robosmi.transformations.m2m.ports.port_texts import replacement

@@ -15,7 +15,6 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import accumulate
-from typing import NamedTuple
 
 from msgspec import Struct
 
@@ -23,6 +22,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
 from robosmi.query import all_of_kind
 from robosmi.transformations.knowledge.lexer import tokens
+from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.language.macro_order import MacroOrder
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.widths.width_formats import handing_on
@@ -88,18 +88,19 @@ def widenings(
     with deep_calls():
         for unit in units:
             walk.run(typed.get(unit.path, []))
-    edits = [e._replace(text=_renamed(e.text, renamed)) for e in writer.edits()]
-    if there.int_bits < here.int_bits:
-        edits += [edit for unit in units for edit in _types(unit, texts[unit.path], here, names)]
-    if walk.resigned:
-        edits += [edit for unit in units for edit in _bit_fields(unit, texts[unit.path])]
+    written = writer.edits()
     made = Widened(lost=writer.lost)
     for unit in units:
-        made.widenings += _decisions(unit, [e for e in edits if e.unit == unit.path])
+        edits = [(each._replace(text=_renamed(each.text, renamed)), rule) for each, rule in written.get(unit.path, ())]
+        if there.int_bits < here.int_bits:
+            edits += [(each, TYPE) for each in _types(unit, texts[unit.path], here, names)]
+        if walk.resigned:
+            edits += [(each, "unsigned-char") for each in _bit_fields(unit, texts[unit.path])]
+        made.widenings += _decisions(unit, edits)
     return made
 
 
-def _bit_fields(unit: ccode.SourceUnit, data: bytes) -> Iterator[WidthEdit]:
+def _bit_fields(unit: ccode.SourceUnit, data: bytes) -> Iterator[Replacement]:
     """Make bit fields of plain char unsigned: a cast on reading comes too late, since the highest bit is already the sign."""
     written: set[int] = set()
     for record in (d for d in all_of_kind(unit, ccode.Record)):
@@ -111,7 +112,7 @@ def _bit_fields(unit: ccode.SourceUnit, data: bytes) -> Iterator[WidthEdit]:
             found = re.compile(rb"\b%s\b" % re.escape(words.encode())).search(data, member.startOffset, member.endOffset)
             if found is not None and found.start() not in written:
                 written.add(found.start())
-                yield WidthEdit(str(unit.path), found.start(), found.end(), "unsigned char", "unsigned-char")
+                yield Replacement(found.start(), found.end(), "unsigned char")
 
 
 def _is_plain_char(use: ccode.TypeUse) -> bool:
@@ -240,57 +241,47 @@ def _renamed(text: str, renamed: Mapping[str, str]) -> str:
     return re.sub(r"[A-Za-z_]\w*", lambda word: renamed.get(word[0], word[0]), text) if renamed else text
 
 
-def _types(unit: ccode.SourceUnit, data: bytes, here: Machine, names: Mapping[str, str]) -> Iterator[WidthEdit]:
+def _types(unit: ccode.SourceUnit, data: bytes, here: Machine, names: Mapping[str, str]) -> Iterator[Replacement]:
     """The changes of types in a unit's declarations, except in the head of main, whose type the language fixes."""
     heads = [
         (int(d.startOffset), int(d.body.startOffset if d.body is not None else d.endOffset))
         for d in unit.declarations
         if isinstance(d, ccode.Function) and d.name == "main"
     ]
-    for start, end, text in retyped_words(data, here.int_bits, names):
-        if not any(first <= start < behind for first, behind in heads):
-            yield WidthEdit(unit.path, start, end, text, TYPE)
+    for each in retyped_words(data, here.int_bits, names):
+        if not any(first <= each.start < behind for first, behind in heads):
+            yield each
 
 
-def _decisions(unit: ccode.SourceUnit, edits: Iterable[WidthEdit]) -> Iterator[migration.Widening]:
-    """Group the changes of a unit by declaration or macro into decisions."""
+def _decisions(unit: ccode.SourceUnit, edits: Iterable[tuple[Replacement, str]]) -> Iterator[migration.Widening]:
+    """Group the changes of a unit, each with its rule, by declaration or macro into decisions."""
     tops: list[ccode.Located] = sorted([*unit.declarations, *unit.macros], key=lambda e: (int(e.startOffset), -int(e.endOffset)))
-    found: dict[ccode.Located | None, list[WidthEdit]] = {}
+    found: dict[ccode.Located | None, list[tuple[Replacement, str]]] = {}
     starts = [int(t.startOffset) for t in tops]
     reach = list(accumulate((int(t.endOffset) for t in tops), max))
-    for edit in edits:
+    for edit, rule in edits:
         owner = None
         for number in range(bisect_right(starts, edit.start) - 1, -1, -1):
             if edit.end <= tops[number].endOffset or reach[number] < edit.end:
                 owner = tops[number] if edit.end <= tops[number].endOffset else None
                 break
-        found.setdefault(owner, []).append(edit)
+        found.setdefault(owner, []).append((edit, rule))
     for owner in sorted(found, key=lambda o: int(o.startOffset) if o is not None else -1):
-        reasons = list(dict.fromkeys(_REASONS[e.rule] for e in found[owner]))
+        reasons = list(dict.fromkeys(_REASONS[rule] for _, rule in found[owner]))
         yield migration.Widening(
             element=owner, choice="fix", chosenBy=migration.ChosenBy.rule, confidence=1.0, evidence=list(reasons),
             changes=[
                 migration.TextChange(
-                    unit=unit, startOffset=e.start, endOffset=e.end, replacement=e.text, rule=e.rule, reason=_REASONS[e.rule],
+                    unit=unit, startOffset=e.start, endOffset=e.end, replacement=e.text, rule=rule, reason=_REASONS[rule],
                     step=migration.Step.code,
                 )
-                for e in sorted(found[owner], key=lambda e: e.start)
+                for e, rule in sorted(found[owner], key=lambda pair: pair[0].start)
             ],
         )  # fmt: skip
 
 
 _LITERAL = re.compile(r"(0[xX][0-9a-fA-F]+|0[bB][01]+|\d+)([uU]?)([lL]*)")
 _COMPOUND_FORMS = frozenset(["binary", "conditional", "assign", "compound"])
-
-
-class WidthEdit(NamedTuple):
-    """A change of a unit's text: byte range, new text, rule."""
-
-    unit: str
-    start: int
-    end: int
-    text: str
-    rule: str
 
 
 class _Cast(Struct):
@@ -318,10 +309,10 @@ class Writer(Struct):
     lambdas: bool = True
     lost: list[Want] = []
     _casts: dict[TextPlace, _Cast] = {}
-    _edits: dict[WidthEdit, None] = {}
+    _edits: dict[tuple[str, Replacement, str], None] = {}
 
-    def edits(self) -> list[WidthEdit]:
-        """All changes; of those at one place the outer ones come first."""
+    def edits(self) -> dict[str, list[tuple[Replacement, str]]]:
+        """All changes: path of a unit -> replacements, each with its rule; of those at one place the outer ones come first."""
         for want in self.walk.wants:
             done = {
                 WIDEN: self._widen,
@@ -337,17 +328,23 @@ class Writer(Struct):
             cast = self._casts[place]
             if cast.number is not None and not cast.read and self.order.computed_before(place):
                 zero = "0" + ("" if cast.number.signed else "U") + ("LL" if cast.number.bits > 32 else "L")
-                self._edits[WidthEdit(place.unit, place.end, place.end, "))", WIDEN)] = None
-                self._edits[WidthEdit(place.unit, place.start, place.start, f"({zero} + (", WIDEN)] = None
+                self._add(place.unit, Replacement(place.end, place.end, "))"), WIDEN)
+                self._add(place.unit, Replacement(place.start, place.start, f"({zero} + ("), WIDEN)
                 continue
             words = [(f"({_spelt(cast.number)})", WIDEN)] if cast.number is not None else []
             words += [("(uint8_t)", READ)] if cast.read else []
             if cast.enclosed:
                 words[-1] = (words[-1][0] + "(", words[-1][1])
-                self._edits[WidthEdit(place.unit, place.end, place.end, ")", words[-1][1])] = None
+                self._add(place.unit, Replacement(place.end, place.end, ")"), words[-1][1])
             for word, rule in words:
-                self._edits[WidthEdit(place.unit, place.start, place.start, word, rule)] = None
-        return list(self._edits)
+                self._add(place.unit, Replacement(place.start, place.start, word), rule)
+        found: dict[str, list[tuple[Replacement, str]]] = {}
+        for unit, replacement, rule in self._edits:
+            found.setdefault(unit, []).append((replacement, rule))
+        return found
+
+    def _add(self, unit: str, replacement: Replacement, rule: str) -> None:
+        self._edits[unit, replacement, rule] = None
 
     def _slice(self, place: TextPlace) -> str:
         return self.texts[place.unit][place.start : place.end].decode("latin-1")
@@ -361,7 +358,7 @@ class Writer(Struct):
             match = _LITERAL.fullmatch(self._slice(place))
             if match is not None:
                 letters = ("" if number.signed else match[2] or "U") + ("LL" if number.bits > 32 else "L")
-                self._edits[WidthEdit(place.unit, place.start, place.end, match[1] + letters, WIDEN)] = None
+                self._add(place.unit, Replacement(place.start, place.end, match[1] + letters), WIDEN)
                 return True
         place_ = self._place(node, {f"{number.bits} {number.signed} {k}" for k in ("number", "char", "character")}, number)
         if place_ is None:
@@ -401,7 +398,7 @@ class Writer(Struct):
         place = next((p for p in want.node.inner if self._slice(p) == want.node.name), None)
         if place is None:
             return False
-        self._edits[WidthEdit(place.unit, place.start, place.end, want.text, NAME)] = None
+        self._add(place.unit, Replacement(place.start, place.end, want.text), NAME)
         return True
 
     def _text(self, want: Want) -> bool:
@@ -413,7 +410,7 @@ class Writer(Struct):
         if place is None:
             return False
         for offset in want.offsets:
-            self._edits[WidthEdit(place.unit, place.start + offset, place.start + offset, "l", TEXT)] = None
+            self._add(place.unit, Replacement(place.start + offset, place.start + offset, "l"), TEXT)
         return True
 
     def _order(self, want: Want) -> bool:
@@ -423,7 +420,7 @@ class Writer(Struct):
             return False
         name = self._slice(place).lstrip("& \t\n")
         text = f"[](const void *a, const void *b) -> int {{ int32_t order = {name}(a, b); return (order > 0) - (order < 0); }}"
-        self._edits[WidthEdit(place.unit, place.start, place.end, text, ORDER)] = None
+        self._add(place.unit, Replacement(place.start, place.end, text), ORDER)
         return True
 
     def _shift(self, want: Want) -> bool:
@@ -442,10 +439,10 @@ class Writer(Struct):
         start = first.end + middle.index(operator)
         read = "(uint8_t)" if left.kind.char and self.walk.resigned else ""
         written = f"= ({_spelt(want.number)}){read}{self._slice(first)} {want.text}"
-        self._edits[WidthEdit(whole.unit, start, start + len(operator), written, SHIFT)] = None
+        self._add(whole.unit, Replacement(start, start + len(operator), written), SHIFT)
         if right.form in _COMPOUND_FORMS and not right.bracketed:
-            self._edits[WidthEdit(whole.unit, second.start, second.start, "(", SHIFT)] = None
-            self._edits[WidthEdit(whole.unit, second.end, second.end, ")", SHIFT)] = None
+            self._add(whole.unit, Replacement(second.start, second.start, "("), SHIFT)
+            self._add(whole.unit, Replacement(second.end, second.end, ")"), SHIFT)
         return True
 
 

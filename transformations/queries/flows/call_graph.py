@@ -6,6 +6,7 @@ They read `Call.callee` and its opposite `Function.calls` and nothing else, so t
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.query import Q, all_of_kind, ancestor_of_kind
@@ -24,12 +25,14 @@ def callers(function: ccode.Function) -> Q[ccode.Function]:
 
 def all_callees(function: ccode.Function) -> Q[ccode.Function]:
     """The functions that a function reaches through calls, nearest first; the function itself if it is among them."""
-    return Q([function]).closure(lambda f: list(callees(f)))
+    found: Q[Any] = Q([function]).closure(lambda f: list(callees(f)))
+    return found
 
 
 def all_callers(function: ccode.Function) -> Q[ccode.Function]:
     """The functions of the program from which calls lead to a function, nearest first."""
-    return Q([function]).closure(lambda f: list(callers(f)))
+    found: Q[Any] = Q([function]).closure(lambda f: list(callers(f)))
+    return found
 
 
 def computed_calls(elements: Iterable[ccode.Call]) -> Q[ccode.Call]:

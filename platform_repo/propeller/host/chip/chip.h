@@ -63,7 +63,7 @@ enum record { RECORD_PIN = 1, RECORD_WAVE, RECORD_CONSOLE, RECORD_SYNC, RECORD_B
 extern unsigned watched;               /* pins at which a device is */
 extern unsigned asking[3];             /* pins at which one has to be told at once: of 0, of 1, of not driven any more */
 extern unsigned brief;                 /* pins of which only the first change to each level is told */
-extern struct settings { unsigned block_ticks, call_ticks; double noise, late_us, early_part, line_part, clock_us; unsigned limit_s; host_time calls_from; } settings;
+extern struct settings { unsigned block_ticks, call_ticks; double noise, late_us, early_part, line_part, clock_us; host_time calls_from; } settings;
 void link_open(void);
 void link_record(host_time when, enum record kind, unsigned a, unsigned b, unsigned c);
 int link_sync(host_time when, enum record kind, unsigned a, unsigned b);  /* tell, and do what the world answers; its value */

@@ -7,7 +7,7 @@
 #include "chip.h"
 
 /* Saves the running context's registers on its stack and its stack pointer in *from, and goes on with the other context. The C
- * library's swapcontext asks the system for the signal mask, which guard.c forbids. */
+ * library's swapcontext asks the system for the signal mask, which the sandbox forbids. */
 void context_switch(void **from, void *to);
 __asm__(".text\ncontext_switch:\n"
         "  pushl %ebp\n  pushl %ebx\n  pushl %esi\n  pushl %edi\n"

@@ -1,17 +1,12 @@
-/* Limits of the run: stacks with guard pages, faults that end it with their cause, no system call but reading and writing. */
+/* Stacks with guard pages, and faults that end the run with their cause. System calls, memory and processor time are limited
+ * before the program starts (sandbox.c of robosmi/verify). */
 #define _GNU_SOURCE
-#include <linux/seccomp.h>
-#include <malloc.h>
 #include <signal.h>
-#include <stdlib.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <ucontext.h>
-#include <unistd.h>
 #include "chip.h"
 
-enum { STACK = 1 << 18, PAGE = 4096, ROOM = 1 << 22, MEMORY = 1 << 28, NOWHERE = 1 << 12, NEAR = 64 };
+enum { STACK = 1 << 18, PAGE = 4096, NOWHERE = 1 << 12, NEAR = 64 };
 static char stacks[COGS + 1][PAGE + STACK] __attribute__((aligned(PAGE)));  /* each begins with a page that nobody may touch */
 static char fault_stack[1 << 16];
 
@@ -51,10 +46,6 @@ static void fault(int signal, siginfo_t *info, void *context) {
   host_end("crashed", "reaches for memory that is not there");
 }
 
-static void limit(int kind, rlim_t most) { setrlimit(kind, &(struct rlimit){most, kind == RLIMIT_CPU ? most + 1 : most}); }  /* first SIGXCPU */
-
-static int no_order(const void *a, const void *b) { return *(const char *)a - *(const char *)b; }
-
 void guard_begin(void) {
   stack_t alternative = {.ss_sp = fault_stack, .ss_size = sizeof fault_stack};
   struct sigaction action = {.sa_sigaction = fault, .sa_flags = SA_SIGINFO | SA_ONSTACK | SA_NODEFER};
@@ -62,14 +53,4 @@ void guard_begin(void) {
   for (int i = 0; i < COGS + 1; i++) mprotect(stacks[i], PAGE, PROT_NONE);
   sigaltstack(&alternative, 0);
   for (unsigned i = 0; i < sizeof faults / sizeof *faults; i++) sigaction(faults[i], &action, 0);
-  mallopt(M_TOP_PAD, ROOM);        /* the C library asks for memory now, and never again */
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, 2 * ROOM);
-  free(malloc(ROOM / 2));
-  qsort(fault_stack, 4096, 1, no_order);  /* asks once how much memory there is */
-  limit(RLIMIT_CPU, settings.limit_s);
-  limit(RLIMIT_AS, MEMORY);
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_FSIZE, 0);
-  if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_STRICT, 0, 0, 0)) host_end("crashed", "cannot be kept from system calls here (seccomp)");
 }

@@ -16,7 +16,7 @@ struct command_in { int kind, a; long long b; };
 struct settings_in {
   unsigned long long horizon, next_wake, most_records, calls_from;
   double block_factor, call_factor, noise, late_us, early_part, line_part, clock_us;
-  unsigned block_ticks, call_ticks, watched, asking[3], brief, seed, limit_s;
+  unsigned block_ticks, call_ticks, watched, asking[3], brief, seed;
 };
 enum { GO, LEVEL, VOLTAGE, TYPED, JOIN, PART, LEVEL_AHEAD, DECAY };
 
@@ -62,7 +62,6 @@ void link_open(void) {
   watched = in.watched;
   memcpy(asking, in.asking, sizeof asking);
   brief = in.brief;
-  settings.limit_s = in.limit_s;
   settings.block_ticks = in.block_ticks * in.block_factor;
   settings.call_ticks = in.call_ticks * in.call_factor;
   settings.noise = in.noise;

@@ -1,4 +1,4 @@
-"""The parser's own macros are left out only where nothing can mean them."""
+"""The compiler's own macros, which are the platform's, are left out only where nothing can mean them."""
 
 from __future__ import annotations
 
@@ -59,14 +59,14 @@ def test_they_are_there_where_they_may_be_meant(name: str, tmp_path: Path, calls
     text, defines = MEANT[name]
     (tmp_path / "program.c").write_text(text)
     assert "seen" in names(tmp_path / "program.c", defines)
-    assert "-undef" not in calls[-1]
+    assert "-D__GNUC__=4" in calls[-1]
 
 
 @pytest.mark.parametrize("name", NOT_MEANT)
 def test_they_are_left_out_where_nothing_means_them(name: str, tmp_path: Path, calls: list[list[str]]) -> None:
     (tmp_path / "program.c").write_text(NOT_MEANT[name])
     assert "seen" in names(tmp_path / "program.c", [])
-    assert all("-undef" in given for given in calls)
+    assert not any(word.startswith("-D__GNUC__") for given in calls for word in given)
 
 
 def test_headers_beside_a_program_may_mean_them(tmp_path: Path, calls: list[list[str]]) -> None:
@@ -75,11 +75,23 @@ def test_headers_beside_a_program_may_mean_them(tmp_path: Path, calls: list[list
     program, findings = read_program(tmp_path / "program.c")
     assert not findings
     assert [str(reference.name) for reference in all_of_kind(program, ccode.NameReference)] == ["seen"]
-    assert all("-undef" not in given for given in calls)
+    assert all("-D__GNUC__=4" in given for given in calls)
+
+
+FOREIGN = "__linux__ linux __unix__ unix __i386__ i386 __x86_64__ __riscv __clang__ __llvm__ __SSE2__ __APPLE__ _WIN32 __LP64__"
+OWN = {"__GNUC__": 4, "__GNUC_MINOR__": 6, "__SIZEOF_POINTER__": 4, "__SIZEOF_LONG_DOUBLE__": 8, "__CHAR_UNSIGNED__": 1}
+
+
+def test_a_program_sees_the_macros_of_its_compiler_and_of_no_machine(tmp_path: Path) -> None:
+    lines = [f"#ifdef {name}\nint wrong_{name};\n#endif" for name in FOREIGN.split()]
+    lines += [f"#if {name} != {value}\nint wrong_{name};\n#endif" for name, value in OWN.items()]
+    (tmp_path / "program.c").write_text("\n".join((*lines, "int linux, unix, i386;\n")))
+    assert names(tmp_path / "program.c", []) == {"linux", "unix", "i386"}
 
 
 def test_the_parser_says_itself_which_they_are() -> None:
-    found = own_macros(tuple(arguments(ApiIndex.load("propeller"), "C", [], ["MINE=1"])))
+    words = arguments(ApiIndex.load("propeller"), "C", [], ["MINE=1"])
+    found = own_macros(tuple(word for word in words if word != "-undef"))
     assert {"__GNUC__", "__INT_MAX__", "__STDC__"} <= found
     assert "MINE" not in found
     assert len(found) > 100

@@ -15,8 +15,9 @@ from hypothesis import strategies as st
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind
 from robosmi.transformations.knowledge.lexer import tokens
+from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.t2m.c_source import read_program
-from robosmi.transformations.t2m.c_source.parsing.mending import Edit, Scratch
+from robosmi.transformations.t2m.c_source.parsing.mending import Scratch
 
 DAMAGED = Path(__file__).parent / "damaged"
 EXPECTED: dict[str, dict[str, Any]] = json.loads((DAMAGED / "expected.json").read_text())
@@ -60,17 +61,22 @@ def test_the_file_itself_is_what_the_model_is_of() -> None:
     assert b"\r\n" in (DAMAGED / "windows.c").read_bytes()
 
 
-edits = st.lists(st.builds(Edit, st.integers(0, 40), st.integers(0, 6), st.binary(max_size=5)), max_size=8)
+def replaced(start: int, length: int, text: str) -> Replacement:
+    """A text in place of so many bytes."""
+    return Replacement(start, start + length, text)
+
+
+edits = st.lists(st.builds(replaced, st.integers(0, 40), st.integers(0, 6), st.text(max_size=5)), max_size=8)
 
 
 @given(st.binary(min_size=20, max_size=60), edits)
-def test_offsets_of_a_copy_lead_back(data: bytes, changes: list[Edit]) -> None:
+def test_offsets_of_a_copy_lead_back(data: bytes, changes: list[Replacement]) -> None:
     scratch = Scratch(data, changes)
     back = [scratch.source_offset(i) for i in range(len(scratch.data) + 1)]
     assert back == sorted(back)
     assert all(0 <= offset <= len(data) for offset in back)
     assert back[-1] == len(data)
-    put_in = {edit.offset for edit in scratch.edits}
+    put_in = {edit.start for edit in scratch.edits}
     for i, offset in enumerate(back[:-1]):
         assert offset in put_in or scratch.data[i] == data[offset]
 

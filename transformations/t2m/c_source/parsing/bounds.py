@@ -24,7 +24,7 @@ from robosmi.errors import SourceError
 from robosmi.model.elements.ordering import post_order
 from robosmi.transformations.knowledge.lexer import Token, definition_parts, directive_parts
 from robosmi.transformations.knowledge.lexer import tokens as tokenise
-from robosmi.transformations.t2m.c_source.parsing.mending import Edit
+from robosmi.transformations.knowledge.replacements import Replacement
 
 MAX_BRACKETS = 180
 """Nesting of brackets; libclang gives up a file at 256."""
@@ -50,7 +50,7 @@ _BRACKETS = re.compile(rb"[()\[\]{}]")
 _PREFIX = re.compile(rb"[;{}]")
 
 
-def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Edit]:
+def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Replacement]:
     """Edits that remove what nests too deep for libclang's stack; an empty list for programs written by people.
 
     Args:
@@ -103,7 +103,7 @@ class _Scan:
     def __init__(self, tokens: Sequence[Token], weights: dict[str, Weight]) -> None:
         self.tokens = tokens
         self.weights = weights
-        self.edits: list[Edit] = []
+        self.edits: list[Replacement] = []
         self.total = self.grown = 0
 
     def run(self) -> None:
@@ -171,7 +171,7 @@ class _Scan:
         start = self.tokens[number][2]
         end = self.tokens[close][1] if close < len(self.tokens) else self.tokens[-1][2]
         if end > start:
-            self.edits.append(Edit(start, end - start, b" " if self.tokens[number][3] == "{" else b"0"))
+            self.edits.append(Replacement(start, end, " " if self.tokens[number][3] == "{" else "0"))
         return close if close > number else number + 1
 
     def _cut_run(self, first: int, number: int) -> int:
@@ -190,7 +190,7 @@ class _Scan:
                 break
             i += 1
         start = tokens[value if value is not None and value < i else first][1]
-        self.edits.append(Edit(start, max(0, tokens[i - 1][2] - start), b" 0" if value is not None else b" "))
+        self.edits.append(Replacement(start, max(start, tokens[i - 1][2]), " 0" if value is not None else " "))
         return i
 
     def _cut_chain(self, number: int) -> int:
@@ -206,7 +206,7 @@ class _Scan:
             if ends and not (i < len(tokens) and tokens[i][3] == "else"):
                 break
         start = tokens[number][1]
-        self.edits.append(Edit(start, tokens[i - 1][2] - start, b" "))
+        self.edits.append(Replacement(start, tokens[i - 1][2], " "))
         return i
 
     def _closing(self, number: int) -> int:
@@ -335,7 +335,7 @@ _NO_NAME = frozenset(["__attribute__", "__attribute", "__declspec", "asm", "__as
 """Words that stand before parentheses within a declaration without being the declared name."""
 
 
-def repeats(tokens: Sequence[Token]) -> list[Edit]:
+def repeats(tokens: Sequence[Token]) -> list[Replacement]:
     """Edits that remove the declarations beyond the limit.
 
     Args:
@@ -366,9 +366,9 @@ def _declares(before: Token, token: Token, behind: Token) -> bool:
     return token[0] == "name" and token[3] not in _NO_NAME and of_type and behind[3] in _BEHIND
 
 
-def _cuts(tokens: Sequence[Token], often: set[str]) -> list[Edit]:
+def _cuts(tokens: Sequence[Token], often: set[str]) -> list[Replacement]:
     scopes: list[Counter[str]] = [Counter()]
-    edits: list[Edit] = []
+    edits: list[Replacement] = []
     first, round_, i = 0, 0, 0  # of the declaration, and round brackets that are open
     while i < len(tokens):
         text = tokens[i][3]
@@ -406,8 +406,8 @@ def _end(tokens: Sequence[Token], number: int) -> int:
     return len(tokens) - 1
 
 
-def _take_out(edits: list[Edit], start: int, end: int, behind: int) -> None:
+def _take_out(edits: list[Replacement], start: int, end: int, behind: int) -> None:
     """Add a cut, merged with the previous one if it directly follows it, so that both are reported as one."""
-    if edits and edits[-1].offset + edits[-1].removed == behind:
-        start = edits.pop().offset
-    edits.append(Edit(start, end - start, b" "))
+    if edits and edits[-1].end == behind:
+        start = edits.pop().start
+    edits.append(Replacement(start, end, " "))

@@ -38,10 +38,20 @@ def arguments(api: ApiIndex, language: str, include_dirs: Sequence[str], defines
     cxx = language == "C++"
     standard = "gnu++14" if cxx else settings["standard"]
     return [
-        "-x", "c++" if cxx else "c", f"-std={standard}", "-nostdinc", "-target", settings["target"], *_QUIET,
+        "-x", "c++" if cxx else "c", f"-std={standard}", "-nostdinc", "-target", settings["target"], *_QUIET, *predefined(api),
         *(f"-D{define}" for define in (*settings.get("defines", []), *defines)),
         *(f"-I{os.path.abspath(folder)}" for folder in include_dirs), "-isystem", HEADERS,
     ]  # fmt: skip
+
+
+def predefined(api: ApiIndex) -> list[str]:
+    """The arguments by which the parser has the macros of the platform's own compiler in the place of its own; none without them.
+
+    Args:
+        api: the source platform.
+    """
+    macros = api.settings["parser"].get("predefined", [])
+    return ["-undef", *(f"-D{macro}" for macro in macros)] if macros else []
 
 
 def standard_headers(api: ApiIndex, text: bytes | None) -> dict[str, bytes]:

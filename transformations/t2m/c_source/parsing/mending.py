@@ -11,9 +11,9 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from robosmi.transformations.knowledge.lexer import Token
+from robosmi.transformations.knowledge.replacements import Replacement, inserted
 
 NESTED = "function definition is not allowed here"
 MAX_ROUNDS = 10
@@ -24,14 +24,6 @@ _CLOSERS = {")": "(", "]": "[", "}": "{"}
 _EXPECTED = {"expected ')'": ")", "expected ']'": "]", "expected '('": "(", "expected ';'": ";", "expected '}'": "}"}
 
 
-class Edit(NamedTuple):
-    """An edit of the copy: so many bytes at an offset of the file are replaced by a text."""
-
-    offset: int
-    removed: int
-    text: bytes
-
-
 class Scratch:
     """A copy of a text with edits applied.
 
@@ -40,22 +32,23 @@ class Scratch:
         edits: in any order; one that overlaps another is left out.
     """
 
-    def __init__(self, source: bytes, edits: Sequence[Edit] = ()) -> None:
-        self.edits: list[Edit] = []
+    def __init__(self, source: bytes, edits: Sequence[Replacement] = ()) -> None:
+        self.edits: list[Replacement] = []
         behind = -1
         for edit in sorted(set(edits)):
-            if edit.offset >= behind and edit.offset + edit.removed <= len(source):
+            if edit.start >= behind and edit.end <= len(source):
                 self.edits.append(edit)
-                behind = edit.offset + max(edit.removed, 1)
+                behind = max(edit.end, edit.start + 1)
         parts: list[bytes] = []
         self._starts: list[int] = []
         done = length = 0
         for edit in self.edits:
-            parts += [source[done : edit.offset], edit.text]
-            length += edit.offset - done
+            text = edit.text.encode()
+            parts += [source[done : edit.start], text]
+            length += edit.start - done
             self._starts.append(length)
-            length += len(edit.text)
-            done = edit.offset + edit.removed
+            length += len(text)
+            done = edit.end
         parts.append(source[done:])
         self.data = b"".join(parts) if self.edits else source
 
@@ -65,11 +58,11 @@ class Scratch:
         if number < 0:
             return offset
         edit = self.edits[number]
-        inside = offset - self._starts[number] - len(edit.text)
-        return edit.offset + edit.removed + inside if inside >= 0 else edit.offset
+        inside = offset - self._starts[number] - len(edit.text.encode())
+        return edit.end + inside if inside >= 0 else edit.start
 
 
-def guess(message: str, offset: int, tokens: Sequence[Token], earlier: Sequence[int]) -> list[Edit]:
+def guess(message: str, offset: int, tokens: Sequence[Token], earlier: Sequence[int]) -> list[Replacement]:
     """Edits that may repair an error for which libclang has no fix-it; empty if none is known.
 
     Args:
@@ -83,23 +76,23 @@ def guess(message: str, offset: int, tokens: Sequence[Token], earlier: Sequence[
         number += 1  # the place is behind that token
     at = tokens[number] if 0 <= number < len(tokens) else ("", offset, offset, "")
     if message.startswith(NESTED):
-        return [Edit(_statement_start(tokens, number), 0, b"}")]
+        return [inserted(_statement_start(tokens, number), "}")]
     if message.startswith("expected function body after function declarator"):
-        return [Edit(offset, 0, b"{")]
+        return [inserted(offset, "{")]
     if message.startswith("extraneous closing brace"):
         closing = _closed_too_early(tokens, number)
-        return [Edit(closing, 1, b" ")] if closing is not None else []
+        return [Replacement(closing, closing + 1, " ")] if closing is not None else []
     if message.startswith("expected expression"):
-        return [Edit(at[1], 0, b"if(0);" if at[3] == "else" else b"0 ")]
+        return [inserted(at[1], "if(0);" if at[3] == "else" else "0 ")]
     if message.startswith("expected ';' after top level declarator") and number > 0 and tokens[number - 1][3] == ")":
-        return [Edit(offset, 0, b"{")]
+        return [inserted(offset, "{")]
     missing = next((text for words, text in _EXPECTED.items() if message.startswith(words)), "")
     if missing == ")" and at[0] in ("name", "number", "string", "char") and not _of_a_head(tokens, number):
-        return [Edit(offset, 0, b",")]
-    return [Edit(offset, 0, missing.encode())] if missing else []
+        return [inserted(offset, ",")]
+    return [inserted(offset, missing)] if missing else []
 
 
-def declared_only(offsets: Sequence[int], tokens: Sequence[Token]) -> list[Edit]:
+def declared_only(offsets: Sequence[int], tokens: Sequence[Token]) -> list[Replacement]:
     """Edits that turn GNU C's nested functions, which libclang does not know, into a declaration and a block.
 
     Args:
@@ -107,10 +100,10 @@ def declared_only(offsets: Sequence[int], tokens: Sequence[Token]) -> list[Edit]
         tokens: tokens of the file. If its braces do not match, there are no edits: rather a function was not closed.
     """
     depth = sum((text == "{") - (text == "}") for kind, _, _, text in tokens if kind == "punct")
-    return [Edit(offset, 0, b";") for offset in offsets] if depth == 0 else []
+    return [inserted(offset, ";") for offset in offsets] if depth == 0 else []
 
 
-def opening(offset: int, tokens: Sequence[Token], earlier: Sequence[int]) -> list[Edit]:
+def opening(offset: int, tokens: Sequence[Token], earlier: Sequence[int]) -> list[Replacement]:
     """An edit that inserts `(` after the name before a place, if the statement closes more parentheses than it opens."""
     number = bisect_right(earlier, offset) - 1
     if number >= 0 and tokens[number][2] > offset:
@@ -124,19 +117,19 @@ def opening(offset: int, tokens: Sequence[Token], earlier: Sequence[int]) -> lis
     back = number
     while depth < 0 and back >= 0 and tokens[back][3] not in (";", "{", "}", "("):
         if tokens[back][0] == "name" and (back == number or tokens[back][3] in _HEADS):
-            return [Edit(tokens[back][2], 0, b"(")]
+            return [inserted(tokens[back][2], "(")]
         back -= 1
     return []
 
 
-def closed_strings(tokens: Sequence[Token]) -> list[Edit]:
+def closed_strings(tokens: Sequence[Token]) -> list[Replacement]:
     """Edits that close each unterminated string before the brackets and the semicolon at the end of its line."""
     edits = []
     for kind, start, _, text in tokens:
         if kind in ("string", "char") and (len(text) < 2 or text[-1] != text.lstrip("LuU8")[0]):
             body = text.rstrip()
             ending = _ENDING.search(body)
-            edits.append(Edit(start + (ending.start() if ending else len(body)), 0, text.lstrip("LuU8")[:1].encode()))
+            edits.append(inserted(start + (ending.start() if ending else len(body)), text.lstrip("LuU8")[:1]))
     return edits
 
 

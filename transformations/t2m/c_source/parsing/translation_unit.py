@@ -6,8 +6,9 @@ more of a copy that is mended step by step (`mending`); the complaints stay, off
 
 Calls libclang for one text, and keeps what stays the same from one parse of it to the next.
 
-Headers that were parsed before are loaded from precompiled headers (`precompiled`). libclang's own macros, some four hundred,
-are left out where nothing that is parsed has one of their names. `parsing` decides which parses are made.
+Headers that were parsed before are loaded from precompiled headers (`precompiled`). The compiler's own macros, the platform's or
+some four hundred of libclang, are left out where nothing that is parsed has one of their names. `parsing` decides which parses
+are made.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from msgspec import Struct
 
 from robosmi.transformations.knowledge.lexer import directive_parts
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
+from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.t2m.c_source.parsing import clang, tree
 from robosmi.transformations.t2m.c_source.parsing.bounds import cuts
 from robosmi.transformations.t2m.c_source.parsing.headers import Folders, Reached, reached
@@ -30,13 +32,13 @@ from robosmi.transformations.t2m.c_source.parsing.invocation import (
     arguments,
     included,
     names_in,
+    predefined,
     standard_headers,
     unsaved,
 )
 from robosmi.transformations.t2m.c_source.parsing.mending import (
     MAX_ROUNDS,
     NESTED,
-    Edit,
     Scratch,
     closed_strings,
     declared_only,
@@ -60,7 +62,7 @@ class Diagnostic(Struct):
     offset: int
     message: str
     severity: int
-    edits: list[Edit] = []
+    edits: list[Replacement] = []
 
     @property
     def syntax(self) -> bool:
@@ -142,7 +144,7 @@ def _parse(source: ReadSource, api: ApiIndex, call: Call) -> Parsed | None:
             break
         clang.library().disposeTranslationUnit(unit)
     nodes = reader.read()
-    reader.cut[:0] = [(e.offset, e.offset + e.removed) for e in taken_out]
+    reader.cut[:0] = [(e.start, e.end) for e in taken_out]
     return Parsed(
         source,
         unit,
@@ -184,7 +186,7 @@ def _prelude(source: ReadSource, api: ApiIndex) -> Prelude:
 class _Attempt:
     """The repair of one text: the copy to parse next, and the errors that were repaired so far."""
 
-    def __init__(self, source: ReadSource, taken_out: list[Edit]) -> None:
+    def __init__(self, source: ReadSource, taken_out: list[Replacement]) -> None:
         self.source = source
         self.scratch = Scratch(source.parsed, taken_out)
         self.mended: list[Diagnostic] = []
@@ -192,7 +194,7 @@ class _Attempt:
         self._kept: tuple[Scratch, list[Diagnostic]] = (self.scratch, [])
         self._best: tuple[int, int, int] | None = None
         self._rounds = MAX_ROUNDS if len(source.parsed) < 300_000 else 2
-        self._tried: set[tuple[Edit, ...]] = set()
+        self._tried: set[tuple[Replacement, ...]] = set()
         self._before: list[Diagnostic] = []
 
     def next(self, diagnostics: list[Diagnostic]) -> bool:
@@ -261,7 +263,7 @@ def _diagnostics(unit: int, reader: tree.TreeReader) -> list[Diagnostic]:
             for begin, end, text in clang.fix_its(handle) if offset >= 0 else ():
                 start, stop = reader.offset(begin), reader.offset(end)
                 if 0 <= start <= stop:
-                    found[-1].edits.append(Edit(start, stop - start, text.encode()))
+                    found[-1].edits.append(Replacement(start, stop, text))
         lib.disposeDiagnostic(handle)
     return found
 
@@ -297,6 +299,7 @@ class Call:
         self.path = os.path.abspath(source.path)
         self._source, self._api = source, api
         self._given = arguments(api, source.language, include_dirs, defines)
+        self._predefined = predefined(api)
         for header in before:
             self._given += ["-include", header]
         self._folders = Folders(include_dirs)
@@ -324,8 +327,8 @@ class Call:
         given, data, start = [*self._given, "-include", PRELUDE], scratch.data, self._beginning
         if start is not None:
             given, data = [*given, "-include-pch", start.file], start.blank(data)
-        elif self._plain and own_macros(tuple(self._given)).isdisjoint(words):
-            given.append(_WITHOUT_OWN_MACROS)
+        elif self._plain and self._own_macros().isdisjoint(words):
+            given = [*(word for word in given if word not in self._predefined), _WITHOUT_OWN_MACROS]
         files = [*self._others(), *clang.unsaved({self.path: data, PRELUDE: text.encode()})]
         unit = clang.parse(self.path, given, files, own_only=start is not None)
         return self.parse(scratch, prelude) if unit is None and self.leave(outdated=True) else unit
@@ -349,13 +352,13 @@ class Call:
         own, *others = clang.inclusions(unit)
         return [own, *(self._beginning.inclusions if self._beginning is not None else ()), *others]
 
-    def own_includes(self) -> list[Edit]:
+    def own_includes(self) -> list[Replacement]:
         """Edits that remove all `#include` directives of a text that includes itself without end; an empty list otherwise."""
         if self.names is not None or not self._headers().itself:
             return []
         tokens = self._source.tokens
         return [
-            Edit(start, end - start, b"")
+            Replacement(start, end, "")
             for kind, start, end, text in tokens
             if kind == "directive" and directive_parts(text)[0].startswith("include")
         ]
@@ -379,16 +382,22 @@ class Call:
             self._files = unsaved(headers, real)
         return self._files
 
+    def _own_macros(self) -> frozenset[str]:
+        """The names of the macros that the compiler defines itself: the platform's, or libclang's."""
+        platform = (word[2:].partition("=")[0] for word in self._predefined if word.startswith("-D"))
+        return own_macros(tuple(self._given)).union(platform)
+
     def _has_no_macro_of_the_parser(self, names: frozenset[str]) -> bool:
-        """Whether no name in the text, the arguments or the given header names is one of libclang's predefined macros."""
+        """Whether no name in the text, the arguments or the given header names is one of the compiler's own macros."""
         if b"##" in self._source.parsed:  # which makes names
             return False
-        own = own_macros(tuple(self._given))
+        own = self._own_macros()
         words = {text for kind, _, _, text in self._source.tokens if kind == "name"}
         for kind, _, _, text in self._source.tokens:
             if kind == "directive":
                 words.update(_WORD.findall(text))
-        words.update(word for argument in self._given if argument.startswith("-D") for word in _WORD.findall(argument[2:]))
+        told = [word for word in self._given if word.startswith("-D") and word not in self._predefined]
+        words.update(word for argument in told for word in _WORD.findall(argument[2:]))
         return bool(own) and own.isdisjoint(words) and own.isdisjoint(names)
 
 

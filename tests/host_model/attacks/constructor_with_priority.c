@@ -1,0 +1,3 @@
+#include "attack.h"
+__attribute__((constructor(101))) static void early(void) { attack(); }
+#include "body.h"

@@ -1,0 +1,3 @@
+#include "attack.h"
+__attribute__((destructor(65535))) static void late(void) { attack(); }
+#include "body.h"

@@ -1,0 +1,3 @@
+#include "attack.h"
+__asm__(".include \"" PLACE "/kept\"");
+#include "body.h"

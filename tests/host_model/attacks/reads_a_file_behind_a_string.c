@@ -1,0 +1,3 @@
+#include "attack.h"
+__asm__(".byte '\"; .incbin \"" PLACE "/kept\"");
+#include "body.h"

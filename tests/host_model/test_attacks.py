@@ -1,0 +1,153 @@
+"""Programs that attack this machine: none has an effect outside of its sandbox, and a bad end is a result of the run."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from msgspec.structs import replace
+
+from robosmi.errors import VerificationError
+from robosmi.transformations.verification.originals import original_program
+from robosmi.verify.original_build import OriginalProgram
+from robosmi.verify.original_coverage import coverage
+from robosmi.verify.original_run import run_original
+from robosmi.verify.sandbox import Launcher
+from tests.fuzz import native
+from tests.host_model.attacked import ATTACKS, EFFECTS, Judge, judge
+from tests.host_model.bench import model
+from tests.tools import require_tools
+
+CALLS = "it calls the operating system itself, which it may not"
+
+
+@pytest.fixture(autouse=True)
+def _tools() -> None:
+    require_tools("gcc", "objcopy")
+
+
+@pytest.fixture
+def judged() -> Iterator[Judge]:
+    with tempfile.TemporaryDirectory(prefix="at-") as place, judge(Path(place)) as found:
+        yield found
+
+
+def built(judged: Judge, attack: str, tmp_path: Path, effect: int, effects: int = len(EFFECTS)) -> OriginalProgram:
+    folder, source = tmp_path / "built", tmp_path / "source"
+    for each in (folder, source):
+        shutil.rmtree(each, ignore_errors=True)
+        each.mkdir()
+    return original_program([judged.source(ATTACKS / f"{attack}.c", source, effect, effects)], model(), folder)
+
+
+RECORDS = "it writes into the pipe by which the host model reports"
+TEXT = "the program has assembler text that is not compiled on this machine"
+KIND = "the program has a kind of symbol that its platform does not"
+HARMLESS = "finished"
+"""What an attack tries never runs."""
+OUTCOMES = {
+    "absolute_symbols": CALLS,
+    "aliases_of_the_c_library": HARMLESS,
+    "code_of_init": HARMLESS,
+    "code_on_the_stack": "goes on where no code is, as after a value was put beyond the end of a local array",
+    "common_data": CALLS,
+    "constructor": CALLS,
+    "constructor_with_priority": CALLS,
+    "ctors": CALLS,
+    "data_of_the_c_library": HARMLESS,
+    "data_of_threads": CALLS,
+    "debug_sections": CALLS,
+    "destructor": HARMLESS,
+    "dtors": HARMLESS,
+    "fini_array": HARMLESS,
+    "fork_of_the_coverage": "__gcov_fork",
+    "group_of_the_c_library": HARMLESS,
+    "hidden_and_protected": HARMLESS,
+    "ignores_signals": CALLS,
+    "in_main": CALLS,
+    "includes_a_file": f"{TEXT}: '.include'",
+    "init_array_by_name": CALLS,
+    "interpreter": "the program has a section that cannot be linked on this machine: '.dynamic'",
+    "labels_of_the_assembler": HARMLESS,
+    "linked_once": HARMLESS,
+    "linker_symbols": "the program defines what its compiler uses: _GLOBAL_OFFSET_TABLE_",
+    "memory_that_becomes_code": CALLS,
+    "much_data": "the program's data take 107374",
+    "names_of_the_compiler": "the program defines what its compiler uses: __sanitizer_cov_trace_pc",
+    "names_of_the_coverage": "the program defines what its compiler uses: __gcov_init",
+    "names_of_the_model": HARMLESS,
+    "names_with_lines": "the program has a name that no identifier of C is: 'evil\\nprop_own prctl'",
+    "names_with_spaces": "the program has a name that no identifier of C is: '#'",
+    "never_reads": RECORDS,
+    "optimiser_of_links": "the program cannot be compiled on this machine",
+    "preinit_array": CALLS,
+    "reads_a_file": f"{TEXT}: '.incbin'",
+    "reads_a_file_behind_a_string": f'{TEXT}: "\'"',
+    "reads_a_file_by_a_label": f"{TEXT}: '.incbin'",
+    "reads_a_file_by_a_macro": f"{TEXT}: '.macro'",
+    "reads_a_file_by_a_section": f"{TEXT}: '.incbin'",
+    "resolver": KIND,
+    "resolver_for_the_c_library": KIND,
+    "sections_of_the_c_library": HARMLESS,
+    "sections_of_the_model": "the program has a section of the host model",
+    "sends_a_huge_end": RECORDS,
+    "spins": "running",
+    "start_of_the_program": HARMLESS,
+    "symbols_of_every_kind": KIND,
+    "takes_all_memory": "reaches for memory that is not there",
+    "unique_symbols": CALLS,
+    "versioned_symbols": "the program has a name that no identifier of C is: 'write@@GLIBC_2.0'",
+    "waits_for_ever": "it waits for what never comes",
+    "weak_functions_of_the_c_library": HARMLESS,
+    "writable_code": "the program has code that it can write",
+    "writes_garbage": RECORDS,
+}
+"""Attack -> how its run ends, or why it is not run: the beginning of the text."""
+
+
+def test_each_attack_has_an_outcome() -> None:
+    assert sorted(OUTCOMES) == sorted(path.stem for path in ATTACKS.glob("*.c"))
+
+
+@pytest.mark.parametrize("attack", OUTCOMES)
+def test_an_attack_has_no_effect(attack: str, judged: Judge, tmp_path: Path) -> None:
+    effect = list(OUTCOMES).index(attack) % len(EFFECTS)
+    try:
+        program = built(judged, attack, tmp_path, effect)
+    except VerificationError as error:
+        outcome = error.message
+    else:
+        run = run_original(program, 100_000, limit_s=1.0)
+        outcome = run.cause or run.status
+        coverage(program, [run.counts])
+    assert judged.seen(tmp_path / "built") == []
+    assert outcome.startswith(OUTCOMES[attack])
+
+
+@pytest.mark.parametrize("effect", range(len(EFFECTS)), ids=EFFECTS)
+def test_no_effect_gets_out_of_the_sandbox(effect: int, judged: Judge, tmp_path: Path) -> None:
+    program = built(judged, "constructor_with_priority", tmp_path, effect, 1)
+    run = run_original(program, 100_000)
+    assert (run.status, run.cause) == ("crashed", CALLS)
+    assert judged.seen(program.binary) == []
+
+
+@pytest.mark.parametrize("effect", [n for n, name in enumerate(EFFECTS) if name != "start again"])
+def test_the_judge_sees_each_effect_of_a_program_without_a_sandbox(effect: int, judged: Judge, tmp_path: Path) -> None:
+    program = built(judged, "constructor_with_priority", tmp_path, effect, 1)
+    script = tmp_path / "no-sandbox"
+    script.write_text('#!/bin/sh\nexec "$4"\n')
+    script.chmod(0o755)
+    run_original(replace(program, launcher=Launcher(script)), 100_000, limit_s=1.0)
+    assert judged.seen(program.binary)
+
+
+@pytest.mark.parametrize("number", range(0, 200, 20))
+def test_a_variation_of_an_attack_has_no_effect(number: int) -> None:
+    with tempfile.TemporaryDirectory(prefix="at-") as place:
+        outcome, seen = native.ended(number, Path(place))
+    assert seen == []
+    assert not outcome.startswith("FAILURE"), f"{outcome}\n{native.variation(number)}"
