@@ -22,14 +22,14 @@ _COUNTER_BYTES = 8
 _LEAST_VERSION = 9
 
 
-class Function(Struct, frozen=True):
+class CoveredFunction(Struct, frozen=True):
     """A function of an object: its name, and the number and two checksums by which the coverage tool knows it."""
 
     name: str
     marks: tuple[int, int, int]
 
 
-class Notes(Struct, frozen=True):
+class CoverageNotes(Struct, frozen=True):
     """What the compiler notes of an object.
 
     Attributes:
@@ -40,7 +40,7 @@ class Notes(Struct, frozen=True):
 
     version: int
     stamp: int
-    functions: tuple[Function, ...]
+    functions: tuple[CoveredFunction, ...]
 
     @property
     def compiler(self) -> int:
@@ -54,7 +54,7 @@ class Notes(Struct, frozen=True):
         return 1 if self.compiler >= 12 else 4
 
 
-def read_notes(path: Path) -> Notes:
+def read_notes(path: Path) -> CoverageNotes:
     """Read an object's notes.
 
     Raises:
@@ -63,15 +63,15 @@ def read_notes(path: Path) -> Notes:
     data = inputs.read_bytes(path, inputs.OUTPUT)
     try:
         magic, version, stamp = struct.unpack_from("<III", data)
-        notes = Notes(version, stamp, ())
+        notes = CoverageNotes(version, stamp, ())
         if magic != _NOTES or notes.compiler < _LEAST_VERSION:
             raise ValueError
-        return Notes(version, stamp, tuple(_functions(data, notes)))
+        return CoverageNotes(version, stamp, tuple(_functions(data, notes)))
     except (struct.error, ValueError):
         raise VerificationError("the compiler's notes on coverage cannot be read", fix="use gcc 9 or newer") from None
 
 
-def _functions(data: bytes, notes: Notes) -> list[Function]:
+def _functions(data: bytes, notes: CoverageNotes) -> list[CoveredFunction]:
     at = 16 if notes.unit == 1 else 12
     at += 4 + _WORD.unpack_from(data, at)[0] * notes.unit + 4  # the folder, and whether there are blocks that never run
     found = []
@@ -81,12 +81,12 @@ def _functions(data: bytes, notes: Notes) -> list[Function]:
         if tag == _FUNCTION:
             *marks, size = struct.unpack_from("<IIII", data, at)
             name = data[at + 16 : at + 16 + size * notes.unit].rstrip(b"\0").decode("utf-8", "surrogateescape")
-            found.append(Function(name.lstrip("*"), (marks[0], marks[1], marks[2])))
+            found.append(CoveredFunction(name.lstrip("*"), (marks[0], marks[1], marks[2])))
         at += length * notes.unit
     return found
 
 
-def counters_file(notes: Notes, counts: Sequence[tuple[Function, Sequence[int]]], runs: int) -> bytes:
+def counters_file(notes: CoverageNotes, counts: Sequence[tuple[CoveredFunction, Sequence[int]]], runs: int) -> bytes:
     """The content of a file with counters, as the program's own coverage runtime would write it.
 
     Args:

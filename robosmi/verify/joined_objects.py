@@ -16,7 +16,16 @@ from robosmi import inputs
 from robosmi.errors import VerificationError
 from robosmi.verify.elf_reader import LOCAL, ElfFile, read_elf
 from robosmi.verify.host_model import HostModel
-from robosmi.verify.linked_names import HOOKS, JOINING, Kept, Names, check_named, check_object, names_of, renamed_sections
+from robosmi.verify.linked_names import (
+    HOOKS,
+    JOINING,
+    Names,
+    RetainedNames,
+    check_named,
+    check_object,
+    names_of,
+    renamed_sections,
+)
 
 _COUNTERS_OF = "__gcov0."
 _COUNTERS = re.compile(rf"{re.escape(_COUNTERS_OF)}(.+)")
@@ -39,7 +48,7 @@ class Counters(Struct, frozen=True):
     size: int
 
 
-class Joined(Struct, frozen=True):
+class JoinedObjects(Struct, frozen=True):
     """A program as one object.
 
     Attributes:
@@ -76,7 +85,7 @@ def elf_at(path: Path) -> ElfFile:
     return read_elf(made_by_tools(path))
 
 
-def joined(objects: Sequence[Path], folder: Path, model: HostModel, known: frozenset[str], run: RunTool) -> Joined:
+def joined(objects: Sequence[Path], folder: Path, model: HostModel, known: frozenset[str], run: RunTool) -> JoinedObjects:
     """Join the objects of a program, and give all that it defines a name of its own.
 
     Args:
@@ -97,7 +106,7 @@ def joined(objects: Sequence[Path], folder: Path, model: HostModel, known: froze
     words = ["-r", "-m", model.compiler.text("linker_machine"), "--force-group-allocation", "-T", str(script), "-o", str(path)]
     run("linker", *words, *(str(each) for each in objects))
     whole = elf_at(path)
-    names, kept = names_of(whole), Kept(model.same, known)
+    names, kept = names_of(whole), RetainedNames(model.same, known)
     if "main" not in names.defined:
         raise VerificationError("the program has no function main", fix="name the file that has it, too")
     if taken := sorted(names.defined & HOOKS):
@@ -109,10 +118,10 @@ def joined(objects: Sequence[Path], folder: Path, model: HostModel, known: froze
     check_named(elf_at(named), model.prefix, kept)
     own = {model.prefix + name for name in names.defined} | known
     unmodelled = sorted(name for name in names.used if name not in kept and model.prefix + name not in own)
-    return Joined(named, tuple(unmodelled), tuple(_counters(objects, elves, whole)))
+    return JoinedObjects(named, tuple(unmodelled), tuple(_counters(objects, elves, whole)))
 
 
-def rename(path: Path, target: Path, names: Names, kept: Kept, prefix: str, run: RunTool, *more: str) -> None:
+def rename(path: Path, target: Path, names: Names, kept: RetainedNames, prefix: str, run: RunTool, *more: str) -> None:
     """Give the names of an object a prefix.
 
     Args:

@@ -88,7 +88,7 @@ class Names(Struct, frozen=True):
     used: frozenset[str]
 
 
-class Kept(Struct, frozen=True):
+class RetainedNames(Struct, frozen=True):
     """The names that an object may use as they are.
 
     Attributes:
@@ -161,7 +161,7 @@ def renamed_sections(elf: ElfFile) -> tuple[dict[str, str], list[str]]:
     return renamed, removed
 
 
-def check_named(elf: ElfFile, prefix: str, kept: Kept) -> None:
+def check_named(elf: ElfFile, prefix: str, kept: RetainedNames) -> None:
     """Check that the renaming of a joined program has left no other name or section than it may.
 
     Raises:

@@ -22,7 +22,7 @@ from robosmi.errors import MissingToolError, VerificationError
 from robosmi.verify.assembler_text import check_directives
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.joined_objects import Counters, elf_at, joined, made_by_tools, rename
-from robosmi.verify.linked_names import PROGRAM_DATA, Kept, check_linked, library_names, names_of
+from robosmi.verify.linked_names import PROGRAM_DATA, RetainedNames, check_linked, library_names, names_of
 from robosmi.verify.sandbox import FLAGS, SOURCE, Launcher, launcher
 from robosmi.verify.toolchains import archives
 from robosmi.verify.toolchains.machine_faults import check_machine
@@ -185,7 +185,7 @@ class _Build(Struct, dict=True):
         self.probe()
         self._run_all(jobs)
         chip = {path: names_of(elf_at(path)) for path in objects if path.name.startswith("chip-")}
-        kept_names = Kept(self.model.same, frozenset[str]().union(*(names.defined for names in chip.values())))
+        kept_names = RetainedNames(self.model.same, frozenset[str]().union(*(names.defined for names in chip.values())))
         for path in (path for path in objects if path not in chip):
             names = names_of(elf_at(path))
             weak = [word for each in names.defined for word in ("--weaken-symbol", self.model.prefix + each)]
