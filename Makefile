@@ -1,5 +1,7 @@
 # make demo   set everything up, move the line follower, show what was made
-# make test   set everything up (system packages too, where this may) and run all tests, in a process for each core
+# make check  run the tests that need neither a compiler nor a simulator, a browser or another Python, in a process for each core
+# make test   set everything up (system packages too, where this may) and run what a pull request needs
+# make test-all  every test: every board, 300 kills, every adapter on every microcontroller, by hand (not in CI)
 # make lint   ruff and mypy, in an environment of its own
 # make bench  the figures of the README and others, measured, in one table
 # make fuzz  damaged and large inputs, odd environments, by hand (not in CI)
@@ -21,7 +23,7 @@ export ROBOSMI_HOME := $(CURDIR)/out/data
 unexport ROBOSMI_HISTORY
 # Where .ci/npm-packages puts the simulator avr8js.
 export ROBOSMI_NPM := $(CURDIR)/.npm
-.PHONY: floor-plan demo test lint bench evaluate fuzz faults adapters pyecore corpus wheel readme rules metamodels system-packages npm-packages clean
+.PHONY: floor-plan demo check test test-all lint bench evaluate fuzz faults adapters pyecore corpus wheel readme rules metamodels system-packages npm-packages clean
 
 $(VENV)/.ready: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -39,8 +41,15 @@ system-packages:
 npm-packages: system-packages
 	@sh .ci/npm-packages
 
+PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
+check: $(VENV)/.ready
+	$(PYTEST) --tier check
+
 test: $(VENV)/.ready system-packages npm-packages
-	$(BIN)/python -m pytest -n auto --dist worksteal
+	$(PYTEST) --tier test
+
+test-all: $(VENV)/.ready system-packages npm-packages
+	$(PYTEST) --tier all
 
 lint:
 	@sh .ci/lint

@@ -8,10 +8,15 @@ from pathlib import Path
 
 import pytest
 
-from tests.written_models_judge import MARKS, join
+from tests import tiers, written_models_judge
 
 ROOT = Path(__file__).resolve().parents[1]
 _HOME = pytest.StashKey["tempfile.TemporaryDirectory[str]"]()
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Let the tier be chosen."""
+    tiers.add_option(parser)
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -22,9 +27,11 @@ def pytest_configure(config: pytest.Config) -> None:
     if not hasattr(config, "workerinput"):  # hundreds of tests start a Python of their own: one set of bytecode for all of them
         os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
         os.environ.setdefault("PYTHONPYCACHEPREFIX", str(Path(folder.name) / "bytecode"))
-    for mark, meaning in MARKS.items():
+    for mark, meaning in written_models_judge.MARKS.items():
         config.addinivalue_line("markers", f"{mark}(reason): {meaning}")
-    join(config)
+    tiers.join(config)
+    if config.getoption("tier") != "check":  # EMF is a program, too
+        written_models_judge.join(config)
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:

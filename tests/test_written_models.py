@@ -53,7 +53,7 @@ def test_nothing():
 
 def pytest_run(folder: Path, *tests: str, path: str | None = None, processes: int = 0) -> tuple[int, str]:
     """The exit code of a run of tests, shared out among so many processes, and what it printed."""
-    (folder / "conftest.py").write_text("from tests.conftest import pytest_configure\n", encoding="utf-8")
+    (folder / "conftest.py").write_text("from tests.conftest import pytest_addoption, pytest_configure\n", encoding="utf-8")
     (folder / "test_small.py").write_text(HEAD + "".join(tests), encoding="utf-8")
     (folder / "pytest.ini").write_text("[pytest]\naddopts = -ra --strict-markers -p no:cacheprovider\n", encoding="utf-8")
     environment = {**os.environ, "PYTHONPATH": str(ROOT), "PATH": path or os.environ["PATH"]}

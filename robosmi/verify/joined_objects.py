@@ -135,7 +135,7 @@ def rename(path: Path, target: Path, names: Names, kept: RetainedNames, prefix: 
     """
     own = names.defined | {name for name in names.used if name not in kept}
     table = target.with_suffix(".names")
-    table.write_text("".join(f"{name} {prefix}{name}\n" for name in sorted(own)))
+    table.write_text("".join(f"{name} {prefix}{name}\n" for name in sorted(own)), encoding="utf-8")
     run("rename", f"--redefine-syms={table}", *more, str(path), str(target))
 
 

@@ -39,6 +39,7 @@ _IN_MACRO = re.compile(
 )
 """A compiler message about the expansion of a macro from the command line; its note has the place."""
 _TWICE = re.compile(r"multiple definition of [`']([^`']+)'")
+_CXX = (".cpp", ".cc", ".cxx", ".C")
 _GENERATED = "unmodelled.c"
 _FIRST = "predefined.h"
 """What the compiler of the platform defines; read before the program, which also keeps gcc from precompiled headers."""
@@ -155,7 +156,7 @@ class _Build(Struct, dict=True):
         """Compile a file of the program, and look at the files and the assembler text that it consists of."""
         text, used = target.with_suffix(".s"), target.with_suffix(".d")
         prefix = f"-fmacro-prefix-map={source.parent}/="  # of __FILE__
-        self._run("command", *flags, prefix, "-MD", "-MF", str(used), "-S", str(source), "-o", str(text))
+        self._run("command", *flags, prefix, "-MD", "-MF", str(used), "-S", *_language(source), "-o", str(text))
         if self.only is not None:
             rule = made_by_tools(used).decode("utf-8", "surrogateescape")
             check_used(used_files(rule, self.folder), self.only, (self.folder, *self.model.headers))
@@ -288,6 +289,11 @@ class _Build(Struct, dict=True):
             return check_machine(command[0], run(command, self.folder, _environment(), self.until - monotonic()))
         except MissingToolError as error:
             raise MissingToolError(error.message, fix=self.model.install) from error
+
+
+def _language(source: Path) -> tuple[str, ...]:
+    """A source with its language: a compiler takes other files than sources, too, going by their names."""
+    return "-x", "c++" if source.suffix in _CXX else "c", str(source)
 
 
 def _as_written(name: str) -> str:

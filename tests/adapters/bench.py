@@ -24,7 +24,14 @@ from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import DeviceUse, PinTrace, simulate
-from robosmi.verify.toolchains.toolchain import compile_sketch
+from robosmi.verify.toolchains.boards import Board, load_boards
+from robosmi.verify.toolchains.build import Build
+from robosmi.verify.toolchains.compile_report import CompileReport
+from robosmi.verify.toolchains.libraries import LibraryFolders
+from robosmi.verify.toolchains.sketch import choose_board, find_sketch
+from robosmi.verify.toolchains.temporary import temporary_folder
+from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
+from robosmi.verify.toolchains.tools import Installed, find_installed
 
 ROOT = Path(__file__).parents[2]
 ADAPTERS = ROOT / "platform_repo" / "arduino" / "adapters" / "propeller"
@@ -36,6 +43,35 @@ NOTHING_TO_DO = {
     "pthread.h/pthread_set_affinity_thiscog_np",  # a thread never leaves its cog here
 }  # fmt: skip
 """Adapters with empty bodies -> the reason; no case can distinguish them from broken ones."""
+
+
+@cache
+def _toolchains() -> tuple[Toolchain, ...]:
+    """The toolchains without their analysis of the stack, which no case looks at and which takes as long as the compiler."""
+    return tuple(each._replace(stack=replace(each.stack, values={})) for each in load_toolchains())
+
+
+@cache
+def _platform(number: int) -> tuple[list[Board], Installed, LibraryFolders]:
+    """The boards, the tools and the libraries of a toolchain, found once for all cases."""
+    toolchain = _toolchains()[number]
+    installed = find_installed(toolchain)
+    return load_boards(toolchain.platform), installed, LibraryFolders(toolchain, installed.core)
+
+
+def built(folder: Path, board: str | None, keep: Path) -> CompileReport:
+    """Build a program as `compile_sketch` does, for cases: what is the same for all is found once.
+
+    Args:
+        folder: the sketch's folder.
+        board: the board's name; None takes the one of the project file.
+        keep: the folder for the program.
+    """
+    sketch, toolchain = find_sketch(folder, _toolchains())
+    boards, installed, libraries = _platform(_toolchains().index(toolchain))
+    chosen = choose_board(sketch, boards, toolchain, board)
+    with temporary_folder("build") as place:
+        return Build(sketch, chosen, toolchain, installed, libraries, Path(place)).report(keep)
 
 
 @cache
@@ -92,7 +128,7 @@ class Uno:
             folder = Path(place) / "case"
             folder.mkdir()
             (folder / "case.ino").write_text(self.sketch(program, uses, first))
-            report = compile_sketch(folder, "uno", keep=Path(place))
+            report = built(folder, "uno", Path(place))
             said = [finding for finding in report.diagnostics if finding.severity.name != "info"]
             if not report.ok or (said and not self.changed) or report.elf is None or report.hex is None:
                 raise NotBuiltError(said)

@@ -24,8 +24,7 @@ from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import DeviceUse, PinTrace, simulate
-from robosmi.verify.toolchains.toolchain import compile_sketch
-from tests.adapters.bench import NO_PIN, ROOT, NotBuiltError, Uno
+from tests.adapters.bench import NO_PIN, ROOT, NotBuiltError, Uno, built
 
 ADAPTERS = ROOT / "platform_repo" / "avr-c" / "adapters" / "propeller"
 FLAGS = ["-std=gnu11", "-Os", "-Wall", "-Wextra", "-ffunction-sections", "-fdata-sections", "-DF_CPU=16000000UL"]
@@ -109,7 +108,7 @@ class UnoInC(Uno):
             folder.mkdir()
             (folder / "case.c").write_text(self.sketch(program, uses, first))
             (folder / "Makefile").write_text(MAKEFILE)
-            report = compile_sketch(folder, keep=Path(place))
+            report = built(folder, None, Path(place))
             said = [finding for finding in report.diagnostics if finding.severity.name != "info"]
             if not report.ok or (said and not self.changed) or report.elf is None or report.hex is None:
                 raise NotBuiltError(said)

@@ -77,6 +77,7 @@ def test_a_checkout_with_other_line_ends_is_no_edit(migrated: Path, line_followe
     assert tree(migrated) == before
 
 
+@pytest.mark.processes
 def test_bytes_of_another_encoding_in_an_edit_stay(migrated: Path, line_follower: Path) -> None:
     mine = "// für später\n".encode("latin-1")
     path = migrated / SKETCH

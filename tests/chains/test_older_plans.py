@@ -131,11 +131,11 @@ def test_an_older_plan_without_a_step_is_refused(old_plan: Path) -> None:
         assert str(refused.value.location) == f"{old_plan}:2"
 
 
-@pytest.mark.parametrize("words", [["check"], ["generate"], ["query"]], ids=" ".join)
+@pytest.mark.parametrize("words", [["check"], ["generate", "-o", "{folder}/sketch"], ["query", "1"]], ids=" ".join)
 def test_commands_refuse_an_older_plan(words: list[str], old_plan: Path, tmp_path: Path) -> None:
     before = tree(tmp_path)
-    options = {"query": ["1"], "generate": ["-o", tmp_path / "sketch"]}.get(words[0], [])
-    outcome = run(words[0], old_plan, *options, "--json")
+    command, *options = words
+    outcome = run(command, old_plan, *(option.format(folder=tmp_path) for option in options), "--json")
     assert outcome.code != 0
     [finding] = outcome.document["findings"]
     assert finding["fix"] == "migrate the program again"

@@ -56,6 +56,7 @@ def write_body(
     path.write_text(text)
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize("place", ["project/adapters", "home/adapters"])
 def test_own_adapter_files_go_before_the_built_in_ones(place: str, project: Path) -> None:
     assert sites(migrated(project)) == (1, 2)
@@ -81,6 +82,7 @@ def test_other_code_in_a_folder_of_that_name_is_left_alone(project: Path) -> Non
     assert sites(migrated(project)) == (1, 2)
 
 
+@pytest.mark.processes
 def test_a_file_in_another_language_is_not_for_the_target(project: Path) -> None:
     (project / "adapters").mkdir()
     (project / "adapters" / "s3.c").write_text(OWN.replace("inline", "static inline"))
@@ -158,6 +160,7 @@ def test_a_placeholder_that_does_nothing_still_is_to_be_written(body: str, proje
     assert sites(migrated(project)) == (1, 2)
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize("body", ["(void)Pin;\n  return 0;", "// nothing to measure on this robot\n  (void)Pin;\n  return 0;"])
 def test_a_body_that_does_nothing_on_purpose_counts_as_filled(body: str, project: Path) -> None:
     migrated(project)
@@ -204,6 +207,7 @@ def test_what_was_written_for_a_call_that_goes_stays_with_a_word(project: Path) 
     assert sites(migrated(project)) == (1, 2)
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize("whose", ["user", "project"])
 def test_bodies_are_saved_for_the_next_program(whose: str, project: Path) -> None:
     migrated(project)
@@ -237,6 +241,7 @@ def test_bodies_are_saved_for_the_next_program(whose: str, project: Path) -> Non
     assert [(each["source"], "digitalRead" in each["text"]) for each in shown] == [(whose, True)]
 
 
+@pytest.mark.processes
 def test_an_earlier_body_in_the_file_is_kept_beside_it(project: Path) -> None:
     migrated(project)
     write_body(project)
@@ -253,7 +258,7 @@ def test_an_earlier_body_in_the_file_is_kept_beside_it(project: Path) -> None:
     assert not (project / "adapters" / "s3.cpp.orig.2").exists()
 
 
-@pytest.mark.needs_tool
+@pytest.mark.processes
 def test_a_body_that_does_not_compile_is_not_saved(project: Path) -> None:
     require_tools("avr-gcc", "avr-g++", "arduino-core-avr")
     migrated(project)
@@ -268,7 +273,7 @@ def test_a_body_that_does_not_compile_is_not_saved(project: Path) -> None:
     assert run("adapters", "save", project / "out", "--as", "project").code == 0
 
 
-@pytest.mark.needs_tool
+@pytest.mark.processes
 def test_a_body_that_uses_a_pin_of_the_sketch_is_told_how_adapter_files_name_pins(project: Path) -> None:
     require_tools("avr-gcc", "avr-g++", "arduino-core-avr")
     drawing = project / "lamp.csv"
@@ -297,7 +302,7 @@ def test_a_body_for_a_function_of_no_known_header_is_told_alone(project: Path) -
     ]
 
 
-@pytest.mark.needs_tool
+@pytest.mark.processes
 def test_a_body_that_needs_the_sketch_keeps_no_other_from_being_saved(project: Path) -> None:
     require_tools("avr-gcc", "avr-g++", "arduino-core-avr")
     migrated(project)
@@ -383,6 +388,7 @@ def test_nothing_is_saved_out_of_the_project_through_a_link(linked: str, project
     assert (project / linked).is_symlink()
 
 
+@pytest.mark.processes
 @pytest.mark.skipif(os.name == "nt", reason="links need rights there")
 def test_adapters_may_lie_elsewhere_in_the_project_by_a_link(project: Path) -> None:
     migrated(project)
@@ -406,6 +412,7 @@ inline int32_t glow_pulses(int32_t pin, int32_t count) {
 """
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize(
     ("begin", "call"),
     [
@@ -432,6 +439,7 @@ def test_a_declared_pin_of_an_adapter_is_a_port_of_the_program(begin: str, call:
     assert re.search(r"\((lampWriteP1|port\(9\))|stick\s*=\s*lampWriteP1", sketch.read_text())
 
 
+@pytest.mark.processes
 def test_a_library_that_an_adapter_declares_and_does_not_include_is_refused(project: Path) -> None:
     (project / "glow.h").write_text("int glow_pulses(int pin, int count);\n")
     (project / "adapters").mkdir()
@@ -446,6 +454,7 @@ def test_a_library_that_an_adapter_declares_and_does_not_include_is_refused(proj
     assert run("migrate", project / "stick.c", "-o", project / "out").code == 0
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize(
     ("include", "message", "fix"),
     [

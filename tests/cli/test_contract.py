@@ -221,6 +221,7 @@ def test_metamodels_generate_makes_a_package_of_an_exported_metamodel(tmp_path: 
     assert "class TextTrace(" in (tmp_path / "py" / "trace" / "__init__.py").read_text()
 
 
+@pytest.mark.processes
 def test_doctor_says_of_every_tool_whether_it_is_there(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", "/nowhere")
     outcome = run("doctor", "--json")

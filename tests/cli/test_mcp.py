@@ -83,6 +83,7 @@ def test_the_tools_are_the_commands_with_their_arguments(commands: Commands) -> 
     asyncio.run(talk())
 
 
+@pytest.mark.processes
 def test_an_answer_is_the_commands_document(commands: Commands, root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(root)
     expected = run("analyse", "blink.c", "--json")
@@ -152,6 +153,7 @@ def test_paths_inside_are_taken_however_they_are_written(root: Path) -> None:
         RootFolder(root / "blink.c")
 
 
+@pytest.mark.processes
 def test_words_are_no_options(commands: Commands) -> None:
     async def talk(call: Call) -> None:
         for name, arguments in (
@@ -181,6 +183,7 @@ def test_arguments_that_nobody_means_are_refused_shortly(commands: Commands) -> 
     ask(commands, talk)
 
 
+@pytest.mark.processes
 def test_words_that_no_program_can_be_given_are_refused(commands: Commands) -> None:
     async def talk(call: Call) -> None:
         for name, arguments in (
@@ -237,6 +240,7 @@ def test_a_compiler_that_nothing_holds_tells_the_secret(root: Path) -> None:
         assert SECRET in compiled_thief(free)
 
 
+@pytest.mark.processes
 def test_a_command_that_takes_too_long_is_ended(root: Path) -> None:
     async def talk(call: Call) -> None:
         answer = await call("analyse", files=["blink.c"])
@@ -292,6 +296,7 @@ def test_a_wrong_body_is_refused_with_its_first_difference_and_a_right_one_passe
     ask(commands, talk)
 
 
+@pytest.mark.processes
 def test_a_decision_is_made_and_opened_again(commands: Commands, root: Path) -> None:
     async def talk(call: Call) -> None:
         made = await call("migrate", files=["blink.c"], out="out", hardware="wiring.csv")
@@ -308,6 +313,7 @@ def test_a_decision_is_made_and_opened_again(commands: Commands, root: Path) -> 
     ask(commands, talk)
 
 
+@pytest.mark.processes
 def test_a_client_starts_the_command_and_talks_over_its_streams(root: Path, tmp_path: Path) -> None:
     confined = [] if landlock.version() else ["--unconfined"]
     server = StdioServerParameters(

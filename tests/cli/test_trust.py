@@ -136,6 +136,7 @@ def test_found_data_starts_no_program(
     assert not (tmp_path / "mark").exists()
 
 
+@pytest.mark.processes
 def test_trusted_data_starts_its_programs(programs: Path, tmp_path: Path) -> None:
     assert main(["trust", str(programs)]) == 0
     tools()

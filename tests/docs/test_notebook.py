@@ -56,6 +56,7 @@ def _shown(outputs: list[Any]) -> str:
     return "\n".join(texts)
 
 
+@pytest.mark.processes
 def test_a_program_is_a_tree(shown: dict[str, str]) -> None:
     tree = html.fromstring(shown["program"])
     assert tree.xpath("//details/summary[starts-with(., 'SourceUnit')]")

@@ -55,6 +55,7 @@ def study(tmp_path_factory: pytest.TempPathFactory) -> Study:
     return Study.made("line_follower", tmp_path_factory.mktemp("faults"), scenarios=[HERE / "light_and_dark.toml"])
 
 
+@pytest.mark.processes
 def test_the_right_program_shows_no_difference(study: Study) -> None:
     assert study.right.verdict.verdict == "no-difference-found"
     assert study.judge({}).verdict == "same machine code"
@@ -76,6 +77,7 @@ def parking_aid(tmp_path_factory: pytest.TempPathFactory) -> Study:
     return Study.made("parking_aid", tmp_path_factory.mktemp("shown"), scenarios=[HERE / "near_and_far.toml"])
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize("kind", SHOWN_FAULTS)
 def test_a_fault_of_what_is_shown_is_noticed(parking_aid: Study, kind: str) -> None:
     assert parking_aid.right.verdict.verdict == "no-difference-found"
@@ -118,6 +120,7 @@ def test_what_a_fault_does_after_the_end_of_the_original_is_noticed(monkeypatch:
     assert "which the source does not do: it has ended at 1000.0 ms" in outcome.told
 
 
+@pytest.mark.processes
 def test_each_line_that_does_something_stands_for_instructions(tmp_path: Path) -> None:
     require_verification("avr8js")
     name = "environmental_monitoring"

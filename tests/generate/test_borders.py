@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from robosmi.errors import RuleError
 from robosmi.generate import Gen
 from tests.quoting import judges
+from tests.tiers import examples
 
 
 def made(text: str, **values: str) -> str:
@@ -63,7 +64,7 @@ def code_of(text: str) -> str:
 _PIECES = st.text("*/?\\ \"'a-0", max_size=3)
 
 
-@settings(max_examples=150, deadline=None)
+@examples(150)
 @given(_PIECES, _PIECES, _PIECES, st.text('*/?\\"a', max_size=4), st.text('*/?\\"a', max_size=4))
 def test_whatever_stands_around_values_in_c(before: str, between: str, behind: str, x: str, y: str) -> None:
     """Values in a comment or string leave the tokens as they are, or the template is refused."""

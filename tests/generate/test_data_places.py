@@ -13,13 +13,14 @@ from typing import Any
 
 import pytest
 import yaml
-from hypothesis import given, settings
+from hypothesis import given
 from lxml import etree, html
 
 from robosmi import quoting
 from robosmi.errors import RuleError
 from robosmi.generate import Gen
 from tests.quoting import judges
+from tests.tiers import examples
 
 
 def made(language: str, text: str, **values: str) -> str:
@@ -97,7 +98,7 @@ def whole(text: str) -> str:
     return text.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
 
 
-@settings(max_examples=120, deadline=None)
+@examples(120)
 @given(judges.texts(), judges.texts())
 def test_any_text_is_a_value_of_yaml(x: str, y: str) -> None:
     for text, wanted in YAML:
@@ -133,14 +134,14 @@ TOML: list[tuple[str, Any]] = [
 ]
 
 
-@settings(max_examples=120, deadline=None)
+@examples(120)
 @given(judges.texts(), judges.texts())
 def test_any_text_is_a_value_of_toml(x: str, y: str) -> None:
     for text, wanted in TOML:
         assert tomllib.loads(made("toml", text, x=x, y=y)) == filled(wanted, x, y)
 
 
-@settings(max_examples=120, deadline=None)
+@examples(120)
 @given(judges.texts(), judges.texts())
 def test_any_text_is_a_cell_of_csv(x: str, y: str) -> None:
     text = made("csv", "{{ x }},{{ y }}\n{{ y }};b\n", x=x, y=y)
@@ -168,7 +169,7 @@ def seen(text: str | None) -> str:
     return re.sub(r"\s", "", fit)
 
 
-@settings(max_examples=120, deadline=None)
+@examples(120)
 @given(judges.texts(), judges.texts())
 def test_any_text_is_text_of_html_for_lxml(x: str, y: str) -> None:
     plain = html.document_fromstring(made("html", PAGE, x="a", y="b"))
@@ -180,7 +181,7 @@ def test_any_text_is_text_of_html_for_lxml(x: str, y: str) -> None:
     assert (seen(paragraph.get("title")), seen(paragraph.text)) == (seen(x), seen(y))
 
 
-@settings(max_examples=120, deadline=None)
+@examples(120)
 @given(judges.texts(), judges.texts())
 def test_any_text_is_text_of_svg_for_lxml(x: str, y: str) -> None:
     parser = etree.XMLParser(resolve_entities=False, no_network=True)

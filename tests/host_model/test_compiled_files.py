@@ -52,6 +52,17 @@ def test_a_precompiled_header_beside_the_program_is_not_read(tmp_path: Path) -> 
     assert [round(at_us / 1000) for at_us, level in run.trace.levels("P3") if level == 0] == [200]
 
 
+@pytest.mark.parametrize("name", ["program.s", "program.S", "program.i", "program.o", "program.h", "program.gch", "@program"])
+def test_whatever_its_name_a_source_is_read_as_c(tmp_path: Path, name: str) -> None:
+    source, folder = tmp_path / name, tmp_path / "built"
+    source.write_text("void high(int pin);\n#define PIN 3\nint main() { high(PIN); return 0; }\n")
+    folder.mkdir()
+    assert run_original(original_program([source], model(), folder), 1e5).trace.levels("P3")
+    source.write_text(".globl main\nmain: ret\n")
+    with pytest.raises(VerificationError, match="does not compile"):
+        original_program([source], model(), folder)
+
+
 def test_a_file_that_is_not_recorded_is_refused(tmp_path: Path) -> None:
     source, other, folder = tmp_path / "own" / "program.c", tmp_path / "other.h", tmp_path / "built"
     source.parent.mkdir(), folder.mkdir()

@@ -20,7 +20,7 @@ from robosmi.generate import Gen
 from tests.running import tree
 
 FILES = 40
-KILLS = 300
+KILLS = [40, pytest.param(300, marks=pytest.mark.exhaustive)]
 
 
 def text(version: int, number: int) -> str:
@@ -54,7 +54,8 @@ def versions(folder: Path) -> set[int]:
     return set(made.values())
 
 
-def test_kill_at_300_random_points_of_a_run_leaves_every_file_whole(tmp_path: Path) -> None:
+@pytest.mark.parametrize("kills", KILLS)
+def test_kill_at_random_points_of_a_run_leaves_every_file_whole(kills: int, tmp_path: Path) -> None:
     chance = random.Random(17)
     folder = tmp_path / "out"
     generate(folder, 0)
@@ -62,7 +63,7 @@ def test_kill_at_300_random_points_of_a_run_leaves_every_file_whole(tmp_path: Pa
     begun = time.perf_counter()
     generate(folder, -2)
     span = max(0.06, 2 * (time.perf_counter() - begun))  # a machine that does other work takes longer for a run
-    for number in range(KILLS):
+    for number in range(kills):
         child = os.fork()
         if child == 0:
             generate_until_killed(folder, 1000 * number + 1)

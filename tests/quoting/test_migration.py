@@ -6,16 +6,17 @@ from pathlib import Path
 
 import pytest
 import yaml
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given
 from hypothesis import strategies as st
 
 from robosmi.transformations.chains.migrate import migrate
 from tests.quoting import judges
 from tests.quoting.migration import EXAMPLE, declared_names, plan_with_titles, shape_of, texts_of, with_texts
 from tests.running import run
+from tests.tiers import examples
 
 INERT = {"link_open", "image", "html_block", "html_inline"}
-QUICK = settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+FEW = examples(80, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
 @pytest.fixture(scope="module")
@@ -44,13 +45,13 @@ def test_a_line_break_in_a_title_makes_no_code(tmp_path: Path, shape: dict[str, 
     assert "&lt;script>alert(1)&lt;/script>" in texts["MIGRATION.md"]
 
 
-@QUICK
+@FEW
 @given(titles=st.lists(judges.texts(), max_size=7))
 def test_any_titles_of_a_drawing(tmp_path: Path, shape: dict[str, list[str]], titles: list[str]) -> None:
     checked(texts_of(plan_with_titles(tmp_path, titles)), shape)
 
 
-@QUICK
+@FEW
 @given(data=st.data())
 def test_any_texts_of_a_stored_model(tmp_path: Path, shape: dict[str, list[str]], data: st.DataObject) -> None:
     models = plan_with_titles(tmp_path, ())

@@ -12,7 +12,7 @@ from types import ModuleType
 
 import pytest
 import yaml
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 from lxml import etree
 
@@ -30,6 +30,7 @@ from tests.quoting.judges import (
     texts,
     tokens,
 )
+from tests.tiers import examples
 
 LANGUAGES = (("x.c", "-std=c99"), ("x.c", "-std=gnu99"), ("x.cpp", "-std=gnu++11"), ("x.cpp", "-std=c++11"))
 
@@ -51,7 +52,7 @@ def test_an_attack_in_a_comment_is_a_comment(words: tuple[str, str]) -> None:
     assert tokens("".join(lines).replace("\n", "\r\n"), *words) == wanted
 
 
-@settings(max_examples=150, deadline=None)
+@examples(150)
 @given(texts(), texts(), st.sampled_from(LANGUAGES))
 def test_any_texts_in_a_comment_are_a_comment(one: str, other: str, words: tuple[str, str]) -> None:
     line, block = quoting.c_comment, quoting.c_block_comment
@@ -59,7 +60,7 @@ def test_any_texts_in_a_comment_are_a_comment(one: str, other: str, words: tuple
     assert tokens(shown, *words) == ["int", "a", ";", "int", "b", ";"]
 
 
-@settings(max_examples=150, deadline=None)
+@examples(150)
 @given(texts(), st.sampled_from(LANGUAGES))
 def test_any_text_in_a_string_is_one_literal(one: str, words: tuple[str, str]) -> None:
     shown = f"const char *a = \"{quoting.c_string(one)}\"; int b = '{quoting.c_char(one[:1] or 'x')}';\n"
@@ -68,7 +69,7 @@ def test_any_text_in_a_string_is_one_literal(one: str, words: tuple[str, str]) -
     assert sum(word[:1] in "\"'" for word in found) == 2
 
 
-@settings(max_examples=150, deadline=None)
+@examples(150)
 @given(texts())
 def test_any_text_in_a_header_name_or_as_a_word_is_one(one: str) -> None:
     shown = f"#include <{quoting.c_header(one) or 'x'}>\nint {quoting.c_word(one) or 'x'};\nint a;\n"
@@ -77,7 +78,7 @@ def test_any_text_in_a_header_name_or_as_a_word_is_one(one: str) -> None:
     assert (found[-6], found[-4]) == ("int", ";")
 
 
-@settings(max_examples=200, deadline=None)
+@examples(200)
 @given(texts())
 def test_an_identifier_is_one_in_c_and_in_cplusplus(one: str) -> None:
     made = quoting.identifier(one)
@@ -95,7 +96,7 @@ def test_all_keywords_are_known() -> None:
             assert problems(f"extern int {quoting.identifier(word)};\n", name, standard) == [], word
 
 
-@settings(max_examples=200, deadline=None)
+@examples(200)
 @given(texts())
 def test_a_file_name_is_one_file_in_the_folder(one: str) -> None:
     name = quoting.file_name(one)
@@ -125,7 +126,7 @@ def seen(one: str, place: str) -> str:
 
 
 @pytest.mark.parametrize("place", PLACES)
-@settings(max_examples=300, deadline=None)
+@examples(300)
 @given(one=texts())
 @example("*a*b*").via("emphasis in a word")
 @example("a] (b)").via("no link")
@@ -137,7 +138,7 @@ def test_any_text_in_markdown_is_seen_as_it_is(place: str, one: str) -> None:
     assert judges.markdown_text(shown) == " ".join(f"{left}{seen(one, place)}{right}".split())
 
 
-@settings(max_examples=300, deadline=None)
+@examples(300)
 @given(texts(), texts())
 def test_any_texts_in_a_table_are_cells(one: str, other: str) -> None:
     table = "| a | b | c |\n|---|---|---|\n"
@@ -162,7 +163,7 @@ def test_harmless_texts_stay_as_they_are_in_markdown() -> None:
         assert quoting.markdown(one) == quoting.markdown_block(one) == quoting.markdown_cell(one) == one
 
 
-@settings(max_examples=200, deadline=None)
+@examples(200)
 @given(texts())
 def test_any_text_in_html_is_text(one: str) -> None:
     page = Page(
@@ -175,7 +176,7 @@ def test_any_text_in_html_is_text(one: str) -> None:
     assert len(page.comments) == 1
 
 
-@settings(max_examples=200, deadline=None)
+@examples(200)
 @given(texts())
 def test_any_text_in_svg_is_well_formed(one: str) -> None:
     shown = f'<svg><title a="{quoting.xml_attribute(one)}">{quoting.xml(one)}</title><!--{quoting.xml_comment(one)}--></svg>'
@@ -184,7 +185,7 @@ def test_any_text_in_svg_is_well_formed(one: str) -> None:
     assert len(root.findtext("title") or "") >= len(one.replace("\r\n", "\n")) - one.count("\r")
 
 
-@settings(max_examples=300, deadline=None)
+@examples(300)
 @given(texts(), texts())
 def test_any_text_comes_back_from_toml_and_yaml(one: str, other: str) -> None:
     whole = one.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
@@ -195,7 +196,7 @@ def test_any_text_comes_back_from_toml_and_yaml(one: str, other: str) -> None:
     assert not acts_on_terminal(quoting.toml(one) + quoting.yaml(one))
 
 
-@settings(max_examples=300, deadline=None)
+@examples(300)
 @given(st.lists(texts(), min_size=1, max_size=3))
 def test_any_texts_come_back_from_a_table_and_none_is_a_formula(row: list[str]) -> None:
     line = ",".join(quoting.csv_record_cell(one) for one in row)
@@ -206,7 +207,7 @@ def test_any_texts_come_back_from_a_table_and_none_is_a_formula(row: list[str]) 
         assert cell[:1] not in ("+", "-") or not cell.strip("+-") or float(cell.replace(",", ".")) is not None
 
 
-@settings(max_examples=300, deadline=None)
+@examples(300)
 @given(texts())
 def test_a_terminal_is_told_nothing(one: str) -> None:
     assert not acts_on_terminal(quoting.terminal(one))
@@ -219,7 +220,7 @@ def test_a_terminal_is_told_nothing(one: str) -> None:
         assert json.loads(shown) == json.loads(json.dumps(document))  # two halves of a character are one there
 
 
-@settings(max_examples=200, deadline=None)
+@examples(200)
 @given(texts())
 def test_plantuml_gets_no_directive_tag_or_function(one: str) -> None:
     for shown in (quoting.plantuml(one), quoting.plantuml(one, begins=True)):

@@ -10,7 +10,7 @@ from robosmi.cli.commands.doctor import tools
 from robosmi.errors import PlatformDataError, SourceError
 from robosmi.verify.toolchains import messages
 from robosmi.verify.toolchains.libraries import missing_headers
-from robosmi.verify.toolchains.sketch import ProjectFile, read_project_file
+from robosmi.verify.toolchains.sketch import ProjectFile, check_plain, read_project_file
 from robosmi.verify.toolchains.toolchain_data import fill, load_toolchains, version_key
 
 VERIFY = Path(messages.__file__).parent
@@ -31,6 +31,15 @@ def project_file(tmp_path: Path, text: str) -> ProjectFile:
     path = tmp_path / "sketch.yaml"
     path.write_text(text)
     return read_project_file(path, KEYS)
+
+
+@pytest.mark.parametrize("name", ["adapters.h.gch", "src/Servo.h.gch/c++", "adapters.h.pch"])
+def test_a_precompiled_header_beside_a_sketch_is_refused(tmp_path: Path, name: str) -> None:
+    check_plain(tmp_path)
+    (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+    (tmp_path / name).write_bytes(b"gpch")
+    with pytest.raises(SourceError, match="a precompiled header"):
+        check_plain(tmp_path)
 
 
 def test_the_default_profile_names_board_and_libraries() -> None:

@@ -50,7 +50,7 @@ from robosmi.verify.toolchains.libraries import (
     resolve,
 )
 from robosmi.verify.toolchains.processes import in_parallel
-from robosmi.verify.toolchains.sketch import Sketch
+from robosmi.verify.toolchains.sketch import Sketch, check_plain
 from robosmi.verify.toolchains.toolchain_data import Toolchain, ToolchainLanguage, fill
 from robosmi.verify.toolchains.tools import Installed
 
@@ -74,6 +74,7 @@ class Build(Struct):
 
     def report(self, keep: Path | None = None) -> CompileReport:
         """Compile, link, measure."""
+        check_plain(self.sketch.folder)
         main = self.folder / f"{self.sketch.main.name}{self.toolchain.languages[0].suffixes[0]}"
         main.write_text(self.sketch.text(self.toolchain), encoding="utf-8", errors="surrogateescape", newline="")
         sources = [main, *(path.resolve() for path in self.sketch.sources)]

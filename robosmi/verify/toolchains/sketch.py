@@ -143,6 +143,23 @@ def check_inside(folder: Path) -> None:
             Places(own.parent).check_inside(own.name)
 
 
+def check_plain(folder: Path) -> None:
+    """Make sure that no precompiled header lies in a sketch's folder: a compiler would load it in the place of a header, unseen.
+
+    Args:
+        folder: the sketch's folder.
+
+    Raises:
+        SourceError: there is one.
+    """
+    for path in sorted(folder.rglob("*")):
+        if path.suffix in (".gch", ".pch"):
+            raise SourceError(
+                "a precompiled header lies here, which a compiler would load in the place of the header",
+                location=Location(str(path)), fix="remove it",
+            )  # fmt: skip
+
+
 def _sketch(main: Path, toolchain: Toolchain) -> Sketch:
     folder, data = main.parent, toolchain.sketch
     check_inside(folder)

@@ -106,6 +106,7 @@ def python(*words: str | Path, cwd: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run([sys.executable, "-m", *words], cwd=cwd, capture_output=True, text=True, check=False, env=environment)
 
 
+@pytest.mark.exhaustive
 def test_generated_packages_and_their_use_pass_mypy_strict_without_configuration(tmp_path: Path) -> None:
     pytest.importorskip("mypy")
     for case in GOOD:

@@ -42,7 +42,7 @@ def findings(plan: migration.MigrationPlan) -> list[str]:
     return [str(f.rule) for f in plan.findings if f.rule in ("RS326", "RS327", "RS328")]
 
 
-@pytest.mark.needs_tool
+@pytest.mark.processes
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.stem)
 def test_each_port_moves_its_own_pin(program: Path, tmp_path: Path) -> None:
     require_tools("avr-gcc", "avr-g++", "arduino-core-avr")

@@ -39,7 +39,7 @@ def test_a_ranger_with_one_wire_has_no_other() -> None:
     assert ranger_of(plan).answer is None
 
 
-@pytest.mark.needs_tool
+@pytest.mark.processes
 @pytest.mark.parametrize("said", [{}, {"P8": "D6"}])
 def test_it_is_asked_at_one_wire_and_heard_at_the_other(said: dict[str, str], tmp_path: Path) -> None:
     require_tools("avr-gcc", "avr-g++", "arduino-core-avr")
@@ -59,7 +59,7 @@ def test_it_is_asked_at_one_wire_and_heard_at_the_other(said: dict[str, str], tm
     assert "answers at D6" in (made.sketch / "MIGRATION.md").read_text() or said
 
 
-@pytest.mark.needs_tool
+@pytest.mark.processes
 def test_it_is_so_in_c(tmp_path: Path) -> None:
     require_tools("avr-gcc")
     made = robosmi.migrate([PROGRAM], tmp_path / "out", hardware=FOLDER / "two_wires.csv", bind={"P4": "none"}, target="avr-c")

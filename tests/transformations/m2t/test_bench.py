@@ -18,9 +18,10 @@ import robosmi
 from robosmi.transformations.knowledge.board_models import load_board
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.simulation import DeviceUse, simulate
-from robosmi.verify.toolchains.boards import load_boards
+from robosmi.verify.toolchains.boards import Board, load_boards
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.running import run, tree
+from tests.tiers import one_of_each
 from tests.tools import require_engine, require_tools
 
 FOLDER = Path(__file__).parent / "bench"
@@ -35,6 +36,7 @@ DRAWINGS = sorted(
         TESTS / "transformations" / "m2t" / "reports" / "wired" / "wiring.csv",
     ]
 )
+BOARDS = load_boards("arduino")
 TOOLS = ("avr-gcc", "avr-g++", "avr-size", "arduino-core-avr")
 
 
@@ -56,23 +58,22 @@ def test_it_compiles_for_every_drawing(drawing: Path, tmp_path: Path) -> None:
     compiles(made(tmp_path, drawing))
 
 
-def test_there_are_a_dozen_drawings() -> None:
+def test_there_are_a_dozen_drawings_and_sixteen_boards() -> None:
     assert len(DRAWINGS) >= 12
+    assert len(BOARDS) == 16
 
 
-def test_it_compiles_for_every_board(tmp_path: Path) -> None:
+@pytest.mark.parametrize("board", one_of_each(BOARDS, lambda board: board.values["mcu"]), ids=lambda board: board.name)
+def test_it_compiles_for_every_board(board: Board, tmp_path: Path) -> None:
     require_tools(*TOOLS)
     table = (FOLDER / "everything.csv").read_text()
-    boards = {board.name: load_board(board.name) for board in load_boards("arduino")}
-    assert len(boards) == 16
-    for name, board in boards.items():
-        labels = {pin.label for pin in board.pins} | {alias for pin in board.pins for alias in pin.aliases}
-        rows = [line for line in table.splitlines() if line.split(",")[0] in {"pin", *labels}]
-        (tmp_path / f"{name}.csv").write_text("\n".join(rows) + "\n")
-        out = made(tmp_path / name, tmp_path / f"{name}.csv", name)
-        text = (out / "bench" / "idle_bench" / "idle_bench.ino").read_text()
-        assert len(re.findall(r"^    case \d+:$", text, re.MULTILINE)) >= 9
-        compiles(out)
+    labels = {label for pin in load_board(board.name).pins for label in (pin.label, *pin.aliases)}
+    rows = [line for line in table.splitlines() if line.split(",")[0] in {"pin", *labels}]
+    (tmp_path / "wired.csv").write_text("\n".join(rows) + "\n")
+    out = made(tmp_path, tmp_path / "wired.csv", board.name)
+    text = (out / "bench" / "idle_bench" / "idle_bench.ino").read_text()
+    assert len(re.findall(r"^    case \d+:$", text, re.MULTILINE)) >= 9
+    compiles(out)
 
 
 @pytest.mark.parametrize("example", ["line_follower", "environmental_monitoring"])

@@ -8,7 +8,7 @@ import time
 from pathlib import Path
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from robosmi import resources
@@ -16,6 +16,7 @@ from robosmi.transformations.knowledge.libraries.library_ranking import library_
 from robosmi.transformations.knowledge.platforms.api_spelling import literal, spelled
 from robosmi.transformations.t2m.library_declarations import declarations
 from robosmi.transformations.t2m.library_index import header_api
+from tests.tiers import examples
 
 CASES = Path(__file__).parent / "library_declarations"
 
@@ -80,7 +81,7 @@ REPEATED = [
 
 @given(st.lists(st.sampled_from(PIECES), max_size=60))
 @example(["operator ", ")"])
-@settings(max_examples=400, deadline=None)
+@examples(400)
 def test_no_text_stops_the_reading(pieces: list[str]) -> None:
     read = declarations("".join(pieces).encode())
     header_api({"header": "x.h", "main": "x.h"} | read)

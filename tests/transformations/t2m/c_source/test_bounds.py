@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from robosmi.errors import RobosmiError, SourceError
@@ -21,6 +21,7 @@ from robosmi.transformations.t2m.c_source import read_program
 from robosmi.transformations.t2m.c_source.parsing.bounds import cuts
 from robosmi.transformations.t2m.c_source.parsing.headers import Folders, reached
 from robosmi.transformations.t2m.c_source.reader import MOST_FILES
+from tests.tiers import examples
 from tests.transformations.t2m.c_source.hostile import CASES, NO_TAIL, REFUSED, SECONDS
 
 ROOT = Path(__file__).resolve().parents[4]
@@ -266,7 +267,7 @@ WORDS = (
 )
 
 
-@settings(max_examples=150, deadline=None)
+@examples(150)
 @given(st.lists(st.sampled_from(WORDS), min_size=1, max_size=60))
 def test_any_text_is_read_or_refused(tmp_path_factory: pytest.TempPathFactory, parts: list[str]) -> None:
     path = tmp_path_factory.getbasetemp() / "main.c"
