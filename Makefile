@@ -7,6 +7,7 @@
 # make fuzz  damaged and large inputs, odd environments, by hand (not in CI)
 # make evaluate  the figures of the library ranking on the labelled queries, where these are beside the checkout
 # make faults    faults and harmless rewritings in the migrated case studies, and what `verify` notices of them, by hand (not in CI)
+# make mutants   small changes of the product's own code, and how many of them `make check` notices, by hand (not in CI)
 # make adapters  each adapter compiled alone for every microcontroller, each one broken on purpose, and whole programs of each family, by hand (not in CI)
 # make readme  the output, excerpts and pictures of README.md and docs/tutorial.md
 # make rules  the tables of docs/reference/rules.md and plug-ins.md, from the rules' data and the code
@@ -23,7 +24,7 @@ export ROBOSMI_HOME := $(CURDIR)/out/data
 unexport ROBOSMI_HISTORY
 # Where .ci/npm-packages puts the simulator avr8js.
 export ROBOSMI_NPM := $(CURDIR)/.npm
-.PHONY: floor-plan demo check test test-all lint bench evaluate fuzz faults adapters pyecore corpus wheel readme rules metamodels system-packages npm-packages clean
+.PHONY: floor-plan demo check test test-all lint bench evaluate fuzz faults mutants adapters pyecore corpus wheel readme rules metamodels system-packages npm-packages clean
 
 $(VENV)/.ready: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -90,6 +91,9 @@ adapters: $(VENV)/.ready system-packages
 faults: $(VENV)/.ready system-packages npm-packages
 	$(BIN)/python -m tests.faults
 	$(BIN)/python -m tests.faults --rewritings
+
+mutants: $(VENV)/.ready
+	$(BIN)/python -m tests.mutants
 
 corpus: $(VENV)/.ready
 	$(BIN)/python -m tests.corpus.fetch out

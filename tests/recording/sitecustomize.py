@@ -1,5 +1,6 @@
-"""Imported by every Python that a test starts: its writer's results are recorded too (`written_models` beside this file)."""
+"""Imported by every Python that a test starts: its writer's results are recorded, too, and it has the same mutant, if any."""
 
 import importlib
 
-importlib.import_module("written_models").start()
+for name in ("mutant", "written_models"):
+    importlib.import_module(name).start()

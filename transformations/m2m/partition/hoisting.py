@@ -31,23 +31,23 @@ def hoist(moved: MovedDeclaration, verdicts: Mapping[ccode.Variable, migration.D
     """
     first = verdicts[moved.variables[0]]
     start, end, whole = _moved(moved, text)
-    places = list(_assignments(moved, text)) if moved.assigned else [(start, end, "")]
+    places = list(_assignments(moved, text)) if moved.assigned else [Replacement(start, end, "")]
     first.changes.extend(_change(text, place, first.rules[0], first.reasons[0]) for place in places)
     copy = migration.TextCopy(unit=text.unit, startOffset=whole[0], endOffset=whole[1])
     late = "the variable is given its value later"
     copy.changes.extend(_change(text, place, SPLIT, late) for place in _without_values(moved, text.data))
     storage = (m.span() for m in _AUTOMATIC.finditer(text.data, moved.statement.startOffset, _name(moved.variables[0], text)))
-    copy.changes.extend(_change(text, (*place, ""), HOIST, "nothing at file scope is automatic") for place in storage)
+    copy.changes.extend(_change(text, Replacement(*place, ""), HOIST, "nothing at file scope is automatic") for place in storage)
     names = dict(moved.renamed)
     for variable in moved.variables:
         if variable.name not in names:
             continue
         new, reason = names[variable.name], f"'{variable.name}' stands for something else at file scope"
-        place = _name(variable, text)
-        copy.changes.append(_change(text, (place, place + len(variable.name.encode()), new), HOIST, reason))
+        place, length = _name(variable, text), len(variable.name.encode())
+        copy.changes.append(_change(text, Replacement(place, place + length, new), HOIST, reason))
         verdict = verdicts[variable]
         for begin in sorted({place, *(int(use.startOffset) for use in variable.references)}):
-            verdict.changes.append(_change(text, (begin, begin + len(variable.name.encode()), new), HOIST, reason))
+            verdict.changes.append(_change(text, Replacement(begin, begin + length, new), HOIST, reason))
     first.hoisted = copy
 
 
