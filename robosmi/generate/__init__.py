@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 _PLACES = {
     "Gen": "gen",
-    "region_id": "identity",
+    "region_id": "templates",
     "FileChange": "result",
     "Generation": "result",
     "TextLink": "result",

@@ -25,8 +25,8 @@ __all__ = ["EmfModel", "Metamodel", "Model", "Repository", "Session", "load_mode
 
 _PLACES = {
     "EmfModel": "emf",
-    "Metamodel": "metamodel",
-    "Model": "driver",
+    "Metamodel": "ecore.metamodel",
+    "Model": "elements.driver",
     "Repository": "repository",
     "Session": "session",
     "open_model": "opening",

@@ -24,6 +24,7 @@ from robosmi.transformations.chains.recommend import Recommendations
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = ROOT / "docs" / "examples" / "line_follower"
+pytestmark = pytest.mark.processes  # a kernel runs the notebook
 
 
 @pytest.fixture(scope="module")
@@ -56,7 +57,6 @@ def _shown(outputs: list[Any]) -> str:
     return "\n".join(texts)
 
 
-@pytest.mark.processes
 def test_a_program_is_a_tree(shown: dict[str, str]) -> None:
     tree = html.fromstring(shown["program"])
     assert tree.xpath("//details/summary[starts-with(., 'SourceUnit')]")

@@ -39,7 +39,7 @@ from pyecore.ecore import (
 from pyecore.resources import ResourceSet
 from pyecore.valuecontainer import ECollection, EList, EOrderedSet, EValue
 
-MODULES = Path(__file__).resolve().parents[2] / "robosmi" / "model"
+MODULES = Path(__file__).resolve().parents[2] / "robosmi" / "model" / "elements"
 
 
 def _load(name: str) -> ModuleType:

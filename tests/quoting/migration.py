@@ -11,6 +11,8 @@ from xml.sax.saxutils import escape
 
 import robosmi
 from robosmi.transformations.m2t.arduino_sketch import generate
+from robosmi.transformations.m2t.first_screen import counted
+from robosmi.transformations.m2t.program_files import report_file
 from tests.quoting.judges import tokens
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "docs" / "examples" / "line_follower"
@@ -54,7 +56,9 @@ def with_texts(models: Any, text: Callable[[], str]) -> None:
 
 def texts_of(models: Any) -> dict[str, str]:
     """The files of the sketch, by their names without the folder."""
-    return {f.name.rpartition("/")[2]: f.after or "" for f in generate(models.plan, models.files).files}
+    plan, sources = models.plan, models.files
+    files = [*generate(plan, sources).files, *report_file(plan, sources, counted(plan, sources)).files]
+    return {file.name.rpartition("/")[2]: file.after or "" for file in files}
 
 
 def shape_of(texts: dict[str, str]) -> dict[str, list[str]]:

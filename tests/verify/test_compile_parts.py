@@ -124,6 +124,7 @@ def test_versions_sort_by_number() -> None:
     assert sorted(["1.8.10", "1.8.9"], key=version_key) == ["1.8.9", "1.8.10"]
 
 
+@pytest.mark.processes
 def test_doctor_names_what_is_missing_and_how_to_get_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.setenv("HOME", str(tmp_path))

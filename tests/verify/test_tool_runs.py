@@ -22,6 +22,8 @@ open(sys.argv[1], "w").write(f"{child.pid} {tempfile.gettempdir()}")
 child.wait()
 """
 
+pytestmark = pytest.mark.processes
+
 
 def test_what_a_tool_started_ends_with_it_and_its_temporary_folder_goes(tmp_path: Path) -> None:
     told = tmp_path / "told"

@@ -26,7 +26,7 @@ SOURCES = {
 }
 
 
-@pytest.fixture(params=SOURCES)
+@pytest.fixture(params=[pytest.param(name, marks=pytest.mark.processes) if name == "own_header" else name for name in SOURCES])
 def plan(request: pytest.FixtureRequest) -> migration.MigrationPlan:
     """The plan of each program."""
     made: migration.MigrationPlan = planned(request.param)
@@ -43,6 +43,7 @@ def judged(plan: migration.MigrationPlan) -> list[tuple[str, migration.Dispositi
     return [(k.rule, d) for k in plan.trace.links for d in k.targets if isinstance(d, migration.Disposition)]
 
 
+@pytest.mark.processes
 def test_every_rule_speaks_in_one_of_the_programs() -> None:
     spoken = {rule for name in SOURCES for rule, _ in judged(planned(name))}
     program = planned("every_verdict").program

@@ -239,6 +239,7 @@ inline int32_t gate_open(int32_t number) {
 """
 
 
+@pytest.mark.processes
 def test_a_port_at_which_an_own_adapter_reads_is_played(tmp_path: Path) -> None:
     (tmp_path / "adapters").mkdir()
     (tmp_path / "adapters" / "gate.cpp").write_text(GATE)
@@ -265,6 +266,7 @@ inline int32_t knob_is(int32_t level, int32_t at) {{
 """
 
 
+@pytest.mark.processes
 @pytest.mark.parametrize(("way", "device"), [("in", "levels"), ("out", ""), ("both", ""), ("in ranger", "")])
 def test_a_port_that_an_own_adapter_reads_by_its_argument_is_played(tmp_path: Path, way: str, device: str) -> None:
     (tmp_path / "adapters").mkdir()
