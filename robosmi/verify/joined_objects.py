@@ -16,16 +16,7 @@ from robosmi import inputs
 from robosmi.errors import VerificationError
 from robosmi.verify.elf_reader import LOCAL, ElfFile, read_elf
 from robosmi.verify.host_model import HostModel
-from robosmi.verify.linked_names import (
-    HOOKS,
-    JOINING,
-    Names,
-    RetainedNames,
-    check_named,
-    check_object,
-    names_of,
-    renamed_sections,
-)
+from robosmi.verify.linked_names import HOOKS, JOINING, AllowedNames, Names, check_named, check_object, names_of, renamed_sections
 
 _COUNTERS_OF = "__gcov0."
 _COUNTERS = re.compile(rf"{re.escape(_COUNTERS_OF)}(.+)")
@@ -89,14 +80,14 @@ def joined(objects: Sequence[Path], folder: Path, model: HostModel, known: froze
     """Join the objects of a program, and give all that it defines a name of its own.
 
     Args:
-        objects: the objects, with their compiler's notes beside them.
+        objects: the objects, with their compiler's notes in their folder.
         folder: where files are made.
         model: the host model.
         known: the names that the model defines.
         run: runs a tool.
 
     Raises:
-        VerificationError: the program has names or sections that cannot be kept apart from this machine's.
+        VerificationError: the program has names or sections that could replace this machine's.
     """
     script, path, named = folder / "joining.ld", folder / "joined.o", folder / "program.o"
     elves = [elf_at(each) for each in objects]
@@ -106,7 +97,7 @@ def joined(objects: Sequence[Path], folder: Path, model: HostModel, known: froze
     words = ["-r", "-m", model.compiler.text("linker_machine"), "--force-group-allocation", "-T", str(script), "-o", str(path)]
     run("linker", *words, *(str(each) for each in objects))
     whole = elf_at(path)
-    names, kept = names_of(whole), RetainedNames(model.same, known)
+    names, allowed = names_of(whole), AllowedNames(model.same, known)
     if "main" not in names.defined:
         raise VerificationError("the program has no function main", fix="name the file that has it, too")
     if taken := sorted(names.defined & HOOKS):
@@ -114,26 +105,26 @@ def joined(objects: Sequence[Path], folder: Path, model: HostModel, known: froze
     renamed, removed = renamed_sections(whole)
     more = [word for old, new in renamed.items() for word in ("--rename-section", f"{old}={new}")]
     more += [word for name in removed for word in ("--remove-section", name)]
-    rename(path, named, names, kept, model.prefix, run, *more)
-    check_named(elf_at(named), model.prefix, kept)
+    rename(path, named, names, allowed, model.prefix, run, *more)
+    check_named(elf_at(named), model.prefix, allowed)
     own = {model.prefix + name for name in names.defined} | known
-    unmodelled = sorted(name for name in names.used if name not in kept and model.prefix + name not in own)
+    unmodelled = sorted(name for name in names.used if name not in allowed and model.prefix + name not in own)
     return JoinedObjects(named, tuple(unmodelled), tuple(_counters(objects, elves, whole)))
 
 
-def rename(path: Path, target: Path, names: Names, kept: RetainedNames, prefix: str, run: RunTool, *more: str) -> None:
+def rename(path: Path, target: Path, names: Names, allowed: AllowedNames, prefix: str, run: RunTool, *more: str) -> None:
     """Give the names of an object a prefix.
 
     Args:
         path: the object.
         target: the object that is made, which may be the same.
         names: its names.
-        kept: those that it uses and that stay.
+        allowed: those that it uses and that stay.
         prefix: the prefix.
         run: runs a tool.
         more: further arguments.
     """
-    own = names.defined | {name for name in names.used if name not in kept}
+    own = names.defined | {name for name in names.used if name not in allowed}
     table = target.with_suffix(".names")
     table.write_text("".join(f"{name} {prefix}{name}\n" for name in sorted(own)), encoding="utf-8")
     run("rename", f"--redefine-syms={table}", *more, str(path), str(target))

@@ -88,7 +88,7 @@ class Names(Struct, frozen=True):
     used: frozenset[str]
 
 
-class RetainedNames(Struct, frozen=True):
+class AllowedNames(Struct, frozen=True):
     """The names that an object may use as they are.
 
     Attributes:
@@ -161,7 +161,7 @@ def renamed_sections(elf: ElfFile) -> tuple[dict[str, str], list[str]]:
     return renamed, removed
 
 
-def check_named(elf: ElfFile, prefix: str, kept: RetainedNames) -> None:
+def check_named(elf: ElfFile, prefix: str, allowed: AllowedNames) -> None:
     """Check that the renaming of a joined program has left no other name or section than it may.
 
     Raises:
@@ -169,12 +169,12 @@ def check_named(elf: ElfFile, prefix: str, kept: RetainedNames) -> None:
     """
     names = names_of(elf)
     wrong = [name for name in names.defined if not name.startswith(prefix)]
-    wrong += [name for name in names.used if not name.startswith(prefix) and name not in kept]
+    wrong += [name for name in names.used if not name.startswith(prefix) and name not in allowed]
     renamed, removed = renamed_sections(elf)
     wrong += [*renamed, *removed, *(section.name for section in elf.sections if section.kind == GROUP)]
     if wrong:
         raise VerificationError(
-            f"the program has names that cannot be kept apart from this machine's: {', '.join(sorted(wrong))}",
+            f"the program has names that could replace this machine's: {', '.join(sorted(wrong))}",
             fix="take assembler text and attributes of these names out of the program",
         )
 
@@ -203,9 +203,9 @@ def _wrong_segments(elf: ElfFile) -> Iterator[str]:
             yield "has a stack with code"
 
 
-def library_names(said: str) -> Iterable[str]:
+def library_names(printed: str) -> Iterable[str]:
     """The names that an archive of the model defines, from the output of `nm`."""
-    for line in said.splitlines():
+    for line in printed.splitlines():
         words = line.split()
         if len(words) >= 2 and (words[-2].isupper() or words[-2] in "vui") and words[-2] not in "Uw":
             yield words[-1]

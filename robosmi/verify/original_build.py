@@ -22,7 +22,7 @@ from robosmi.errors import MissingToolError, VerificationError
 from robosmi.verify.assembler_text import check_directives
 from robosmi.verify.host_model import HostModel
 from robosmi.verify.joined_objects import Counters, elf_at, joined, made_by_tools, rename
-from robosmi.verify.linked_names import PROGRAM_DATA, RetainedNames, check_linked, library_names, names_of
+from robosmi.verify.linked_names import PROGRAM_DATA, AllowedNames, check_linked, library_names, names_of
 from robosmi.verify.sandbox import FLAGS, SOURCE, Launcher, launcher
 from robosmi.verify.toolchains import archives
 from robosmi.verify.toolchains.machine_faults import check_machine
@@ -93,7 +93,7 @@ def build_original(
         include_folders: where headers of the program are looked for, beside the file that includes them.
         headers: name -> text of further headers, looked for last.
         limit_s: seconds of this machine's time for all of it.
-        only: the files that the program may include, beside those of the model; any if None.
+        only: the files that the program may include, and those of the model; any if None.
         trusted: whether a person trusts the program, so that it may also run where the system has no sandbox for it.
 
     Raises:
@@ -186,11 +186,11 @@ class _Build(Struct, dict=True):
         self.probe()
         self._run_all(jobs)
         chip = {path: names_of(elf_at(path)) for path in objects if path.name.startswith("chip-")}
-        kept_names = RetainedNames(self.model.same, frozenset[str]().union(*(names.defined for names in chip.values())))
+        allowed = AllowedNames(self.model.same, frozenset[str]().union(*(names.defined for names in chip.values())))
         for path in (path for path in objects if path not in chip):
             names = names_of(elf_at(path))
             weak = [word for each in names.defined for word in ("--weaken-symbol", self.model.prefix + each)]
-            rename(path, path, names, kept_names, self.model.prefix, self._run)
+            rename(path, path, names, allowed, self.model.prefix, self._run)
             self._run("rename", *weak, str(path))
         library = folder / name
         self._run("archiver", "rcs", str(library), *(str(path) for path in objects))

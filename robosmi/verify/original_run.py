@@ -173,7 +173,7 @@ def _ended_by(code: int) -> str:
 
 
 class _StuckError(Exception):
-    """A process waits for an answer that it has not asked for."""
+    """A process waits for an answer without a question."""
 
 
 class _Conversation:

@@ -80,10 +80,10 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--first", type=int, default=0)
-    asked = parser.parse_args()
+    given = parser.parse_args()
     outcomes: Counter[str] = Counter()
     escapes = failures = 0
-    for number in range(asked.first, asked.first + asked.count):
+    for number in range(given.first, given.first + given.count):
         with tempfile.TemporaryDirectory(prefix="at-") as place:
             outcome, seen = ended(number, Path(place))
         outcomes[outcome.split(":")[0] if outcome.startswith("not run") else outcome.splitlines()[0]] += 1
@@ -93,7 +93,7 @@ def main() -> int:
             print(f"--- {number}: {outcome}\n{seen}\n{variation(number)}")
     for outcome, count in outcomes.most_common():
         print(f"{count:5}  {outcome}")
-    print(f"{asked.count} variations, {escapes} escapes, {failures} failures")
+    print(f"{given.count} variations, {escapes} escapes, {failures} failures")
     return int(bool(escapes or failures))
 
 

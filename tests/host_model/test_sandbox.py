@@ -31,10 +31,10 @@ steps = [  # prctl(PR_SET_SECCOMP) and seccomp() fail, as on a kernel without th
     step(RETURN, ALLOW),
 ]
 text = b"".join(steps)
-kept = ctypes.create_string_buffer(text, len(text))
+filter_text = ctypes.create_string_buffer(text, len(text))
 library = ctypes.CDLL(None, use_errno=True)
 assert library.prctl(38, 1, 0, 0, 0) == 0
-assert library.prctl(22, 2, struct.pack("HxxxxxxP", len(steps), ctypes.addressof(kept)), 0, 0) == 0
+assert library.prctl(22, 2, struct.pack("HxxxxxxP", len(steps), ctypes.addressof(filter_text)), 0, 0) == 0
 """
 """Lets this process, and all that it starts, have no filter of system calls of their own."""
 
