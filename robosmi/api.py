@@ -83,7 +83,7 @@ class PlannedMigration(Protocol):
         """The hardware model; None without a drawing."""
 
 
-class MadeSketch(Protocol):
+class MigratedSketch(Protocol):
     """The result of a migration."""
 
     @property
@@ -277,7 +277,7 @@ def plan_migration(files: Sequence[str | Path], **options: Unpack[PlanOptions]) 
     return planned
 
 
-def migrate(files: Sequence[str | Path], output: str | Path, **options: Unpack[MigrationOptions]) -> MadeSketch:
+def migrate(files: Sequence[str | Path], output: str | Path, **options: Unpack[MigrationOptions]) -> MigratedSketch:
     """Migrate a program: plan, generate, write.
 
     Args:
@@ -293,20 +293,20 @@ def migrate(files: Sequence[str | Path], output: str | Path, **options: Unpack[M
         UsageError: a choice names what does not exist.
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
     """
-    made: MadeSketch = content("chain", "migrate")(files, output, **options)
+    made: MigratedSketch = content("chain", "migrate")(files, output, **options)
     return made
 
 
 def generate_sketch(
     plan: str | Path, output: str | Path, *, dry_run: bool = False, strict: bool = False, bench: bool = False
-) -> MadeSketch:
+) -> MigratedSketch:
     """Make the sketch of a stored plan, from it and the models beside it alone.
 
     Raises:
         SourceError: a file cannot be read, or does not match its digest.
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
     """
-    made: MadeSketch = content("chain", "generate")(Path(plan), Path(output), dry_run=dry_run, strict=strict, bench=bench)
+    made: MigratedSketch = content("chain", "generate")(Path(plan), Path(output), dry_run=dry_run, strict=strict, bench=bench)
     return made
 
 
@@ -346,7 +346,7 @@ def compile_sketch(sketch: str | Path, board: str | None = None, output: str | P
         from robosmi.verify.toolchains.toolchain import compile_sketch as compiled
 
         return compiled(Path(sketch), board)
-    from robosmi.verify.toolchains.kept_program import compile_into
+    from robosmi.verify.toolchains.compiled_program import compile_into
 
     return compile_into(Path(sketch), board, into=Path(output))
 

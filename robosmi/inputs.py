@@ -61,7 +61,7 @@ OUTPUT = Kind("file of an output folder", MODEL.most)
 """What a run made, or is about to write over."""
 
 
-class InputRefusedError(OSError):
+class InputRejectedError(OSError):
     """A file is not ordinary, or is larger than its kind may be. `strerror` is the cause, `fix` says what to do."""
 
     def __init__(self, number: int, cause: str, path: object, fix: str) -> None:
@@ -76,7 +76,7 @@ def fix_of(error: OSError, otherwise: str) -> str:
         error: what reading it raised.
         otherwise: the advice where the error has none of its own.
     """
-    return error.fix if isinstance(error, InputRefusedError) else otherwise
+    return error.fix if isinstance(error, InputRejectedError) else otherwise
 
 
 def open_file(path: str | os.PathLike[str], *, follow: bool = True, dir_fd: int | None = None) -> BinaryIO:
@@ -95,7 +95,7 @@ def open_file(path: str | os.PathLike[str], *, follow: bool = True, dir_fd: int 
         _check(os.stat(path, follow_symlinks=follow, dir_fd=dir_fd), path)  # opening a device can already act on it
         handle = os.open(path, _FLAGS | (0 if follow else _NO_LINK), dir_fd=dir_fd)
     except ValueError as error:  # a null character, or half a character
-        raise InputRefusedError(errno.EINVAL, f"no file can have such a name ({error})", path, "check the path") from None
+        raise InputRejectedError(errno.EINVAL, f"no file can have such a name ({error})", path, "check the path") from None
     try:
         _check(os.fstat(handle), path)
         return os.fdopen(handle, "rb")
@@ -116,7 +116,7 @@ def check_ordinary(path: str | os.PathLike[str]) -> None:
     try:
         _check(os.stat(path), path)
     except ValueError as error:
-        raise InputRefusedError(errno.EINVAL, f"no file can have such a name ({error})", path, "check the path") from None
+        raise InputRejectedError(errno.EINVAL, f"no file can have such a name ({error})", path, "check the path") from None
 
 
 def _check(found: os.stat_result, path: object) -> None:
@@ -127,7 +127,7 @@ def _check(found: os.stat_result, path: object) -> None:
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), path)
     if kind in _ODD:
         cause = f"it is {_ODD[kind]}, not an ordinary file"
-        raise InputRefusedError(errno.EINVAL, cause, path, "give an ordinary file; copy into one what is to be read")
+        raise InputRejectedError(errno.EINVAL, cause, path, "give an ordinary file; copy into one what is to be read")
 
 
 _READ: ContextVar[dict[str, bytes] | None] = ContextVar("read", default=None)
@@ -192,7 +192,7 @@ def _read(path: str | os.PathLike[str], kind: Kind, follow: bool, dir_fd: int | 
             data += stream.read(kind.most + 1 - len(data))
     if data is None or len(data) > kind.most:
         cause = f"it is larger than {kind.limit}, the most that a {kind.name} may have"
-        raise InputRefusedError(errno.EFBIG, cause, path, f"check that it is a {kind.name}, or split it")
+        raise InputRejectedError(errno.EFBIG, cause, path, f"check that it is a {kind.name}, or split it")
     if kind is SOURCE and b"\r" in data:
         data = _OLD_END.sub(b"\n", data)
     if kept is not None:

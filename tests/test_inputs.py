@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from robosmi import inputs
-from robosmi.inputs import InputRefusedError, Kind
+from robosmi.inputs import InputRejectedError, Kind
 
 SMALL = Kind("note", 1024 * 1024)
 
@@ -41,7 +41,7 @@ def test_what_is_no_ordinary_file_is_refused_without_waiting(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     make(tmp_path / "odd")
-    with pytest.raises(InputRefusedError, match=named) as refused:
+    with pytest.raises(InputRejectedError, match=named) as refused:
         inputs.read_bytes(tmp_path / "odd", SMALL)
     assert refused.value.fix
 
@@ -51,7 +51,7 @@ def test_a_pipe_that_takes_the_place_of_a_file_after_the_look_is_refused(tmp_pat
     os.mkfifo(tmp_path / "pipe")
     ordinary = os.stat(tmp_path / "file")
     monkeypatch.setattr(os, "stat", lambda *_, **__: ordinary)
-    with pytest.raises(InputRefusedError, match="a named pipe"):
+    with pytest.raises(InputRejectedError, match="a named pipe"):
         inputs.read_bytes(tmp_path / "pipe", SMALL)
 
 
@@ -64,7 +64,7 @@ def test_a_folder_and_a_missing_file_are_the_systems_errors(tmp_path: Path) -> N
 
 @pytest.mark.parametrize("name", ["a\0b", "a\ud800"])
 def test_what_no_file_can_be_called_is_refused(name: str) -> None:
-    with pytest.raises(InputRefusedError, match="no file can have such a name"):
+    with pytest.raises(InputRejectedError, match="no file can have such a name"):
         inputs.read_bytes(name, SMALL)
 
 
@@ -74,7 +74,7 @@ def test_a_kinds_size_is_the_last_that_is_read(tmp_path: Path) -> None:
     os.truncate(path, SMALL.most)
     assert len(inputs.read_bytes(path, SMALL)) == SMALL.most
     os.truncate(path, SMALL.most + 1)
-    with pytest.raises(InputRefusedError, match="larger than 1 MB, the most that a note may have"):
+    with pytest.raises(InputRejectedError, match="larger than 1 MB, the most that a note may have"):
         inputs.read_bytes(path, SMALL)
 
 
@@ -85,7 +85,7 @@ def test_a_size_that_is_wrong_is_not_believed(tmp_path: Path, monkeypatch: pytes
     empty.write_bytes(b"")
     said = os.stat(empty)
     monkeypatch.setattr(os, "fstat", lambda _: said)
-    with pytest.raises(InputRefusedError, match="larger than 1 MB"):
+    with pytest.raises(InputRejectedError, match="larger than 1 MB"):
         inputs.read_bytes(path, SMALL)
 
 

@@ -29,7 +29,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from msgspec import structs
 
-from robosmi.chain.graph import Dependencies, graph_of, in_order, missing
+from robosmi.chain.graph import Dependencies, graph_of, missing, topological_order
 from robosmi.chain.run import ChainResult, ChainRun, Progress
 from robosmi.chain.steps import CALL, GIVEN, KINDS, Step, relative
 from robosmi.diagnostics import Location, Severity
@@ -287,7 +287,7 @@ class Chain:
             RuleError: a function does not take the models of its step.
         """
         graph = self.dependencies()
-        ordered = in_order(self.steps, graph, self.place)
+        ordered = topological_order(self.steps, graph, self.place)
         for step, path in missing(ordered, graph, self.folder):
             said = f"reads '{relative(path, self.folder or path)}', which does not exist and no step makes"
             beside = [ECORE, *(file.name for file in path.parent.glob("*.ecore"))] if path in step.metamodel else []
@@ -384,7 +384,7 @@ def _check_parameters(step: Step) -> None:
         else:
             signature.bind(None, **dict.fromkeys(names))
     except TypeError as error:
-        from robosmi.query.rules.erl import place_of  # a chain of plain functions needs no queries
+        from robosmi.query.rules.rule_language import place_of  # a chain of plain functions needs no queries
 
         raise RuleError(
             f"the function of the step '{step.name}' does not fit: {error}",

@@ -110,7 +110,7 @@ def _gates(steps: Sequence[Step]) -> Iterable[tuple[Step, Step]]:
                     yield gate, step
 
 
-def in_order(steps: Sequence[Step], graph: Dependencies, place: Location | None = None) -> list[Step]:
+def topological_order(steps: Sequence[Step], graph: Dependencies, place: Location | None = None) -> list[Step]:
     """The steps in topological order; independent ones in the order of declaration.
 
     Raises:

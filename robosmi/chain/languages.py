@@ -22,28 +22,28 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RobosmiError, RuleError
 from robosmi.files.files import write_atomic
 from robosmi.generate import Gen
-from robosmi.generate.places import free_name
+from robosmi.generate.output_paths import free_name
 from robosmi.model import save_model
 from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.elements.driver import Model
 from robosmi.model.emf import EmfModel
 from robosmi.model.session import Session
-from robosmi.model.xmi.xml_comments import comments_lost, told
+from robosmi.model.xmi.xml_comments import comments_lost, lost_comments
 from robosmi.query import ModelView
-from robosmi.query.rules.erl import failed, owner_of, place_of, technology
+from robosmi.query.rules.rule_language import failed, owner_of, place_of, technology
 from robosmi.transform import ETL, Flock
 from robosmi.transform.flock_rules import left_out_fix, left_out_text
 from robosmi.validate import EVL
-from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
+from robosmi.validate.findings import ApplicableFix, Unsatisfied, Validation
 
 if TYPE_CHECKING:
     from robosmi.base.functions import Function
 
-Choice = str | Callable[[Unsatisfied], OfferedFix | None]
+Choice = str | Callable[[Unsatisfied], ApplicableFix | None]
 """Which fix of a finding is performed: "first", "last", or a function that chooses one (None for none)."""
 
 
-class Doing(Struct):
+class StepContext(Struct):
     """What a step needs while it is done.
 
     Attributes:
@@ -67,7 +67,7 @@ class Doing(Struct):
     rewritten: list[str] = []
 
 
-def load(step: Step, doing: Doing) -> tuple[StepResult, Model]:
+def load(step: Step, doing: StepContext) -> tuple[StepResult, Model]:
     """Read a model."""
     assert step.file is not None
     if step.function is not None:
@@ -98,7 +98,7 @@ def _opened(step: Step, driver: Function) -> Model:
     return made
 
 
-def validate(step: Step, doing: Doing) -> tuple[StepResult, None]:
+def validate(step: Step, doing: StepContext) -> tuple[StepResult, None]:
     """Check constraints; the step fails when a finding is worse than it may be."""
     result = StepResult(step, "done")
     found = _validated(step, doing)
@@ -111,13 +111,13 @@ def validate(step: Step, doing: Doing) -> tuple[StepResult, None]:
     return result, None
 
 
-def _validated(step: Step, doing: Doing) -> Validation:
+def _validated(step: Step, doing: StepContext) -> Validation:
     v = EVL(*doing.models.values())
     call(step, v, doing.models)
     return v.run()
 
 
-def _mend(result: StepResult, found: Validation, doing: Doing, fix: Choice) -> list[Finding]:
+def _mend(result: StepResult, found: Validation, doing: StepContext, fix: Choice) -> list[Finding]:
     """Perform fixes on elements of models that were loaded, and store the models that changed.
 
     Returns:
@@ -140,7 +140,7 @@ def _mend(result: StepResult, found: Validation, doing: Doing, fix: Choice) -> l
                 message = f"the fix '{u.fixes[0].title}' was not performed: {why}"
                 said.append(Finding("RS532", Severity.info, message, element=found.place(u), fix=advice))
 
-    def choose(unsatisfied: Unsatisfied) -> OfferedFix | None:
+    def choose(unsatisfied: Unsatisfied) -> ApplicableFix | None:
         fixes = unsatisfied.fixes if unsatisfied not in left else []
         return fix(unsatisfied) if callable(fix) and fixes else fixes[0 if fix == "first" else -1] if fixes else None
 
@@ -160,7 +160,7 @@ def _mend(result: StepResult, found: Validation, doing: Doing, fix: Choice) -> l
     return said
 
 
-def _store(model: Model, doing: Doing) -> list[Finding]:
+def _store(model: Model, doing: StepContext) -> list[Finding]:
     """Write a person's model again; an old file with comments, which a model does not contain, is kept and reported."""
     path = Path(str(model.path))
     old = inputs.read_bytes(path, inputs.MODEL) if path.is_file() else b""
@@ -175,7 +175,7 @@ def _store(model: Model, doing: Doing) -> list[Finding]:
     model.save()
     doing.rewritten.append(f"'{name}' (what it held is in '{kept}')")
     place = Location(str(path), lost[0])
-    return [Finding("RS524", Severity.warning, told(lost, kept), place, fix="keep such notes outside of the models")]
+    return [Finding("RS524", Severity.warning, lost_comments(lost, kept), place, fix="keep such notes outside of the models")]
 
 
 def _stored(model: Model) -> bytes:
@@ -192,7 +192,7 @@ def _located(finding: Finding, files: Mapping[str, Path | None]) -> Finding:
     return replace(finding, location=Location(str(file))) if file is not None and finding.location is None else finding
 
 
-def transform(step: Step, doing: Doing) -> tuple[StepResult, Model]:
+def transform(step: Step, doing: StepContext) -> tuple[StepResult, Model]:
     """Make a model of others, by ETL or Flock, and save it where it has a file."""
     made = ModelView(EmfModel((), doing.session.metamodel(*step.metamodel) if step.metamodel else Metamodel.ecore(), step.makes))
     models = {**doing.models, step.makes: made}
@@ -222,7 +222,7 @@ def _of_emf(models: Mapping[str, Model]) -> Iterator[tuple[str, EmfModel]]:
             yield name, own
 
 
-def generate(step: Step, doing: Doing) -> tuple[StepResult, None]:
+def generate(step: Step, doing: StepContext) -> tuple[StepResult, None]:
     """Make the files of a folder."""
     assert step.folder is not None
     g = Gen(step.folder, step.templates, list(doing.models.values()), keep=f".robosmi/{step.name}" if doing.keep else False)
@@ -236,13 +236,13 @@ def generate(step: Step, doing: Doing) -> tuple[StepResult, None]:
     return result, None
 
 
-DOES: dict[str, Callable[[Step, Doing], tuple[StepResult, Model | None]]] = {
+DOES: dict[str, Callable[[Step, StepContext], tuple[StepResult, Model | None]]] = {
     "load": load, "validate": validate, "transform": transform, "migrate": transform, "generate": generate,
 }  # fmt: skip
 """How each kind is done."""
 
 
-def do(step: Step, doing: Doing) -> tuple[StepResult, Model | None]:
+def do(step: Step, doing: StepContext) -> tuple[StepResult, Model | None]:
     """Do a step, and note whether it changed a model that it only reads; what fixes changed is stored, and not meant."""
     read = [model for given in doing.models.values() if isinstance(model := technology(given), EmfModel)]
     for model in read:

@@ -32,7 +32,7 @@ from robosmi.plugins import raised_by, unloadable
 
 if TYPE_CHECKING:
     from robosmi.base.functions import Function
-    from robosmi.chain.languages import Choice, Doing  # all languages
+    from robosmi.chain.languages import Choice, StepContext  # all languages
     from robosmi.model.elements.dynamic import Dynamic
     from robosmi.model.session import Session
 
@@ -282,7 +282,7 @@ class ChainRun:
             name = relative(path, self.folder)
             if path.is_file() and known is not None and known.outputs.get(name) not in (None, digest_of(path)):
                 if self.force:
-                    from robosmi.generate.places import free_name
+                    from robosmi.generate.output_paths import free_name
 
                     kept = free_name(self.folder, f"{name}.orig")
                     if not self.dry_run:
@@ -302,7 +302,7 @@ class ChainRun:
         try:
             return self.do(step)
         except (SystemExit, RobosmiError) as error:
-            from robosmi.query.rules.erl import failed, with_place
+            from robosmi.query.rules.rule_language import failed, with_place
 
             what = f"the step '{step.name}'"
             if isinstance(error, RobosmiError):
@@ -331,11 +331,11 @@ class ChainRun:
             result.state = "would run"
         return result
 
-    def _doing(self, models: dict[str, Any], files: dict[str, Path | None]) -> Doing:
-        from robosmi.chain.languages import Doing
+    def _doing(self, models: dict[str, Any], files: dict[str, Path | None]) -> StepContext:
+        from robosmi.chain.languages import StepContext
 
         made = frozenset(name for name in models if self.makers[name].kind != "load")
-        return Doing(self.folder, models, files, made, self.session, self.dry_run, self.keep, self.fix, self.rewritten)
+        return StepContext(self.folder, models, files, made, self.session, self.dry_run, self.keep, self.fix, self.rewritten)
 
     @property
     def session(self) -> Session:
@@ -370,12 +370,12 @@ class ChainRun:
             if not replaced:
                 raise
             named = [f"'{s.name}'" for s in replaced]
-            from robosmi.query.rules.erl import failed
+            from robosmi.query.rules.rule_language import failed
 
             what = f"the step '{step.name}' of the chain '{self.name}', in which {' and '.join(named)} was replaced,"
             raise failed(error, what, step.function, owner=replaced[0].function) from error
         if step.instead_of is not None and (expected := unlike(made, step.instead_of)):
-            from robosmi.query.rules.erl import place_of
+            from robosmi.query.rules.rule_language import place_of
 
             first = f"{step.instead_of.__module__}.{getattr(step.instead_of, '__qualname__', '')}"
             raise RuleError(

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Protocol
 
-from robosmi.api import Analysed, MadeSketch
+from robosmi.api import Analysed, MigratedSketch
 from robosmi.base.data_text import Json
 from robosmi.diagnostics import Finding
 from robosmi.project import Project
@@ -69,7 +69,7 @@ class ImportedPlatform(Analysed, Protocol):
         """The files written."""
 
 
-class ToldAdapters(Analysed, Protocol):
+class AdapterAnswer(Analysed, Protocol):
     """Adapters that were listed, shown or saved."""
 
     @property
@@ -105,7 +105,7 @@ class SimulatedSketch(Analysed, Protocol):
         """The trace's file; None where nobody asked for one."""
 
 
-class ChosenSketch(MadeSketch, Protocol):
+class ChosenSketch(MigratedSketch, Protocol):
     """A sketch that was made again after a choice."""
 
     @property

@@ -112,7 +112,7 @@ class _Parser(argparse.ArgumentParser):
 
     def _print_message(self, message: str, file: Any = None) -> None:
         if message:  # help and version; errors do not come here
-            streams.say(message.rstrip("\n"))
+            streams.print_result(message.rstrip("\n"))
 
 
 def build_parser(command: str | None = None) -> argparse.ArgumentParser:
@@ -159,7 +159,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     words = list(sys.argv[1:] if arguments is None else arguments)
     as_json, started = "--json" in words, time.perf_counter()
     name = next((w for w in words if not w.startswith("-")), "")
-    sarif = sarif_file.asked_for(words)
+    sarif = sarif_file.requested_path(words)
     try:
         if name and name not in COMMANDS:
             raise UsageError(
@@ -223,7 +223,7 @@ def _run(parsed: _Parsed) -> int:
     if parsed.json:
         _print_json(report.to_json())
     elif text := terminal_text(report, verbose=parsed.verbose, colour=takes_colour(sys.stdout)):
-        streams.say(text)
+        streams.print_result(text)
     if report.then is not None:
         report.then()
     return code
@@ -261,7 +261,7 @@ def _lines(text: str) -> str:
 
 def _print_json(document: dict[str, Any]) -> None:
     plain = (getattr(sys.stdout, "encoding", None) or "").lower().replace("-", "") != "utf8"
-    streams.say(json_text(document, ascii_only=plain))
+    streams.print_result(json_text(document, ascii_only=plain))
 
 
 if __name__ == "__main__":

@@ -133,7 +133,7 @@ async def _end(process: anyio.abc.Process) -> None:
             await stream.aclose()
 
 
-def refused(command: str, error: RobosmiError) -> dict[str, Any]:
+def usage_error(command: str, error: RobosmiError) -> dict[str, Any]:
     """The document for arguments that are refused before the command runs."""
     return refusal(command, "RS901", error.exit_code, error.message, error.fix)
 

@@ -25,7 +25,7 @@ from pydantic import ValidationError
 
 from robosmi import __version__
 from robosmi.base.data_text import Json, json_of
-from robosmi.cli.mcp_commands import Commands, refused
+from robosmi.cli.mcp_commands import Commands, usage_error
 from robosmi.errors import RobosmiError, UsageError
 
 INSTRUCTIONS = """\
@@ -179,7 +179,7 @@ class Tools:
         try:
             found = words()
         except RobosmiError as error:
-            return refused(command, error)
+            return usage_error(command, error)
         return await self._commands.run(command, found)
 
 

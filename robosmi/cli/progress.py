@@ -1,6 +1,6 @@
 """Progress on the terminal: what is being done, once a command takes longer than a moment. Never in a pipe.
 
-That is the step of a chain, or what is said within it (`robosmi.base.doing`), as which scenario is run.
+That is the step of a chain, or what is said within it (`robosmi.base.progress_events`), as which scenario is run.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from robosmi.base.doing import heard_by
+from robosmi.base.progress_events import heard_by
 from robosmi.quoting import terminal
 
 if TYPE_CHECKING:  # a command that uses no chain does not wait for chains
@@ -27,7 +27,7 @@ QUIET = 1.0
 def progress() -> Iterator[Progress | None]:
     """What a chain is told to report to, None where standard error is no terminal; the line is wiped at the end.
 
-    What is said in between is shown, too (see `robosmi.base.doing`). Within another one, this one is heard.
+    What is said in between is shown, too (see `robosmi.base.progress_events`). Within another one, this one is heard.
     """
     if not sys.stderr.isatty():
         yield None

@@ -27,7 +27,7 @@ def add_option(parser: Options) -> None:
     )
 
 
-def asked_for(words: Sequence[str]) -> Path | None:
+def requested_path(words: Sequence[str]) -> Path | None:
     """The file that the words of a command line name, also where they are wrong otherwise."""
     for word, following in pairwise([*words, ""]):
         if word == "--":

@@ -1,7 +1,7 @@
 """The process's own streams, as the world hands them over: closed, on a full disk, or read by nobody any more.
 
-What a command prints goes through `say`, so that an output that cannot be written is an error with a cause and never a trace
-of the interpreter. What is printed is the commands' business.
+What a command prints goes through `print_result`, so that an output that cannot be written is an error with a cause and never a
+trace of the interpreter. What is printed is the commands' business.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class Shown(io.TextIOBase):
         return len(text)
 
 
-def say(text: str) -> None:
+def print_result(text: str) -> None:
     """Write the result of a command to standard output, all of it, or as much as is read.
 
     A reader that has closed its pipe, as `head` does, is no error: the rest goes nowhere, and what the command has found out,

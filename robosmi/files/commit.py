@@ -3,7 +3,7 @@
 First all new contents are written beside their destinations, then a journal lists the moves, then the files are moved. An
 interrupted commit is completed (or discarded, if it had no journal yet) by `recovery`, which every run calls first. So each
 file is at any time either the old or the new one, and after the next run all are of the same version. A new folder appears in a
-single step. Files outside of the folder may be part of a commit (`elsewhere`). This protects against a killed process, not
+single step. Files outside of the folder may be part of a commit (`external_files`). This protects against a killed process, not
 against power failure.
 """
 
@@ -20,13 +20,13 @@ from typing import ParamSpec, TypeVar
 from robosmi.base.data_text import json_written
 from robosmi.diagnostics import Location
 from robosmi.errors import ChangedMeanwhileError, InternalError, SourceError, StoppedError
-from robosmi.files.elsewhere import Elsewhere, changes, drop, wait
+from robosmi.files.directory_fd import DirectoryFd, in_the_way
+from robosmi.files.external_files import ExternalFiles, changes, drop, wait
 from robosmi.files.files import within
-from robosmi.files.open_folder import OpenFolder, in_the_way
-from robosmi.files.recovery import JOURNAL, STAGE, at_work, beside_of, finish, uninterrupted, writing
-from robosmi.files.runs import alone, bind, forget, own_stage
+from robosmi.files.recovery import JOURNAL, STAGE, at_work, finish, staging_path, uninterrupted, writing
+from robosmi.files.run_lock import alone, bind, forget, own_stage
 
-Seen = Mapping[str, bytes | None]
+FileContents = Mapping[str, bytes | None]
 """What a run has read in a folder before its decisions: relative path -> bytes, None for a missing file."""
 
 _RUNS = 5
@@ -54,8 +54,8 @@ def update(
     folder: Path,
     contents: Mapping[str, bytes],
     removed: Collection[str] = (),
-    seen: Seen | None = None,
-    elsewhere: Elsewhere | None = None,
+    seen: FileContents | None = None,
+    elsewhere: ExternalFiles | None = None,
 ) -> None:
     """Bring files of a folder up to date, all or none. A file that has its bytes already is left untouched.
 
@@ -76,7 +76,7 @@ def update(
             raise InternalError(f"'{name}' would be written outside of the output folder '{folder}'")
     with at_work(folder):
         if folder.is_dir():
-            with writing(folder), OpenFolder(folder) as held:
+            with writing(folder), DirectoryFd(folder) as held:
                 contents = {name: data for name, data in contents.items() if not held.has(name, data)}
         commit(folder, contents, removed, seen, elsewhere)
 
@@ -85,8 +85,8 @@ def commit(
     folder: Path,
     contents: Mapping[str, bytes],
     removed: Collection[str] = (),
-    seen: Seen | None = None,
-    elsewhere: Elsewhere | None = None,
+    seen: FileContents | None = None,
+    elsewhere: ExternalFiles | None = None,
 ) -> None:
     """Write and remove files of a folder, all or none.
 
@@ -115,17 +115,17 @@ def commit(
         for around in sorted({path.parent for path in elsewhere}):
             others.enter_context(alone(around))
         if folder.exists():
-            with OpenFolder(folder) as held, held.locked():
+            with DirectoryFd(folder) as held, held.locked():
                 _write(held, contents, removed, seen or {}, elsewhere)
         else:
             _appear(folder, contents, elsewhere)
 
 
-def _appear(folder: Path, contents: Mapping[str, bytes], elsewhere: Elsewhere) -> None:
+def _appear(folder: Path, contents: Mapping[str, bytes], elsewhere: ExternalFiles) -> None:
     """Create a new folder: written beside its destination and moved in one step; its journal lists the files elsewhere."""
-    beside = beside_of(folder)
+    beside = staging_path(folder)
     _no_file_is_a_folder(folder, contents)
-    with OpenFolder(folder.parent) as above:
+    with DirectoryFd(folder.parent) as above:
         try:
             above.make_folder(beside.name)
         except FileExistsError as error:
@@ -152,7 +152,7 @@ def _appear(folder: Path, contents: Mapping[str, bytes], elsewhere: Elsewhere) -
                 forget(beside)
             raise
     if elsewhere:
-        with OpenFolder(folder) as held, held.locked(), uninterrupted():
+        with DirectoryFd(folder) as held, held.locked(), uninterrupted():
             finish(held)
 
 
@@ -168,7 +168,7 @@ def _no_file_is_a_folder(folder: Path, names: Collection[str]) -> None:
             raise in_the_way(f"{folder}/{name}", "a file and a folder of one name are made")
 
 
-def _untouched(held: OpenFolder, names: Collection[str], seen: Seen) -> None:
+def _untouched(held: DirectoryFd, names: Collection[str], seen: FileContents) -> None:
     """Make sure that no file that is about to be replaced or removed has an edit that the run does not know, or is protected.
 
     Raises:
@@ -188,10 +188,10 @@ def _untouched(held: OpenFolder, names: Collection[str], seen: Seen) -> None:
         raise kind(f"{message}; nothing was written", location=Location(f"{held.path}/{name}"), fix=fix)
 
 
-def _untouched_elsewhere(files: Elsewhere) -> None:
+def _untouched_elsewhere(files: ExternalFiles) -> None:
     """The same of files outside of the folder."""
     for path, (old, _) in files.items():
-        with OpenFolder(path.parent) as around:
+        with DirectoryFd(path.parent) as around:
             _untouched(around, [path.name], {path.name: old})
 
 
@@ -201,7 +201,9 @@ def _journal(moved: Mapping[str, str], removed: Collection[str]) -> tuple[str, b
     return run, json_written({"run": run, "move": moved, "remove": sorted(removed)}).encode()
 
 
-def _write(held: OpenFolder, contents: Mapping[str, bytes], removed: Collection[str], seen: Seen, elsewhere: Elsewhere) -> None:
+def _write(
+    held: DirectoryFd, contents: Mapping[str, bytes], removed: Collection[str], seen: FileContents, elsewhere: ExternalFiles
+) -> None:
     places = {name: f"new/{number}" for number, name in enumerate(contents)}
     _no_file_is_a_folder(held.path, contents)
     for name in contents:  # once the journal is there, every file must be moved

@@ -40,5 +40,5 @@ def _bounded(path: Path, text: io.TextIOWrapper) -> Iterator[str]:
         if len(line) > LONGEST_LINE or read > MOST_BYTES:
             what = "a line in it" if len(line) > LONGEST_LINE else "its text"
             most = (LONGEST_LINE if len(line) > LONGEST_LINE else MOST_BYTES) // 1024 // 1024
-            raise inputs.InputRefusedError(errno.EFBIG, f"{what} is longer than {most} MB", path, "make the file again")
+            raise inputs.InputRejectedError(errno.EFBIG, f"{what} is longer than {most} MB", path, "make the file again")
         yield line

@@ -18,10 +18,10 @@ from robosmi.base.data_text import as_table, as_text, as_texts, json_of
 from robosmi.base.ending_signals import ending_signals
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
-from robosmi.files.elsewhere import drop, take_places
+from robosmi.files.directory_fd import DirectoryFd, in_the_way
+from robosmi.files.external_files import drop, take_places
 from robosmi.files.files import within
-from robosmi.files.open_folder import OpenFolder, in_the_way
-from robosmi.files.runs import alone, forget, is_bound, is_own_stage, release
+from robosmi.files.run_lock import alone, forget, is_bound, is_own_stage, release
 from robosmi.inputs import RECORD
 
 STAGE = ".robosmi-commit"
@@ -50,15 +50,15 @@ def recover(folder: Path) -> None:
         StoppedError: that run is still at work, or its journal is not of this user, or was made for another folder.
         SourceError: the folder cannot be written.
     """
-    beside = beside_of(folder)
+    beside = staging_path(folder)
     if not os.path.lexists(beside) and not os.path.lexists(folder / STAGE):
         return
     with alone(folder), writing(folder):
         if os.path.lexists(beside):
-            with OpenFolder(folder.parent) as above:
+            with DirectoryFd(folder.parent) as above:
                 _throw_away(above, beside.name, folder)
         if os.path.lexists(folder / STAGE):
-            with OpenFolder(folder) as held, held.locked(), uninterrupted():
+            with DirectoryFd(folder) as held, held.locked(), uninterrupted():
                 finish(held)
 
 
@@ -108,12 +108,12 @@ def interrupted(folder: Path) -> bool:
     return (folder / JOURNAL).is_file()
 
 
-def beside_of(folder: Path) -> Path:
+def staging_path(folder: Path) -> Path:
     """The path where the files of a new folder wait until it is moved to its destination."""
     return folder.parent / f"{STAGE}-{folder.name}"
 
 
-def finish(held: OpenFolder) -> None:
+def finish(held: DirectoryFd) -> None:
     """Perform the moves in a folder's journal, or discard the waiting files if there is no journal.
 
     Raises:
@@ -144,7 +144,7 @@ def finish(held: OpenFolder) -> None:
     forget(held.path / STAGE)
 
 
-def _stage(above: OpenFolder, name: str) -> OpenFolder:
+def _stage(above: DirectoryFd, name: str) -> DirectoryFd:
     """The folder of waiting files.
 
     Raises:
@@ -157,7 +157,7 @@ def _stage(above: OpenFolder, name: str) -> OpenFolder:
     return above.inner(name)
 
 
-def _throw_away(above: OpenFolder, name: str, folder: Path) -> None:
+def _throw_away(above: DirectoryFd, name: str, folder: Path) -> None:
     """Remove a folder of waiting files that a killed run has left before it had a journal, or one that is empty.
 
     Args:
@@ -185,7 +185,7 @@ def _throw_away(above: OpenFolder, name: str, folder: Path) -> None:
             above.remove_folder(name)
 
 
-def _journal(held: OpenFolder) -> tuple[dict[str, str], list[str], object]:
+def _journal(held: DirectoryFd) -> tuple[dict[str, str], list[str], object]:
     """The content of a journal of this user's run: path in the stage -> relative path, the paths to remove, the run's name.
 
     Raises:

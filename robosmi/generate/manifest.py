@@ -17,8 +17,8 @@ from robosmi.base.data_text import Json, json_of, json_written
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
 from robosmi.files.files import digest, within
-from robosmi.files.runs import is_noted, note
-from robosmi.generate.places import Places
+from robosmi.files.run_lock import is_noted, note
+from robosmi.generate.output_paths import Places
 from robosmi.generate.text_form import has_digest
 from robosmi.inputs import RECORD, fix_of, read_bytes
 
@@ -204,7 +204,7 @@ def hidden(name: str) -> bool:
     return any(part.startswith(".") for part in PurePosixPath(name).parts)
 
 
-def held_back(path: Path) -> Finding:
+def retained_file(path: Path) -> Finding:
     """Says that a file which is no longer made stays, since nothing of this user's own says that a run made it."""
     message = "it is no longer made, but the record that says so is not of your own runs in this place; the file is kept"
     return Finding("RS525", Severity.warning, message, Location(str(path)), fix="remove it when you do not need it")

@@ -16,8 +16,8 @@ from robosmi import inputs
 from robosmi.diagnostics import Finding, Severity
 from robosmi.files.commit import update
 from robosmi.files.recovery import at_work
-from robosmi.generate.manifest import NAME, Manifest, held_back, hidden, reformed_file
-from robosmi.generate.places import Places
+from robosmi.generate.manifest import NAME, Manifest, hidden, reformed_file, retained_file
+from robosmi.generate.output_paths import Places
 from robosmi.model.generator.codegen import Rendered, render
 
 
@@ -66,7 +66,7 @@ def generate_packages(metamodels: Sequence[Path], folder: Path) -> GeneratedPack
             guarded = manifest.guard(places, inner)
             going = {name for name in guarded.obsolete if manifest.may_remove(name) and not hidden(name)}
             obsolete |= {f"{root}/{name}" for name in going}
-            told += [held_back(folder / root / name) for name in sorted(guarded.obsolete - going)]
+            told += [retained_file(folder / root / name) for name in sorted(guarded.obsolete - going)]
             seen |= {f"{root}/{name}": data for name, data in places.seen.items()}
             told += [reformed_file(folder / root / name) for name in guarded.reformed]
             contents |= {f"{root}/{name}": data for name, data in inner.items()}

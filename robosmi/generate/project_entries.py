@@ -20,7 +20,7 @@ from robosmi import inputs
 from robosmi.base.data_text import toml_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.files.elsewhere import Elsewhere
+from robosmi.files.external_files import ExternalFiles
 from robosmi.project import FILE_NAME, load_project, project_in
 
 Entries = Mapping[str, Mapping[str, str | None]]
@@ -35,7 +35,7 @@ class ProjectChange(Struct, frozen=True):
         stays: the reason why it is not changed although there is something to store; else empty.
     """
 
-    files: Elsewhere
+    files: ExternalFiles
     stays: str = ""
 
 
@@ -121,7 +121,7 @@ def with_entries(text: str, table: str, entries: Mapping[str, str | None]) -> st
     return made.replace("\n", "\r\n") if crlf else made
 
 
-def said_place(path: Path) -> str:
+def displayed_path(path: Path) -> str:
     """The path of a project file for messages; for a link, together with the file it leads to."""
     return f"{path} (a link to {os.path.realpath(path)})" if path.is_symlink() else str(path)
 

@@ -114,7 +114,7 @@ def lost_record(path: str, record: str) -> Finding:
     )  # fmt: skip
 
 
-def made_anew(path: str, record: str) -> Finding:
+def restored_copy(path: str, record: str) -> Finding:
     """Says that a copy was missing or changed, and that nothing depended on it."""
     message = f"the copy of the text that was made last, {record}, was missing or changed; it is made anew"
     return Finding("RS521", Severity.info, message, Location(path))

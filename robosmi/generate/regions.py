@@ -76,7 +76,7 @@ class Region(Struct, frozen=True):
         opening = self.opening or f"{self.style.begin_line(self.kind, self.identity, self.enabled)}\n"
         return f"{opening}{self.contents}{self.closing or self.style.end_line(self.kind, self.identity)}"
 
-    def holding(self, contents: str, enabled: bool) -> Region:
+    def with_contents(self, contents: str, enabled: bool) -> Region:
         """The same region with other contents, on or off."""
         same = enabled == self.enabled and self.opening.endswith("\n")
         return replace(self, contents=contents, enabled=enabled, opening=self.opening if same else "")
@@ -84,7 +84,7 @@ class Region(Struct, frozen=True):
     def as_in(self, other: Region) -> Region:
         """The region with a person's contents, state and marker formatting from the existing file."""
         if (other.kind, other.style) != (self.kind, self.style):
-            return self.holding(other.contents, other.enabled)
+            return self.with_contents(other.contents, other.enabled)
         return replace(other, line=self.line)
 
 
@@ -248,7 +248,7 @@ def merge(generated: str, existing: str, styles: Sequence[CommentStyle]) -> Merg
 def _refreshed(piece: str | Region, made: dict[str, Region]) -> str | Region:
     if isinstance(piece, str) or not piece.enabled or piece.kind != CONTROLLED or piece.identity not in made:
         return piece
-    return piece.holding(made[piece.identity].contents, True)
+    return piece.with_contents(made[piece.identity].contents, True)
 
 
 def _kept(piece: str | Region, there: dict[str, Region]) -> str | Region:
@@ -257,7 +257,7 @@ def _kept(piece: str | Region, there: dict[str, Region]) -> str | Region:
     old = there.get(piece.identity)
     if old is None or not old.enabled or old.kind != PROTECTED:
         return piece
-    return piece.holding(old.contents, True)
+    return piece.with_contents(old.contents, True)
 
 
 def styles_in(text: str) -> list[CommentStyle]:

@@ -1,7 +1,7 @@
 """Collects the files of a run before any is written: their existing content, the new text, and the result.
 
 By default it follows EGL's engine: enabled protected regions are preserved, everything else is regenerated. With a record
-(`keep`) edits elsewhere are preserved, too. All decisions are made before all files are written at once; a run that fails
+(`merge_edits`) edits elsewhere are preserved, too. All decisions are made before all files are written at once; a run that fails
 changes nothing.
 """
 
@@ -17,12 +17,12 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
 from robosmi.files.commit import commit
 from robosmi.files.recovery import look_only
-from robosmi.files.runs import is_noted, note
-from robosmi.generate.keep import keep
-from robosmi.generate.manifest import held_back, hidden
+from robosmi.files.run_lock import is_noted, note
+from robosmi.generate.manifest import hidden, retained_file
+from robosmi.generate.merge_edits import merge_edits
 from robosmi.generate.output import Text, text_of
-from robosmi.generate.places import Places, before_conflicts, free_name
-from robosmi.generate.record import Record, lost_record, made_anew
+from robosmi.generate.output_paths import Places, before_conflicts, free_name
+from robosmi.generate.record import Record, lost_record, restored_copy
 from robosmi.generate.regions import BrokenMarker, merge
 from robosmi.generate.result import FileChange, Generation, Write
 from robosmi.generate.text_form import FileText, read, same_text
@@ -305,13 +305,13 @@ class Staging:
             return
         last, lost = record.last(file.name, file.before)
         if lost and (last is not None or file.before is None):
-            self.findings.append(made_anew(path, copy))
+            self.findings.append(restored_copy(path, copy))
         elif lost:
             refused.append(lost_record(path, copy))
             return
         base = self._decoded(copy, last, as_it_is="\r" in made).text if last is not None else None
         there = self._there(file)
-        kept = keep(path, base, there, made, file.origins[-1].styles, before_conflicts(self.folder, file.name))
+        kept = merge_edits(path, base, there, made, file.origins[-1].styles, before_conflicts(self.folder, file.name))
         if kept.refused is not None:
             refused.append(kept.refused)
             return
@@ -342,7 +342,7 @@ class Staging:
         """A file that an earlier run made and this one does not: removed if it was this user's, unless a person changed it."""
         there, (last, _) = self.file(name).before, record.last(name, None)
         if not mine and (there is None or same_text(there, last)):
-            self.findings += [held_back(self.folder / name)] if there is not None else []
+            self.findings += [retained_file(self.folder / name)] if there is not None else []
             return
         if there is None or same_text(there, last):
             removed += [record.path(name)] if there is None else [name, record.path(name)]

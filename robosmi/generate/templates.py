@@ -39,13 +39,13 @@ from robosmi.base.user_cache import code_version, read_cached, write_cached
 from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, RobosmiError, RuleError
 from robosmi.generate import quoting_filters
-from robosmi.generate.out import Blocks, Comments, Out, Stop
 from robosmi.generate.output import Buffer, Text, joined, outdented, printed, text_of
 from robosmi.generate.regions import partition
+from robosmi.generate.template_output import Blocks, Comments, Stop, TemplateOutput
+from robosmi.model.elements.containment_order import ORDERED_FEATURES, ordered_feature
 from robosmi.model.elements.driver import DynamicNode, Item, ModelElement, TypeHandle, features_of, is_element, name_of, type_of
 from robosmi.model.elements.ecore import EObject
 from robosmi.model.elements.fragments import own_id
-from robosmi.model.elements.in_order import IN_ORDER, in_order
 from robosmi.model.elements.reachable import of_models
 from robosmi.query.problems import unknown_property
 
@@ -67,19 +67,21 @@ class _Environment(SandboxedEnvironment):
     seen: list[Any]
 
     def call(self, context: Context, function: Any, /, *args: Any, **kwargs: Any) -> Any:
-        if function.__class__ is MethodType and function.__self__.__class__ is Out:  # asking what else Jinja may pass costs more
+        if (
+            function.__class__ is MethodType and function.__self__.__class__ is TemplateOutput
+        ):  # asking what else Jinja may pass costs more
             kwargs.pop("_loop_vars", None)  # Jinja's own, given inside loops and blocks
             kwargs.pop("_block_vars", None)
             return function(*args, **kwargs)
         if not may_call(function):
-            raise refused(function, "()")
+            raise access_error(function, "()")
         return context.call(function, *args, **kwargs)
 
     def is_safe_attribute(self, obj: Any, attr: str, value: Any) -> bool:  # Jinja's own way to attributes, in `getitem` too
         return allowed(obj, attr)
 
     def unsafe_undefined(self, obj: Any, attribute: str) -> jinja2.Undefined:
-        raise refused(obj, attribute)
+        raise access_error(obj, attribute)
 
     def region_id(self, element: Any, *purpose: str) -> str:
         """`region_id`, which is a look at the element too."""
@@ -103,8 +105,8 @@ class _Environment(SandboxedEnvironment):
         if is_element:
             self.seen.append(obj)
         if not allowed(obj, attribute):
-            raise refused(obj, attribute)
-        if is_element and attribute in IN_ORDER and (ordered := in_order(obj, attribute)) is not None:
+            raise access_error(obj, attribute)
+        if is_element and attribute in ORDERED_FEATURES and (ordered := ordered_feature(obj, attribute)) is not None:
             return ordered
         try:
             found = getattr(obj, attribute)
@@ -182,7 +184,7 @@ class Templates:
         marks: list[int] = []
         taken = 0
         outer, self._environment.seen = self._environment.seen, seen
-        out = Out(self.comments, buffer)
+        out = TemplateOutput(self.comments, buffer)
         context.parent = {**self._globals, **values, "out": out}
         try:
             for piece in template.root_render_func(context):
@@ -357,7 +359,7 @@ def _judged(obj: Any, attribute: str) -> bool:
     return attribute in _OF_PATHS if isinstance(obj, Path) else True
 
 
-def refused(obj: Any, attribute: str) -> RuleError:
+def access_error(obj: Any, attribute: str) -> RuleError:
     """The error for an attribute that is not allowed."""
     return RuleError(
         f"a template may not use '{attribute}' of a {type(obj).__name__}",

@@ -20,14 +20,14 @@ from robosmi.base.data_text import Json, as_list, as_table, as_text, as_texts, j
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
 from robosmi.files.commit import update
-from robosmi.files.elsewhere import Elsewhere
-from robosmi.files.elsewhere import changes as file_changes
+from robosmi.files.external_files import ExternalFiles
+from robosmi.files.external_files import changes as file_changes
 from robosmi.files.files import digest, within
 from robosmi.files.recovery import at_work
-from robosmi.files.runs import STATE, kept, place_of
+from robosmi.files.run_lock import STATE, place_of, stored
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.manifest import Manifest
-from robosmi.generate.places import Places
+from robosmi.generate.output_paths import Places
 from robosmi.inputs import OUTPUT, SETTINGS, Kind, read_bytes
 
 SCHEMA = "robosmi-undo/1"
@@ -47,13 +47,13 @@ class Undone(Struct):
     removed: list[str] = []
 
 
-def keep_before(
+def save_previous(
     folder: Path,
     places: Places,
     contents: Mapping[str, bytes],
     removed: Collection[str] = (),
-    outside: Elsewhere | None = None,
-) -> Elsewhere:
+    outside: ExternalFiles | None = None,
+) -> ExternalFiles:
     """What a run that is about to write and remove these files is to write elsewhere, so that it can be taken back.
 
     That is what it writes elsewhere anyway, and the record of the state before: it belongs to the same commit, so that the way
@@ -127,7 +127,7 @@ def undo(folder: Path) -> Undone:
             contents[MANIFEST] = Manifest(files, choices, beside_choices=beside).to_bytes()
             manifest.note(folder, contents[MANIFEST])
         put_back = {path: (there[path], old) for path, (old, _) in outside.items()}
-        update(folder, contents, removed, places.seen, keep_before(folder, places, contents, removed, put_back))
+        update(folder, contents, removed, places.seen, save_previous(folder, places, contents, removed, put_back))
     restored = [str(path) for path, (_, old) in put_back.items() if old is not None]
     gone = [str(path) for path, (_, old) in put_back.items() if old is None]
     return Undone([*_shown(contents), *restored], [*_shown(removed), *gone])
@@ -169,7 +169,7 @@ def _read(folder: Path) -> tuple[dict[str, bytes | None], dict[str, str | None],
         fix="make the sketch anew with migrate or generate",
     )  # fmt: skip
     try:
-        known = as_table(json_of(kept(folder, STATE)))
+        known = as_table(json_of(stored(folder, STATE)))
         files = {name: _pair(entry) for name, entry in as_table(known["files"]).items()}
         before = {name: _unpacked(packed) for name, (packed, _) in files.items()}
         after = {name: written for name, (_, written) in files.items()}

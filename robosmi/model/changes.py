@@ -19,12 +19,12 @@ from robosmi.model.elements.pyecore_internals import (
     container_of,
     containing_feature_of,
     fill_silently,
-    hold,
     inverse_references_of,
     is_element,
     own_resource_of,
     set_features_of,
     set_own_resource,
+    set_slot,
     value_in,
 )
 from robosmi.model.emf import EmfModel
@@ -121,7 +121,7 @@ class Recording:
         self.__exit__()
         for holder, value in self._values.values():
             if isinstance(holder, EValue):
-                hold(holder, value)
+                set_slot(holder, value)
             else:
                 fill_silently(holder, value)
         for element, container, feature, links, isset, resource in self._elements.values():

@@ -7,10 +7,10 @@ from robosmi.model.elements.driver import (
     FeatureValue as FeatureValue,
 )
 from robosmi.model.elements.driver import (
-    Held as Held,
+    Item as Item,
 )
 from robosmi.model.elements.driver import (
-    Item as Item,
+    ItemOrItems as ItemOrItems,
 )
 from robosmi.model.elements.driver import (
     Kind as Kind,

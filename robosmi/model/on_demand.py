@@ -12,29 +12,29 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import InternalError
+from robosmi.model.elements.compact_slots import REFUSAL, UNBOXED_TYPES, prepare, store_unboxed
 from robosmi.model.elements.driver import ReadOnlyError
 from robosmi.model.elements.ecore import EList, EObject, EReference, EStructuralFeature, EValue
 from robosmi.model.elements.feature_values import FeatureList, FeatureOrderedSet
 from robosmi.model.elements.features import all_features
-from robosmi.model.elements.lean import BARE, REFUSAL, bare, prepare
 from robosmi.model.elements.pyecore_internals import (
     SET_FEATURES,
     GuardedValue,
     Slot,
     contain,
     fill_silently,
-    hold,
     key_of,
     read,
+    set_slot,
     target_in,
 )
 
 if TYPE_CHECKING:
     from robosmi.base.functions import Function
-    from robosmi.model.elements.driver import Held
+    from robosmi.model.elements.driver import ItemOrItems
 
 
-def refused(element: EObject, name: str) -> ReadOnlyError:
+def read_only_error(element: EObject, name: str) -> ReadOnlyError:
     """The error for a change of an element that is built on demand."""
     return ReadOnlyError(
         f"{type(element).__name__}.{name} cannot be changed: the model is a view of its source and read-only",
@@ -75,11 +75,11 @@ class Promise(Slot):
         if slots[name] is self:
             fill(self.element, self.feature, value)
         held = slots[name]
-        return held if held.__class__ in BARE else read(held)
+        return held if held.__class__ in UNBOXED_TYPES else read(held)
 
     def assign(self, value: Any) -> None:
         """Raise the error for a change."""
-        raise refused(self.element, key_of(self.feature))
+        raise read_only_error(self.element, key_of(self.feature))
 
 
 class OnDemandLink(Promise):
@@ -95,13 +95,13 @@ class OnDemandLink(Promise):
 class ReadOnlyValue(GuardedValue):
     """An immutable holder of one value."""
 
-    def assign(self, value: Held) -> None:
+    def assign(self, value: ItemOrItems) -> None:
         """Raise the error for a change."""
-        raise refused(self.owner, key_of(self.feature))
+        raise read_only_error(self.owner, key_of(self.feature))
 
 
 def _refuse(self: Any, *_: Any, **__: Any) -> Any:
-    raise refused(self.owner, key_of(self.feature))
+    raise read_only_error(self.owner, key_of(self.feature))
 
 
 _CHANGES = (
@@ -132,12 +132,12 @@ def fill(element: EObject, feature: EStructuralFeature, value: Any) -> None:
     slots = element.__dict__
     if feature.many:
         slots[key_of(feature)] = _collection(element, feature, values)
-    elif value.__class__ in BARE and bare(feature):
+    elif value.__class__ in UNBOXED_TYPES and store_unboxed(feature):
         slots[key_of(feature)] = value
     else:
         holder = slots[key_of(feature)] = object.__new__(ReadOnlyValue)
         holder.owner, holder.feature = element, feature
-        hold(holder, value)
+        set_slot(holder, value)
         holder.is_ref = feature.is_reference
     if values and SET_FEATURES in slots:
         slots[SET_FEATURES][feature] = None
@@ -181,7 +181,7 @@ def settle(element: EObject, links: Callable[[Any, Any], Any] | None = None) -> 
         one = pending.pop()
         slots = one.__dict__
         cls: type = one.__class__
-        slots[REFUSAL] = refused
+        slots[REFUSAL] = read_only_error
         for feature, name, is_link, holds in _held(cls):
             slot = slots.get(name)
             if isinstance(slot, _READ_ONLY):
@@ -211,7 +211,7 @@ def _held(cls: Any) -> list[tuple[Any, str, bool, bool]]:
 
     Each with the key of its slot, whether it is a cross reference, and whether it is a containment.
     """
-    features = [f for f in all_features(cls.eClass) if f.is_reference or not bare(f)]
+    features = [f for f in all_features(cls.eClass) if f.is_reference or not store_unboxed(f)]
     return [(f, key_of(f), _is_link(f), bool(f.is_reference and f.containment)) for f in features]
 
 

@@ -15,7 +15,7 @@ from robosmi.model.elements.show import known_values, plain
 from robosmi.quoting import plantuml
 
 if TYPE_CHECKING:
-    from robosmi.model.elements.driver import Held
+    from robosmi.model.elements.driver import ItemOrItems
 
 
 def to_plantuml(source: Any, limit: int = 200) -> str:
@@ -103,6 +103,6 @@ def _is_part(element: Node, name: str, target: Node) -> bool:
     return bool(feature.containment or (feature.eOpposite is not None and feature.eOpposite.containment))
 
 
-def _line(value: Held) -> str:
+def _line(value: ItemOrItems) -> str:
     text = " ".join(repr(value).split())
     return text if len(text) <= 60 else f"{text[:57]}..."

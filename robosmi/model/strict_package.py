@@ -18,13 +18,13 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from pyecore import ecore
 
+from robosmi.model.elements.compact_slots import computed
 from robosmi.model.elements.construct import initialise
 from robosmi.model.elements.datatypes import XML_TYPE_URI
+from robosmi.model.elements.ecore_bootstrap import add_literal, promote, quick_constructor
 from robosmi.model.elements.feature_values import FeatureCollection
-from robosmi.model.elements.lean import computed
 from robosmi.model.elements.pyecore_internals import key_of, set_key
 from robosmi.model.elements.python_names import MEMBER
-from robosmi.model.elements.quick_ecore import add_literal, promote, quick_constructor
 from robosmi.model.elements.strict import Element
 
 _Type = TypeVar("_Type", bound=type)

@@ -12,7 +12,7 @@ from robosmi.model.elements.structure import root_of
 from robosmi.query import anything, built_in, numbers, operators, strings
 from robosmi.query.collections import Bag, Lazy, Map, OrderedSet, Q, Set, Tuple
 from robosmi.query.extents import all_contents, all_of_kind, all_of_type, ancestor_of_kind
-from robosmi.query.held import collection
+from robosmi.query.live_collections import collection
 from robosmi.query.models import (
     ModelView,
     all_instances,

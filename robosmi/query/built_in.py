@@ -16,16 +16,16 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
+from robosmi.model.elements.containment_order import INHERITED, inherited
 from robosmi.model.elements.driver import Model, TypeHandle, name_of, unknown_type
 from robosmi.model.elements.ecore import EClass, EObject
 from robosmi.model.elements.features import eclass_of
-from robosmi.model.elements.in_order import INHERITED, inherited
-from robosmi.query import anything, models, numbers, operators, properties, strings, types
+from robosmi.query import any_operations, models, numbers, operators, properties, strings, types
 from robosmi.query.collections import Q, map_of
+from robosmi.query.naming import snake
 from robosmi.query.operations import TABLES, Table
 from robosmi.query.run import current_run
 from robosmi.query.values import as_string, equal, key
-from robosmi.query.words import snake
 
 if TYPE_CHECKING:
     from robosmi.base.functions import Function
@@ -140,19 +140,19 @@ def _public(module: Any, *without: str) -> Table:
 
 
 _ELEMENT: Table = {
-    **{n: f for n, f in _public(anything).items() if n.startswith("e_")},
+    **{n: f for n, f in _public(any_operations).items() if n.startswith("e_")},
     "id": models.id_of,
 }
 _ANY: Table = {
-    **{n: f for n, f in _public(anything).items() if not n.startswith("e_")},
-    "as_double": anything.as_real,
-    "as_float": anything.as_real,
+    **{n: f for n, f in _public(any_operations).items() if not n.startswith("e_")},
+    "as_double": any_operations.as_real,
+    "as_float": any_operations.as_real,
     "as_string": as_string,
     "type": types.type_of,
     "is_type_of": types.is_type_of,
     "is_kind_of": types.is_kind_of,
     "instance_of": types.is_kind_of,
-    "get_native_type": anything.native_type,
+    "get_native_type": any_operations.native_type,
     "has_property": properties.has_property,
     "owning_model": models.owning_model,
     "equals": lambda x, y: key(x) == key(y),

@@ -24,17 +24,17 @@ from types import BuiltinMethodType, CodeType, FunctionType, MethodType
 from typing import Any, Never, NoReturn
 
 from robosmi.errors import ModelError, RobosmiError, UsageError, did_you_mean
+from robosmi.model.elements.containment_order import ORDERED_FEATURES, EmfOperation, ordered_feature
 from robosmi.model.elements.driver import Model, ModelElement, TypeHandle
 from robosmi.model.elements.ecore import ECollection, EObject
-from robosmi.model.elements.in_order import IN_ORDER, InheritedOrHeld, in_order
 from robosmi.model.elements.reachable import is_resource, of_models
-from robosmi.query import anything, collections, extents, models, numbers, operations, operators, properties, strings, types
+from robosmi.query import any_operations, collections, extents, models, numbers, operations, operators, properties, strings, types
 from robosmi.query.collections import Lazy
 from robosmi.query.first_order import FIRST_ORDER
-from robosmi.query.held import CHANGING, HeldByFeature, collection
+from robosmi.query.live_collections import CHANGING, FeatureView, collection
+from robosmi.query.naming import snake
 from robosmi.query.run import Extended, Run, ext
 from robosmi.query.values import EolType, Long, as_string, equal
-from robosmi.query.words import snake
 
 MAX_BITS = 100_000
 MAX_ITEMS = 10_000_000
@@ -90,7 +90,7 @@ def attribute(target: Any, name: str) -> Any:
         if isinstance(target, Model):
             return target[name]  # a type, or the error that there is none
         raise UsageError(f"an expression may not use '{name}'", fix="use features, and the functions of robosmi.query")
-    if name in IN_ORDER and isinstance(target, EObject) and (ordered := in_order(target, name)) is not None:
+    if name in ORDERED_FEATURES and isinstance(target, EObject) and (ordered := ordered_feature(target, name)) is not None:
         return ordered
     return getattr(target, name)
 
@@ -103,7 +103,7 @@ def _may_read(target: Any, name: str) -> bool:
         return part
     if isinstance(target, EolType):
         return name == "name"
-    if isinstance(target, HeldByFeature) and name in CHANGING:
+    if isinstance(target, FeatureView) and name in CHANGING:
         return False
     return name not in _HIDDEN or isinstance(target, (collections.Q, Extended, collections.Tuple))
 
@@ -149,7 +149,7 @@ class Caller:
     def _may_call(self, function: Any) -> bool:
         if (
             id(function) in self._named
-            or type(function) is InheritedOrHeld
+            or type(function) is EmfOperation
             or (type(function) is FunctionType and function.__code__ in self._codes)
         ):
             return True
@@ -295,7 +295,7 @@ NAMES: dict[str, Any] = {
     "collection": collection,
     **_functions(extents), **_functions(properties, "describe", "property_names"), **_functions(operators, "wrapped"),
     **_functions(types, "resolve", "matching"), **_functions(numbers), **_functions(strings),
-    **_functions(anything, "e_resource", "native_type"),
+    **_functions(any_operations, "e_resource", "native_type"),
     "all_instances": models.all_instances, "id_of": models.id_of, "literal_named": models.literal_named,
 }  # fmt: skip
 """What an expression may call besides the types of its models."""

@@ -26,8 +26,8 @@ from robosmi.model.elements.driver import (
     unknown_type,
 )
 from robosmi.model.elements.ecore import DynamicEObject, EClassifier, EEnum, EEnumLiteral, EObject, EPackage, Package
+from robosmi.model.elements.element_factory import new, refuse_unnamed, unlink
 from robosmi.model.elements.fragments import fragment_of
-from robosmi.model.elements.making import new, refuse_unnamed, unlink
 from robosmi.model.elements.structure import root_of
 from robosmi.model.emf import EmfModel
 from robosmi.model.repository import Repository

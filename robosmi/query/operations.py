@@ -15,12 +15,12 @@ from robosmi.model.elements.ecore import EClass, ECollection, EEnumLiteral
 from robosmi.query import types
 from robosmi.query.collections import Map, Q
 from robosmi.query.first_order import FIRST_ORDER
-from robosmi.query.held import CHANGING, HeldByFeature, collection
+from robosmi.query.live_collections import CHANGING, FeatureView, collection
+from robosmi.query.naming import snake
 from robosmi.query.own_operations import own_names, own_operation
 from robosmi.query.problems import OperandError, describe, unknown_operation
 from robosmi.query.run import current_run
 from robosmi.query.values import collection_kind, equal
-from robosmi.query.words import snake
 
 if TYPE_CHECKING:
     from robosmi.base.functions import Function
@@ -68,7 +68,7 @@ def _kinds(target: Any) -> tuple[str, ...]:
 
 def _built_in(target: Any, name: str) -> Function | None:
     closed = current_run().closed
-    if name in closed or (closed and name in CHANGING and isinstance(target, (ECollection, HeldByFeature))):
+    if name in closed or (closed and name in CHANGING and isinstance(target, (ECollection, FeatureView))):
         raise UsageError(f"an expression may not use the operation '{name}'", fix="see docs/reference/eol.md for what reads")
     for table in _tables(target):
         if (found := table.get(name)) is not None:

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from robosmi.query.collections import Q
-from robosmi.query.held import collection
+from robosmi.query.live_collections import collection
 from robosmi.query.problems import OperandError
 from robosmi.query.values import INT_MAX, INT_MIN, Long, as_string, collection_kind, equal, is_number
 

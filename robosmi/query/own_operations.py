@@ -16,10 +16,10 @@ from types import FrameType, ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from robosmi.query import types
+from robosmi.query.naming import snake
 from robosmi.query.problems import describe, unknown_operation
 from robosmi.query.run import current_run
 from robosmi.query.values import key
-from robosmi.query.words import snake
 
 if TYPE_CHECKING:
     from robosmi.base.functions import Function, NamedFunction

@@ -16,12 +16,12 @@ from robosmi.model.elements.driver import ModelElement
 from robosmi.model.elements.ecore import EClass, EEnumLiteral, EObject
 from robosmi.model.elements.reachable import of_models
 from robosmi.query.collections import Map, Tuple
-from robosmi.query.held import collection
+from robosmi.query.live_collections import collection
+from robosmi.query.naming import snake
 from robosmi.query.operations import TABLES, has_plain_operation, plain_operation
 from robosmi.query.problems import UndefinedError, UnknownPropertyError, describe, unknown_property
 from robosmi.query.run import ext
 from robosmi.query.values import EolType, collection_kind, compares_itself
-from robosmi.query.words import snake
 
 if TYPE_CHECKING:
     from robosmi.model.elements.dynamic import Dynamic

@@ -20,7 +20,7 @@ from robosmi.recommend.index import INTERFACES, Library, LibraryIndex
 from robosmi.recommend.lexicon import Lexicon
 from robosmi.recommend.part_words import PartWords, part_words
 from robosmi.recommend.ranking import Candidate, Choices, Recommendation
-from robosmi.recommend.words import StopWords
+from robosmi.recommend.tokens import StopWords
 
 LOOKED_AT = 40
 """Number of libraries that are examined closely."""

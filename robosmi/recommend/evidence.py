@@ -16,7 +16,7 @@ from msgspec import Struct
 
 from robosmi.recommend.index import FIELDS, Library, LibraryIndex
 from robosmi.recommend.part_words import PartWords
-from robosmi.recommend.words import StopWords, chunks, is_model, parts
+from robosmi.recommend.tokens import StopWords, chunks, is_model, parts
 
 FIELD_WEIGHTS = (3.0, 2.0, 1.0, 1.6, 0.35)
 """Weight of a word (BM25F) by the library's field that contains it: name, header, keyword, meta, ident."""

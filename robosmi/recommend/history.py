@@ -21,7 +21,7 @@ from robosmi import resources
 from robosmi.errors import RobosmiError, UsageError
 from robosmi.recommend.history_database import Collision, Database, Statements, Values, database, unusable
 from robosmi.recommend.ranking import Choices
-from robosmi.recommend.words import models
+from robosmi.recommend.tokens import models
 
 _KEY = "part_id = :part_id AND title = :title AND library = :library AND version = :version AND target = :target"
 _LATER = "last_used = CASE WHEN last_used < :last_used THEN :last_used ELSE last_used END"

@@ -19,7 +19,7 @@ from msgspec import Struct
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, did_you_mean
-from robosmi.recommend.words import plain
+from robosmi.recommend.tokens import plain
 
 Need = Literal["library", "optional", "none", ""]
 """Whether a program needs a library for a device: needed; helpful, though plain calls suffice; not needed; unknown."""

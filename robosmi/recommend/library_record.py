@@ -12,7 +12,7 @@ from msgspec import Struct
 
 from robosmi.recommend.index import FIELDS, INTERFACES
 from robosmi.recommend.library_api import HeaderApi
-from robosmi.recommend.words import words
+from robosmi.recommend.tokens import words
 
 _INCLUDED = {
     "wire.h": "i2c",

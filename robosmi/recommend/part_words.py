@@ -19,7 +19,7 @@ from msgspec import Struct
 
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.lexicon import KnownDevice, Lexicon
-from robosmi.recommend.words import StopWords, chunks, is_model, models, plain, runs, words
+from robosmi.recommend.tokens import StopWords, chunks, is_model, models, plain, runs, words
 
 WORD_WEIGHTS = {"title": 1.0, "family": 0.5, "tag": 0.7, "property": 0.5, "description": 0.1}
 """Weight of a word by the text that contains it."""

@@ -18,8 +18,8 @@ from robosmi.errors import UsageError, did_you_mean
 from robosmi.model.elements.driver import Model, TypeHandle
 from robosmi.model.elements.ordering import post_order
 from robosmi.query.collections import Q
-from robosmi.query.rules.deep import LEVELS, in_thread
-from robosmi.query.rules.erl import Given, RuleBlocks, as_model, called, run_over
+from robosmi.query.rules.deep_recursion import LEVELS, in_thread
+from robosmi.query.rules.rule_language import Given, RuleBlocks, as_model, called, run_over
 from robosmi.query.rules.settings import Settings
 from robosmi.query.values import collection_kind
 from robosmi.transform.assignment import assign
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from robosmi.model.elements.driver import Item, Node
     from robosmi.model.elements.dynamic import Dynamic
     from robosmi.query.rules.decorating import Decorator
-    from robosmi.query.rules.erl import RuleKind
+    from robosmi.query.rules.rule_language import RuleKind
 
 
 F = TypeVar("F", bound="NamedFunction")

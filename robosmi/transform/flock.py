@@ -25,8 +25,8 @@ from robosmi.model.elements.pyecore_internals import set_xmi_id, xmi_id_of
 from robosmi.model.elements.structure import feature_names
 from robosmi.model.emf import EmfModel
 from robosmi.query.collections import Q
-from robosmi.query.rules.erl import RuleBlocks, as_model, failed, run_over, technology
 from robosmi.query.rules.options import with_options
+from robosmi.query.rules.rule_language import RuleBlocks, as_model, failed, run_over, technology
 from robosmi.query.rules.settings import Settings
 from robosmi.query.rules.verdicts import guarded
 from robosmi.query.values import collection_kind

@@ -20,14 +20,14 @@ from robosmi.errors import InternalError, RuleError, did_you_mean
 from robosmi.model.elements.driver import Model, TypeHandle, class_of
 from robosmi.model.elements.feature_errors import ONE_LOAD
 from robosmi.model.elements.ordering import post_order
-from robosmi.query.rules.erl import RuleType, arity, called, failed, other_load, place_of, rule_type, type_name
 from robosmi.query.rules.options import check_options
+from robosmi.query.rules.rule_language import RuleType, arity, called, failed, other_load, place_of, rule_type, type_name
 from robosmi.query.rules.verdicts import guarded
 
 if TYPE_CHECKING:
     from robosmi.base.functions import Function, NamedFunction
     from robosmi.model.elements.driver import DynamicNode, Item, Node
-    from robosmi.query.rules.erl import RuleKind
+    from robosmi.query.rules.rule_language import RuleKind
 
 
 class Rule(Struct, frozen=True, eq=False):

@@ -9,6 +9,6 @@ from __future__ import annotations
 
 from robosmi.validate.constraint import Constraint, Context, Fail, Fix
 from robosmi.validate.evl import EVL
-from robosmi.validate.findings import Applied, OfferedFix, Unsatisfied, Validation
+from robosmi.validate.findings import ApplicableFix, Applied, Unsatisfied, Validation
 
-__all__ = ["EVL", "Applied", "Constraint", "Context", "Fail", "Fix", "OfferedFix", "Unsatisfied", "Validation"]
+__all__ = ["EVL", "ApplicableFix", "Applied", "Constraint", "Context", "Fail", "Fix", "Unsatisfied", "Validation"]

@@ -14,14 +14,14 @@ from msgspec import Struct
 
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import RuleError, UsageError
-from robosmi.query.rules.erl import code_of, place_of, type_name
 from robosmi.query.rules.options import check_options
+from robosmi.query.rules.rule_language import code_of, place_of, type_name
 
 if TYPE_CHECKING:
     from robosmi.base.functions import Function
-    from robosmi.model.elements.driver import Held, TypeHandle
+    from robosmi.model.elements.driver import ItemOrItems, TypeHandle
     from robosmi.query.rules.decorating import Decorator
-    from robosmi.query.rules.erl import RuleKind
+    from robosmi.query.rules.rule_language import RuleKind
 
 R = TypeVar("R")
 E = TypeVar("E")
@@ -65,7 +65,7 @@ class Fail:
 
     __slots__ = ("extras", "fixes", "message")
 
-    def __init__(self, message: str | None = None, /, *fixes: Fix, **extras: Held) -> None:
+    def __init__(self, message: str | None = None, /, *fixes: Fix, **extras: ItemOrItems) -> None:
         for fix in fixes:
             if not isinstance(fix, Fix):
                 raise UsageError(f"a Fail takes a message and fixes, not a {type(fix).__name__}", fix=_FIX)

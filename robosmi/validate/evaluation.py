@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING, Any
 from robosmi.errors import InternalError, RuleError, UsageError, did_you_mean
 from robosmi.model.elements.driver import Model
 from robosmi.model.elements.feature_errors import ONE_LOAD
-from robosmi.query.rules.deep import LEVELS, in_thread
-from robosmi.query.rules.erl import RuleType, called, failed, other_load, place_of, rule_type, told
+from robosmi.query.rules.deep_recursion import LEVELS, in_thread
+from robosmi.query.rules.rule_language import RuleType, called, failed, option_value, other_load, place_of, rule_type
 from robosmi.query.rules.verdicts import guarded, verdict_of
 from robosmi.validate.constraint import Constrained, Constraint, Fail
-from robosmi.validate.findings import OfferedFix, Unsatisfied, Validation
+from robosmi.validate.findings import ApplicableFix, Unsatisfied, Validation
 
 if TYPE_CHECKING:
     from robosmi.query.values import Answer
@@ -185,7 +185,7 @@ class Evaluation:
         said = verdict if isinstance(verdict, Fail) else Fail()
         what: tuple[str, Any] = ("the message", constraint.message)
         try:
-            message = said.message if said.message is not None else told(constraint.message, element)
+            message = said.message if said.message is not None else option_value(constraint.message, element)
             default = message is None
             message = f"Invariant {constraint.name} failed for {element!r}" if default else str(message)
             key = (constraint, element, message)
@@ -193,13 +193,13 @@ class Evaluation:
                 return
             self._found.add(key)
             what = ("the advice", constraint.advice)
-            advice = told(constraint.advice, element)
+            advice = option_value(constraint.advice, element)
             found = Unsatisfied(constraint, element, message, default, dict(said.extras), advice=advice)
             self.result.unsatisfied.append(found)
             for fix in (*said.fixes, *constraint.fixes):
                 what = ("a fix's guard or title", fix.guard if callable(fix.guard) else fix.title)
-                if told(fix.guard, element):
-                    found.fixes.append(OfferedFix(fix, found, self.models))
+                if option_value(fix.guard, element):
+                    found.fixes.append(ApplicableFix(fix, found, self.models))
         except (Exception, SystemExit) as error:
             function = what[1] if callable(what[1]) else constraint.check
             raise failed(error, f"{what[0]} of {constraint.name}", function, element, self.models) from error

@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any, overload
 from robosmi.diagnostics import Location, Severity
 from robosmi.model.elements.driver import Model, TypeHandle
 from robosmi.model.elements.ordering import post_order
-from robosmi.query.rules.erl import Given, RuleBlocks, as_model, run_over
 from robosmi.query.rules.options import with_options
+from robosmi.query.rules.rule_language import Given, RuleBlocks, as_model, run_over
 from robosmi.query.rules.settings import Settings
 from robosmi.validate.constraint import Constrained, Constraint, Context, E, Fix, R
 from robosmi.validate.evaluation import Evaluation
-from robosmi.validate.findings import Applied, OfferedFix, Unsatisfied, Validation
+from robosmi.validate.findings import ApplicableFix, Applied, Unsatisfied, Validation
 
 if TYPE_CHECKING:
     from robosmi.base.functions import Function
@@ -139,7 +139,7 @@ class EVL(Settings):
             for context in (*module.contexts, module._constraints, module._critiques):
                 yield from context.constraints
 
-    def run(self, *models: Given, fix: str | Callable[[Unsatisfied], OfferedFix | None] | None = None) -> Validation:
+    def run(self, *models: Given, fix: str | Callable[[Unsatisfied], ApplicableFix | None] | None = None) -> Validation:
         """Validate: pre blocks, all checks, fixes if wanted, post blocks.
 
         Args:

@@ -14,16 +14,16 @@ from msgspec import Struct
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import RuleError, UsageError
 from robosmi.model.elements.driver import Model
-from robosmi.query.rules.erl import failed, place_in_model, technology, told
+from robosmi.query.rules.rule_language import failed, option_value, place_in_model, technology
 from robosmi.query.values import as_string
 from robosmi.validate.constraint import Constraint, Fix
 
 if TYPE_CHECKING:
     from robosmi.base.data_text import Json
-    from robosmi.model.elements.driver import Held, Item
+    from robosmi.model.elements.driver import Item, ItemOrItems
 
 
-class OfferedFix:
+class ApplicableFix:
     """A fix that applies to one finding.
 
     Attributes:
@@ -35,7 +35,7 @@ class OfferedFix:
         self.of = of
         self._fix = fix
         self._models = models
-        self.title: str = told(fix.title, of.element)
+        self.title: str = option_value(fix.title, of.element)
 
     def __repr__(self) -> str:
         return f"<fix: {self.title}>"
@@ -51,7 +51,7 @@ class OfferedFix:
             for recorder in _recorders(self._models):
                 recordings.append(open_recordings.enter_context(recorder()))
             try:
-                told(self._fix.do, self.of.element)
+                option_value(self._fix.do, self.of.element)
             except BaseException as error:
                 for recording in recordings:
                     recording.undo()
@@ -91,8 +91,8 @@ class Unsatisfied(Struct, eq=False):
     element: Item
     message: str
     default_message: bool = False
-    extras: Mapping[str, Held] = {}
-    fixes: list[OfferedFix] = []
+    extras: Mapping[str, ItemOrItems] = {}
+    fixes: list[ApplicableFix] = []
     fixed: bool = False
     advice: str | None = None
 
@@ -144,7 +144,7 @@ class Validation:
             self._places[key] = place_in_model(unsatisfied.element, self.models)
         return self._places[key]
 
-    def apply(self, choose: str | Callable[[Unsatisfied], OfferedFix | None]) -> None:
+    def apply(self, choose: str | Callable[[Unsatisfied], ApplicableFix | None]) -> None:
         """Perform one fix of every finding, in order; one that raises is rolled back and reported, and the others go on.
 
         Args:
@@ -206,7 +206,7 @@ class Validation:
             "fixes": [f.title for f in u.fixes],
         }  # fmt: skip
 
-    def _plain(self, value: Held) -> Json:
+    def _plain(self, value: ItemOrItems) -> Json:
         if value is None or isinstance(value, (str, int, float, bool)):
             return value
         return as_string(value) if isinstance(value, Sequence) else place_in_model(value, self.models)

@@ -19,7 +19,7 @@ from robosmi.plugin_contracts import wrong_result
 from robosmi.plugins import content, registry
 from robosmi.verify.simulation import ConsoleByte, DeviceEvent, DeviceUse, PinChange, PinTrace, Wave
 
-Seen = TypeVar("Seen", PinChange, Wave, ConsoleByte, DeviceEvent)
+Event = TypeVar("Event", PinChange, Wave, ConsoleByte, DeviceEvent)
 
 Level = int | str
 """How the program drives a pin: 0, 1, `z` (an input) or `p` (an input with its pull-up on)."""
@@ -109,7 +109,7 @@ class Bench(ABC):
         """
         self.at(at_us, lambda: self.set_level(pin, level) if holds() else None)
 
-    def keeps_charge(self, pin: str, decays: Sequence[tuple[float, float]]) -> bool:
+    def emulates_capacitor(self, pin: str, decays: Sequence[tuple[float, float]]) -> bool:
         """Whether the engine itself plays a capacitor at a pin from now on; if not, the device does.
 
         An engine that does saves a message for each charge: the pin then keeps the level that the program drives, and falls when
@@ -216,7 +216,7 @@ class Bench(ABC):
     ) -> PinTrace:
         """The trace of the run until the horizon, in order of time."""
 
-        def by_time(found: Iterable[Seen]) -> tuple[Seen, ...]:
+        def by_time(found: Iterable[Event]) -> tuple[Event, ...]:
             return tuple(sorted((each for each in found if each.at_us <= horizon_us), key=itemgetter(0)))
 
         return PinTrace(

@@ -168,7 +168,7 @@ class _Build(Struct, dict=True):
     def _library(self) -> Path:
         flags = [*self._flags("machine"), *self._flags("program"), *self._flags("chip"), self.model.predefined_text]
         name = f"host-{self.model.platform}-{archives.digest(self.model.files, self.compiler, flags)}.a"
-        return archives.cached(name) or archives.keep(self._compile_model(name), name)
+        return archives.cached(name) or archives.store(self._compile_model(name), name)
 
     def _compile_model(self, name: str) -> Path:
         folder = self.folder / "model"

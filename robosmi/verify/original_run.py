@@ -197,7 +197,7 @@ class _Conversation:
             NEVER if calls_from_us is None else max(0, round(calls_from_us * model.clock_hz / 1e6)),
             variation.block_factor, variation.call_factor, variation.noise, variation.late_us,
             variation.early_part, variation.line_part, variation.clock_us,
-            model.block_ticks, model.call_ticks, bench.watched, *bench.asking, bench.bits(bench.brief),
+            model.block_ticks, model.call_ticks, bench.watched, *bench.reacting_pins, bench.bits(bench.brief),
             variation.seed & 0xFFFFFFFF,
         )  # fmt: skip
         self._say(settings)
@@ -245,7 +245,7 @@ class _Conversation:
                     if status.decode("ascii", "replace") not in _STATUSES:
                         raise ForeignRecordsError
                     return status.decode(), cause.decode("utf-8", "replace"), counts
-                value = bench.told(kind, a, b, c)
+                value = bench.handle_record(kind, a, b, c)
                 if value is not None:
                     self._say(bench.answer(value))
             bench.refuse_too_many()
@@ -424,7 +424,7 @@ class HostBench(Bench):
         return {number: label for number, label in enumerate(self.labels) if label not in heeded}
 
     @property
-    def asking(self) -> tuple[int, int, int]:
+    def reacting_pins(self) -> tuple[int, int, int]:
         """Bit masks of the pins whose devices must react at once when the pin is driven low, driven high, or released."""
         found = [
             sum(1 << number for number, label in enumerate(self.labels) if self._reacts(label, level)) for level in (0, 1, "z")
@@ -458,7 +458,7 @@ class HostBench(Bench):
         else:
             self._command(_LEVEL_AHEAD, self.numbers[pin] | (LET_GO if level is None else level) << 5, cycle)
 
-    def keeps_charge(self, pin: str, decays: Sequence[tuple[float, float]]) -> bool:
+    def emulates_capacitor(self, pin: str, decays: Sequence[tuple[float, float]]) -> bool:
         """Let the process play a capacitor, as far as it can keep so many decays."""
         if not decays or pin in self._with_charge or self._decays + len(decays) > _MOST_DECAYS:
             return False
@@ -489,7 +489,7 @@ class HostBench(Bench):
         self.commands.clear()
         return said
 
-    def told(self, kind: int, a: int, b: int, c: int) -> int | None:
+    def handle_record(self, kind: int, a: int, b: int, c: int) -> int | None:
         """Take a record; the value to answer with, None if it asks for no answer.
 
         Raises:

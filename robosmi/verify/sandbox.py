@@ -71,7 +71,7 @@ def launcher(
                 f"{compiler} cannot make the program that starts an original in its sandbox: {done.stderr.strip()[-300:]}",
                 fix="install a compiler for programs of 64 bits with the C library's headers and static libraries",
             )
-        found = archives.keep(made, name)
+        found = archives.store(made, name)
     made_launcher = Launcher(found, strict)
     if reason := _missing(made_launcher):
         raise refusal(reason)

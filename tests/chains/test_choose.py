@@ -16,7 +16,7 @@ from robosmi.metamodels import migration
 from robosmi.recommend.history import History
 from robosmi.transformations.chains.choose import choose
 from robosmi.transformations.chains.stages.models import load_models
-from robosmi.transformations.queries.plans.choices import choices_json, offered_choices
+from robosmi.transformations.queries.plans.choices import available_choices, choices_json
 from tests.running import run, tree
 
 
@@ -218,7 +218,7 @@ def test_a_role_is_chosen_by_migrating_again_as_before(tmp_path: Path) -> None:
     (folder / "robot.c").write_text('#include "simpletools.h"\nint eye = 3;\nint main() { while (1) { high(eye); pause(5); } }\n')
     (folder / "parts.csv").write_text("pin;part;title\nD3;Gizmo;thing\n")
     robosmi.migrate([folder / "robot.c"], folder / "out", hardware=folder / "parts.csv", target="nano")
-    (role,) = [c for c in offered_choices(plan_in(folder / "out")) if c.kind == "role"]
+    (role,) = [c for c in available_choices(plan_in(folder / "out")) if c.kind == "role"]
     assert (role.subject, role.chosen, role.by) == ("thing", "Input", "defaultValue")
     before = tree(folder)
     choose(folder / "out", {role.id: "Output"})
@@ -226,7 +226,7 @@ def test_a_role_is_chosen_by_migrating_again_as_before(tmp_path: Path) -> None:
     plan = plan_in(folder / "out")
     assert plan.targetDescription is not None
     assert (plan.connections[0].signal.name, plan.targetDescription.name) == ("write", "nano")
-    (after,) = [c for c in offered_choices(plan) if c.kind == "role"]
+    (after,) = [c for c in available_choices(plan) if c.kind == "role"]
     assert (after.chosen, after.by, after.options) == ("Output", "person", role.options)
     undo(folder / "out")
     assert tree(folder) == before

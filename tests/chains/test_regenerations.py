@@ -145,8 +145,8 @@ def _line_feeds(self: object, text: str) -> bytes:
     ("place", "broken"),
     [
         ("robosmi.generate.three_way._between", _generated_wins),
-        ("robosmi.generate.keep._Merge._their", _region_made_anew),
-        ("robosmi.generate.keep._Merge._with_orphans", _orphans_dropped),
+        ("robosmi.generate.merge_edits._Merge._their", _region_made_anew),
+        ("robosmi.generate.merge_edits._Merge._with_orphans", _orphans_dropped),
         ("robosmi.generate.text_form.FileText.written", _line_feeds),
     ],
 )

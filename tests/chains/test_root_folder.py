@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from robosmi.generate.places import Places
+from robosmi.generate.output_paths import Places
 from tests.running import tree
 
-LOOK = """import sys; from pathlib import Path; from robosmi.generate.places import Places
+LOOK = """import sys; from pathlib import Path; from robosmi.generate.output_paths import Places
 print(Places(Path(sys.argv[1])).read(sys.argv[2]))"""
 
 

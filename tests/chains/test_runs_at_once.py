@@ -14,7 +14,7 @@ from filelock import FileLock
 
 import robosmi
 from robosmi.errors import StoppedError
-from robosmi.files import runs as at_work
+from robosmi.files import run_lock as at_work
 from robosmi.files.recovery import STAGE
 from robosmi.transformations.chains.generate import generate
 from tests.fuzz import runs
@@ -88,7 +88,7 @@ def test_generate_waits_for_a_living_writer_in_the_folder_of_its_plan(
     before = tree(out)
     with living_writer(out, mark) as writer:
         with monkeypatch.context() as patched:
-            patched.setattr("robosmi.files.runs.PATIENCE", 0.2)
+            patched.setattr("robosmi.files.run_lock.PATIENCE", 0.2)
             with pytest.raises(StoppedError, match=rf"process {writer.pid}\) is at work"):
                 generate(out / "models" / "plan.xmi", tmp_path / output)
         assert tree(out) == before

@@ -11,7 +11,7 @@ import pytest
 
 import robosmi
 from robosmi.errors import RobosmiError, SourceError, StoppedError
-from robosmi.files import runs
+from robosmi.files import run_lock
 from robosmi.generate.undo import undo
 from robosmi.transformations.chains.migrate import migrate
 from tests.running import run, tree
@@ -51,7 +51,7 @@ def test_undo_puts_the_last_state_back_and_again_forth(twice: tuple[dict[str, st
 
 def test_a_record_of_an_earlier_version_is_read(twice: tuple[dict[str, str], dict[str, str], Path]) -> None:
     first, _, out = twice
-    place = runs.place_of(out, runs.STATE)
+    place = run_lock.place_of(out, run_lock.STATE)
     state = json.loads(place.read_text())
     for entry in state["files"].values():
         if entry[0] is not None:
@@ -101,7 +101,7 @@ def test_the_command_says_what_it_put_back(twice: tuple[dict[str, str], dict[str
 @pytest.mark.parametrize("text", ["", "{}", '{"files": {"../x": [null, null]}}', '{"files": {"a": ["?", null]}}', "nonsense"])
 def test_a_damaged_record_is_refused(text: str, twice: tuple[dict[str, str], dict[str, str], Path]) -> None:
     _, second, out = twice
-    runs.keep(out, runs.STATE, text)
+    run_lock.store(out, run_lock.STATE, text)
     with pytest.raises(SourceError, match="damaged"):
         undo(out)
     assert tree(out) == second

@@ -17,7 +17,7 @@ from robosmi.__main__ import start
 from robosmi.base.ending_signals import ending_signals
 from robosmi.files import commit as commit_module
 from robosmi.files.commit import commit
-from robosmi.files.open_folder import OpenFolder
+from robosmi.files.directory_fd import DirectoryFd
 from robosmi.files.recovery import STAGE, finish
 from tests.fuzz import interrupts
 from tests.running import tree
@@ -70,7 +70,7 @@ def test_nothing_waits_beside_the_files_after_an_interruption(new: bool, tmp_pat
         commit(tmp_path / "out", {"a": b"old"})
     before = tree(tmp_path)
     with monkeypatch.context() as patched:
-        patched.setattr(OpenFolder, "write", _interrupted)
+        patched.setattr(DirectoryFd, "write", _interrupted)
         with pytest.raises(KeyboardInterrupt):
             commit(tmp_path / "out", {"a": b"new", "b": b"new"})
     assert tree(tmp_path) == before
@@ -86,7 +86,7 @@ def test_what_has_its_journal_is_finished_before_an_interruption_counts(
 ) -> None:
     commit(tmp_path / "out", {"a": b"old", "b": b"old"})
 
-    def interrupted(held: OpenFolder) -> None:
+    def interrupted(held: DirectoryFd) -> None:
         signal.raise_signal(number)  # in this thread: a process may have others
         finish(held)
 

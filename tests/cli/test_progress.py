@@ -8,7 +8,7 @@ import time
 
 import pytest
 
-from robosmi.base.doing import doing
+from robosmi.base.progress_events import announce
 from robosmi.chain import Chain
 from robosmi.cli import progress as module
 from robosmi.cli.main import main
@@ -81,11 +81,11 @@ def test_what_is_said_within_a_command_is_shown_in_one_line(monkeypatch: pytest.
     monkeypatch.setenv("COLUMNS", "40")
     with module.progress():
         time.sleep(0.1)
-        doing("run scenario 3 of 12")
-        doing(f"read \x1b[31m{'x' * 100}")
+        announce("run scenario 3 of 12")
+        announce(f"read \x1b[31m{'x' * 100}")
         with module.progress():
             time.sleep(0.1)
-            doing("within")
+            announce("within")
     first, second, third = [line for line in terminal.getvalue().split("\r\x1b[K") if line]
     assert first == "run scenario 3 of 12 ..."
     assert len(second) <= 40
@@ -95,14 +95,14 @@ def test_what_is_said_within_a_command_is_shown_in_one_line(monkeypatch: pytest.
 
 
 def test_what_nobody_hears_is_said_all_the_same() -> None:
-    doing("nothing listens")
+    announce("nothing listens")
 
 
 def test_every_command_has_a_line_of_progress(monkeypatch: pytest.MonkeyPatch) -> None:
     heard: list[str] = []
 
     def slow(arguments: object) -> Report:
-        doing("something long")
+        announce("something long")
         return Report("explain")
 
     monkeypatch.setattr("robosmi.cli.commands.explain.run", slow)

@@ -23,11 +23,11 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from robosmi.api import MadeSketch
+from robosmi.api import MigratedSketch
 from robosmi.diagnostics import Severity
 from robosmi.errors import InternalError, ModelError, RobosmiError
 from robosmi.metamodels import ccode
-from robosmi.transformations.t2m.c_source.side_file import project_beside, read_side
+from robosmi.transformations.t2m.c_source.side_file import adjacent_project, read_side
 
 _MAIN = re.compile(rb"^[^\S\n]*(?:[A-Za-z_]\w*\s+)*(?:int|void)\s+main\s*\(", re.MULTILINE)
 _QUOTED = re.compile(r"['‘][^'’]*['’]")
@@ -193,7 +193,7 @@ def refusal(files: tuple[Path, ...], corpus: Path) -> str | None:
     call = _gcc(corpus)
     if call is None:
         return None
-    side = project_beside(str(files[0]))
+    side = adjacent_project(str(files[0]))
     more = [f"-I{folder}" for folder in read_side(side).include_dirs] if side else []
     said = subprocess.run([*call, *more, *map(str, files)], capture_output=True, text=True, check=False, errors="replace")
     if said.returncode:
@@ -256,7 +256,7 @@ def outcome(files: tuple[Path, ...], corpus: Path, output: Path) -> Outcome:
     )
 
 
-def _untrue(made: MadeSketch) -> tuple[str, ...]:
+def _untrue(made: MigratedSketch) -> tuple[str, ...]:
     """The sums of a report that do not add up, and whether its first screen is longer than one."""
     from robosmi.transformations.m2t.first_screen import LINES
     from tests.transformations.m2t.truth import report_faults
@@ -269,7 +269,7 @@ def _untrue(made: MadeSketch) -> tuple[str, ...]:
     return (*faults, *([f"first screen: {len(first)} lines"] if len(first) > LINES else []))
 
 
-def _missing(made: MadeSketch) -> tuple[str, ...]:
+def _missing(made: MigratedSketch) -> tuple[str, ...]:
     """The functions of a program that no file of its sketch defines, under their old or new name."""
     plan = made.models.plan
     text = "".join(data.decode("utf-8", "replace") for name, data in made.contents.items() if name.startswith(f"{plan.name}/"))

@@ -22,7 +22,7 @@ from robosmi.errors import RobosmiError
 from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.emf import EmfModel
 from robosmi.query import ModelView
-from robosmi.query.rules.erl import place_in_model
+from robosmi.query.rules.rule_language import place_in_model
 from robosmi.transform import ETL, Flock
 from robosmi.validate import EVL
 

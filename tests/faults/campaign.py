@@ -29,8 +29,8 @@ from robosmi.transformations.chains.verify import FOLDER, Verified, _board, _ori
 from robosmi.transformations.verification.bound_devices.played_devices import played
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort, bound_ports, resting_pins
 from robosmi.transformations.verification.judgement.after_the_end import simulated_longer
-from robosmi.transformations.verification.judgement.judging import judged
 from robosmi.transformations.verification.judgement.scenario_verdicts import Case, looked_at_again
+from robosmi.transformations.verification.judgement.verdict import verdict_of
 from robosmi.transformations.verification.original_side import SourceRuns, run_further, run_source, run_varied
 from robosmi.transformations.verification.target_side import TargetSide
 from robosmi.verify.scenario import Scenario, read_scenario
@@ -196,7 +196,7 @@ class Study:
                 if isinstance(trace, RobosmiError):
                     raise trace
                 one_thread, at_rest = self._models.plan.concurrency is None, resting_pins(self._models.plan)
-                result = judged(asked, runs, trace, self.ports, one_thread, at_rest)
+                result = verdict_of(asked, runs, trace, self.ports, one_thread, at_rest)
                 result = looked_at_again(result, asked, trace, self.ports, one_thread, runs, self._further, at_rest)
                 if result.first is not None:
                     first = result.first

@@ -20,7 +20,7 @@ from robosmi.transformations.knowledge.adapters.adapter_index import adapter_ind
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platforms.target_platform import target_facts
 from robosmi.transformations.m2m.adapters.adapter_choice import AdapterChoice
-from robosmi.transformations.m2m.language.refused_forms import remarks
+from robosmi.transformations.m2m.language.cpp_incompatibilities import remarks
 from robosmi.transformations.m2m.partition.platform_dependence import partition
 from robosmi.transformations.queries import code
 from robosmi.transformations.queries.adapter_signature import target_signature

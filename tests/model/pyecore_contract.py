@@ -4,7 +4,7 @@
     python -m tests.model.pyecore_contract 0.14.0 0.15.2    the same in other versions, each in an environment of its own
 
 Each fact is a function that raises when it does not hold; its docstring is the fact. Only pyecore, the two modules
-`pyecore_internals` and `quick_ecore` of `robosmi/model`, and what they import (types, and helpers over msgspec) are used, so
+`pyecore_internals` and `ecore_bootstrap` of `robosmi/model`, and what they import (types, and helpers over msgspec) are used, so
 that a version can be judged that the rest of RoboSMi does not run with.
 Exit 1 when a fact does not hold.
 """
@@ -52,7 +52,7 @@ def _load(name: str) -> ModuleType:
 
 
 inside: Any = _load("pyecore_internals")
-quick_ecore: Any = _load("quick_ecore")
+ecore_bootstrap: Any = _load("ecore_bootstrap")
 FACTS: list[Callable[[], None]] = []
 
 
@@ -394,8 +394,8 @@ def features_may_be_made_by_copy() -> None:
         {"name": "r", "eType": node, "eOpposite": feature(node, "next")},
     ]
     for kind, arguments in [(EAttribute, one) for one in given] + [(EReference, one) for one in links]:
-        slow, quick = kind(**arguments), quick_ecore.quick_constructor(kind)(**dict(arguments))
-        other = quick_ecore.quick_constructor(kind)()
+        slow, quick = kind(**arguments), ecore_bootstrap.quick_constructor(kind)(**dict(arguments))
+        other = ecore_bootstrap.quick_constructor(kind)()
         assert other.name is None, "a copy changed another"
         for name in {*slow.__dict__} - inside.FIELDS - {"dyn_inst"}:
             value = getattr(quick, name)  # makes a slot that holds the default
@@ -454,7 +454,7 @@ def classes_may_be_promoted_silently() -> None:
         def of(name: str, bases: tuple[Any, ...], kind: Any = kind, root: Any = root, quiet: bool = quiet, **given: Any) -> Any:
             cls = kind(name, bases, {"__module__": __name__, **given})
             if quiet:
-                quick_ecore.promote(cls, root)
+                ecore_bootstrap.promote(cls, root)
             elif root in bases:
                 cls.eClass.eSuperTypes.remove(EObject.eClass)
             return cls
@@ -478,7 +478,7 @@ def literals_may_be_added_silently() -> None:
         state = EEnum("State")
         for name, value in (("off", 0), ("on", 2)):
             if quiet:
-                quick_ecore.add_literal(state, name, value)
+                ecore_bootstrap.add_literal(state, name, value)
             else:
                 state.eLiterals.append(EEnumLiteral(name=name, value=value))
                 del state.__dict__[name]  # pyecore also makes each literal an attribute of its enumeration

@@ -15,7 +15,7 @@ import pytest
 from robosmi.errors import SourceError, StoppedError
 from robosmi.files.commit import commit
 from robosmi.files.recovery import STAGE, interrupted, recover
-from robosmi.files.runs import bind, own_stage
+from robosmi.files.run_lock import bind, own_stage
 from robosmi.generate import Gen
 from tests.running import tree
 

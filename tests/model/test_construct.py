@@ -14,7 +14,7 @@ import robosmi
 from robosmi.metamodels import ccode, hardware
 from robosmi.model.changes import Recording
 from robosmi.model.ecore.metamodels import built_in
-from robosmi.model.elements import lean
+from robosmi.model.elements import compact_slots
 from robosmi.model.elements.strict import FeatureValueError
 from robosmi.model.xmi.xmi_reader import read_documents
 from robosmi.model.xmi.xmi_writer import to_xmi
@@ -232,4 +232,4 @@ def test_an_attribute_whose_values_lie_bare_is_an_attribute_of_ecore_all_the_sam
     attribute = ccode.Function.eClass.findEStructuralFeature("name")
     assert attribute.eClass is ecore.EAttribute.eClass
     assert isinstance(attribute, ecore.EAttribute)
-    assert not hasattr(lean, "eClass"), "the module is no package"
+    assert not hasattr(compact_slots, "eClass"), "the module is no package"

@@ -9,7 +9,7 @@ import pytest
 from robosmi.errors import StoppedError
 from robosmi.files.commit import commit
 from robosmi.files.recovery import STAGE, recover
-from robosmi.files.runs import own_stage
+from robosmi.files.run_lock import own_stage
 from tests.running import tree
 
 

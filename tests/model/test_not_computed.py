@@ -14,7 +14,7 @@ from robosmi.model.elements.show import element_html, items_html, rows
 from robosmi.model.emf import EmfModel
 from robosmi.model.plantuml import to_plantuml
 from robosmi.query import ModelView
-from robosmi.query.anything import e_cross_references
+from robosmi.query.any_operations import e_cross_references
 from robosmi.query.expression import evaluate
 
 ECORE = Path(__file__).parent / "derived" / "box.ecore"

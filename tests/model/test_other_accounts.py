@@ -17,7 +17,7 @@ import pytest
 
 from robosmi.errors import RobosmiError
 from robosmi.files.commit import commit, update
-from robosmi.files.open_folder import OpenFolder
+from robosmi.files.directory_fd import DirectoryFd
 from robosmi.files.recovery import STAGE, at_work, interrupted, recover
 from robosmi.generate import Gen
 from tests.running import tree
@@ -139,7 +139,7 @@ def test_a_run_of_another_account_is_kept_out_while_files_are_written(shared_fol
     folder = shared_folder / "out"
     commit(folder, {"a": b"old"})
     folder.chmod(0o777)
-    with at_work(folder), OpenFolder(folder) as held, held.locked():
+    with at_work(folder), DirectoryFd(folder) as held, held.locked():
         said = as_other(lambda: update(folder, {"a": b"other"}), shared_folder / "home")
     assert said == "StoppedError: another run is writing into this folder"
     assert (folder / "a").read_bytes() == b"old"

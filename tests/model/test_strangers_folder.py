@@ -16,7 +16,7 @@ import pytest
 from robosmi.errors import InternalError, RobosmiError, SourceError, StoppedError
 from robosmi.files.commit import commit, update
 from robosmi.files.recovery import STAGE, at_work, recover
-from robosmi.files.runs import alone, bind
+from robosmi.files.run_lock import alone, bind
 from robosmi.generate import Gen
 from tests.running import tree
 

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from robosmi.query import operations
-from robosmi.query.words import snake
+from robosmi.query.naming import snake
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "reference" / "eol.md"
 TABLES = tuple(operations.TABLES.values())

@@ -10,7 +10,7 @@ from robosmi.errors import PlatformDataError
 from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.lexicon import Lexicon
 from robosmi.recommend.part_words import Recognised, bus, recognise
-from robosmi.recommend.words import plain
+from robosmi.recommend.tokens import plain
 from robosmi.transformations.knowledge.libraries.library_ranking import device_knowledge
 
 TABLE = Path(__file__).parent / "data" / "devices.csv"

@@ -16,7 +16,7 @@ from robosmi.plugins import content
 from robosmi.query import Q
 from robosmi.report.rules import FindingRule, finding_rules, page, plain_text, rule_called, sentence
 from robosmi.transformations.chains.stages.models import MigrationModels
-from robosmi.transformations.queries.plans.plan import said
+from robosmi.transformations.queries.plans.plan import as_findings
 from tests.running import run
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -36,7 +36,7 @@ def findings_of(rule: str, program: Path, out: Path) -> list[Finding]:
         made = robosmi.migrate([program], out)
         return list(content("chain", "check")(out / "models" / "code.xmi", None).findings if rule in CHECKED else made.findings)
     models: MigrationModels = content("chain", "plan")([program], widths="keep")
-    return list(said(Q(models.plan.findings), models.places))
+    return list(as_findings(Q(models.plan.findings), models.places))
 
 
 @pytest.mark.parametrize("rule", PROGRAMS, ids=lambda rule: rule.id)

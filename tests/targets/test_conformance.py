@@ -75,7 +75,7 @@ def test_a_program_is_moved_and_a_second_run_changes_nothing(target: str, moved:
     assert not any(b.open for b in models.plan.portBindings)
     main = made / "beacon" / f"beacon{facts.model.fileSuffix}"
     assert main.is_file()
-    assert ("int main(" in main.read_text()) == facts.keeps_main
+    assert ("int main(" in main.read_text()) == facts.preserves_main
     before = tree(made)
     robosmi.migrate([made.parent / "input" / "beacon.c"], made, target=target)
     assert tree(made) == before

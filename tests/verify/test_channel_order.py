@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.transformations.verification.judgement.judging import first_disorder
+from robosmi.transformations.verification.judgement.verdict import first_disorder
 from robosmi.verify.traces.activity import IDLE, LEVEL, LINE, PULSES, WAVE, ActivityEvent
 
 

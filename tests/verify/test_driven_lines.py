@@ -8,14 +8,14 @@ from robosmi.verify.simulation import PinChange, PinTrace, Wave
 from robosmi.verify.traces.activity import HELD, ActivityEvent
 from robosmi.verify.traces.alignment import alike
 from robosmi.verify.traces.comparison import DIFFERENT, compare
-from robosmi.verify.traces.driven_lines import DRIVEN_LOW, LET_GO, NO_MORE, held_levels, let_go_levels, pulse_lengths
+from robosmi.verify.traces.driven_lines import DRIVEN_LOW, LET_GO, NO_MORE, let_go_levels, level_durations, pulse_lengths
 
 
 def held(lengths: Iterable[tuple[float, int, float]], until_us: float = 0.0) -> list[tuple[float, int, float]]:
     """The trace of a line that is driven to a level at some times, each for so many microseconds, and then released."""
     changes = [c for at, level, us in lengths for c in (PinChange(at, "D4", level), PinChange(at + us, "D4", "z"))]
     trace = PinTrace("e", "running", until_us or changes[-1].at_us + 2_000.0, tuple(changes), (), (), ())
-    return [(event.at_us, int(event.value[0]), float(event.value[1])) for event in held_levels(trace, "D4")]
+    return [(event.at_us, int(event.value[0]), float(event.value[1])) for event in level_durations(trace, "D4")]
 
 
 def let_go(*changes: tuple[float, int | str]) -> list[str]:

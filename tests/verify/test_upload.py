@@ -21,7 +21,7 @@ import pytest
 
 from robosmi.errors import MissingToolError, RobosmiError, SourceError, UploadError, UsageError
 from robosmi.verify.toolchains.boards import load_boards
-from robosmi.verify.toolchains.kept_program import compile_into
+from robosmi.verify.toolchains.compiled_program import compile_into
 from robosmi.verify.uploads import serial_ports
 from robosmi.verify.uploads.upload import _alone, upload_sketch
 from tests.running import run

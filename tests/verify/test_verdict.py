@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from robosmi.verify.missed_places import line_ranges
+from robosmi.verify.missed_lines import line_ranges
 from robosmi.verify.original_calls import LibraryCall
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.traces.comparison import ChannelComparison, FirstDifference

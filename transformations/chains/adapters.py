@@ -17,7 +17,7 @@ from robosmi.base.data_text import Json, as_texts
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import PlatformDataError, SourceError, UsageError, did_you_mean
 from robosmi.files.files import write_atomic
-from robosmi.generate.places import Places, free_name
+from robosmi.generate.output_paths import Places, free_name
 from robosmi.generate.text_form import read
 from robosmi.metamodels import migration, platform
 from robosmi.project import FILE_NAME, default_text, load_project
@@ -40,7 +40,7 @@ _INCLUDE = re.compile(r"^#include\s+(<[^>]+>|\"[^\"]+\")", re.MULTILINE)
 _HOW = "write its body into adapters.h of a program that calls it, then: robosmi adapters save OUT"
 
 
-class AdaptersTold(Struct):
+class AdapterReport(Struct):
     """Adapters as the contract lists them.
 
     Attributes:
@@ -78,7 +78,7 @@ class AdaptersTold(Struct):
         return lines
 
 
-def list_adapters(target: str | None = None, source: str | None = None) -> AdaptersTold:
+def list_adapters(target: str | None = None, source: str | None = None) -> AdapterReport:
     """All functions of the headers that have adapter files, each with the status of its adapter.
 
     Args:
@@ -92,10 +92,10 @@ def list_adapters(target: str | None = None, source: str | None = None) -> Adapt
         first = {piece.name: piece for piece in reversed(known)}
         rows += [_row(index, piece) for _, piece in sorted(first.items())]
         rows += [_row_without(index, header, name) for name in api.functions_of(header) if name not in first]
-    return AdaptersTold(rows)
+    return AdapterReport(rows)
 
 
-def show_adapter(name: str, target: str | None = None, source: str | None = None) -> AdaptersTold:
+def show_adapter(name: str, target: str | None = None, source: str | None = None) -> AdapterReport:
     """The adapters of a function with their texts, the effective one first; for a function without one, what has to be written.
 
     Raises:
@@ -111,13 +111,13 @@ def show_adapter(name: str, target: str | None = None, source: str | None = None
         if piece.kind == "adapter" and piece.name == function
     ]
     if not pieces and (without := [h for h in ([header] if header else index.headers) if function in api.functions_of(h)]):
-        return AdaptersTold([_row_without(index, each, function) | _to_write(api, each, function) for each in without])
+        return AdapterReport([_row_without(index, each, function) | _to_write(api, each, function) for each in without])
     if not pieces:
         known = {piece.name for each in index.headers for group in index.of(each) for piece in group if piece.kind == "adapter"}
         raise UsageError(
             f"no adapter is called '{name}'{did_you_mean(function, sorted(known))}", fix="see: robosmi adapters list"
         )
-    return AdaptersTold([_row(index, piece) | _whole(index, piece) for piece in pieces])
+    return AdapterReport([_row(index, piece) | _whole(index, piece) for piece in pieces])
 
 
 def _of(target: str | None, source: str | None) -> tuple[AdapterIndex, ApiIndex]:
@@ -131,8 +131,8 @@ def _of(target: str | None, source: str | None) -> tuple[AdapterIndex, ApiIndex]
 
 def _row(index: AdapterIndex, piece: AdapterPiece) -> dict[str, Json]:
     return {
-        "function": piece.name, "header": piece.header, "kind": RELATIONS.get(piece.relation, ""), "source": index.kept_by(piece),
-        "status": "care" if piece.limits else "filled", "limits": list(piece.limits),
+        "function": piece.name, "header": piece.header, "kind": RELATIONS.get(piece.relation, ""), "source":
+        index.owner_of(piece), "status": "care" if piece.limits else "filled", "limits": list(piece.limits),
     }  # fmt: skip
 
 
@@ -166,7 +166,7 @@ def _whole(index: AdapterIndex, piece: AdapterPiece) -> dict[str, Json]:
     }  # fmt: skip
 
 
-def save_adapters(output: Path, whose: str) -> AdaptersTold:
+def save_adapters(output: Path, whose: str) -> AdapterReport:
     """Save the adapter bodies that a person wrote in a generated program.
 
     Args:
@@ -184,7 +184,7 @@ def save_adapters(output: Path, whose: str) -> AdaptersTold:
     names = [f"{sketch}/{path.name}" for path in _sources(output / sketch)]
     texts = [read(places.read(name) or b"").text for name in names]
     found = {name: (body, text) for text in reversed(texts) for name, body in bodies(text).items() if not body.open}
-    told, wanted = AdaptersTold(), dict[tuple[str, str], migration.AdapterUse]()
+    told, wanted = AdapterReport(), dict[tuple[str, str], migration.AdapterUse]()
     for use in plan.adapterUses:
         name = str(use.targetName or use.name)
         if use.adapter is not None or name not in found:

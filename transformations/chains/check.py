@@ -14,7 +14,7 @@ from typing import Any
 from robosmi.diagnostics import Finding
 from robosmi.metamodels import hardware, migration
 from robosmi.model import EmfModel, Metamodel, Model, open_model
-from robosmi.model.ecore.ecore_doubts import doubts
+from robosmi.model.ecore.ecore_lint import lint
 from robosmi.model.ecore.ecore_loader import load_metamodels
 from robosmi.model.ecore.metamodels import built_in
 from robosmi.model.generator.codegen import render
@@ -28,7 +28,7 @@ from robosmi.transformations.chains.stages.constraint_sets import KIND, constrai
 from robosmi.transformations.chains.stages.readers import is_drawing
 from robosmi.transformations.chains.stages.reading import read_drawing
 from robosmi.transformations.constraints.electrical_plan import wired
-from robosmi.transformations.constraints.places import in_file
+from robosmi.transformations.constraints.finding_locations import in_file
 
 
 class Checked:
@@ -80,7 +80,7 @@ def _checked(file: Path, metamodels: Sequence[Path]) -> Checked:
         return _validated(done, [EmfModel(read.circuit, name="hardware")])
     if file.suffix == ".ecore":
         made = render([file])
-        odd = [*made.findings, *doubts(file, load_metamodels([file]))]
+        odd = [*made.findings, *lint(file, load_metamodels([file]))]
         done.findings += odd  # whatever keeps a metamodel from being used is an error with all its reasons
         done.sound = "" if odd else f"{file}: nothing is wrong with this metamodel ({made.classes} classes)"
     if file.suffix != ".xmi":

@@ -21,9 +21,9 @@ from robosmi.errors import SourceError, StoppedError, UsageError, did_you_mean
 from robosmi.files.commit import again_when_changed
 from robosmi.files.files import digest
 from robosmi.files.recovery import at_work, look_only
-from robosmi.files.runs import alone
-from robosmi.generate.places import Places
-from robosmi.generate.project_entries import ProjectChange, changed_project, key_of, said_place
+from robosmi.files.run_lock import alone
+from robosmi.generate.output_paths import Places
+from robosmi.generate.project_entries import ProjectChange, changed_project, displayed_path, key_of
 from robosmi.metamodels import migration
 from robosmi.project import FILE_NAME, Project, load_project
 from robosmi.query import Q
@@ -31,14 +31,14 @@ from robosmi.transformations.chains.migrate import migrate
 from robosmi.transformations.chains.stages.edited_plan import STORED
 from robosmi.transformations.chains.stages.models import CODE, FOLDER, HARDWARE, MigrationModels, stored_models
 from robosmi.transformations.chains.stages.output import Generated, produce, remember
-from robosmi.transformations.chains.stages.renewed import renew_findings
+from robosmi.transformations.chains.stages.refresh_findings import refresh_findings
 from robosmi.transformations.chains.stages.sources import last_run, project_folder
 from robosmi.transformations.constraints.plan_edits import refuse_nonsense
 from robosmi.transformations.knowledge.part import ROLES
 from robosmi.transformations.knowledge.platforms.target_platform import target_facts
 from robosmi.transformations.m2m.choices.library_choice import LibraryModels
 from robosmi.transformations.m2m.plan_tasks import settle
-from robosmi.transformations.m2m.ports.port_binding import bind_by_hand
+from robosmi.transformations.m2m.ports.port_binding import bind_as_chosen
 from robosmi.transformations.queries.plans.answers import answer
 from robosmi.transformations.queries.plans.choices import NO_LIBRARY, Choice, choices_json, the_choice
 from robosmi.transformations.queries.plans.plan import open_choices
@@ -65,9 +65,9 @@ class Chosen(Generated):
     command: str = ""
 
     @property
-    def project_said(self) -> str:
+    def updated_project(self) -> str:
         """The project file that was updated, as a text for persons; empty if there is none."""
-        return said_place(self.project) if self.project is not None else ""
+        return displayed_path(self.project) if self.project is not None else ""
 
     def result(self) -> dict[str, Any]:
         """The command's part of the document."""
@@ -87,7 +87,7 @@ class Chosen(Generated):
         would = "" if self.written else "would be "
         lines = [f"{identity} {would}{f'= {value}' if value else 'open again'}" for identity, value in self.chosen.items()]
         left = len(open_choices(self.models.plan))
-        where = f" and in {self.project_said}" if self.project is not None else ""
+        where = f" and in {self.updated_project}" if self.project is not None else ""
         lines.append(f"{would}kept in the plan{where}; {left} choice{'s' * (left != 1)} open")
         return [*lines, *self.diff.splitlines()]
 
@@ -144,7 +144,7 @@ def choose(
             decide(models.plan, choice, value.strip(), " ".join("".join(c if c.isprintable() else " " for c in why).split()))
             chosen[choice.id] = value.strip()
         settle(models.plan, models.files)
-        renew_findings(models.plan)
+        refresh_findings(models.plan)
         place, reason = project_folder(folder, models.plan, Path(source) if source is not None else None)
         settings, change = Project(), ProjectChange({}, reason)
         if place is not None:
@@ -232,7 +232,7 @@ def decide(plan: migration.MigrationPlan, choice: Choice, value: str, why: str =
     decision = choice.decision
     if isinstance(decision, migration.PortBinding):
         assert plan.board is not None
-        bind_by_hand(decision, value, list(plan.connections), plan.board)
+        bind_as_chosen(decision, value, list(plan.connections), plan.board)
     elif isinstance(decision, migration.LibraryChoice):
         decision.chosen = _library(plan, value) if value and value.lower() != NO_LIBRARY else None
         decision.choice = decision.chosen.name if decision.chosen is not None else NO_LIBRARY if value else ""
@@ -251,7 +251,7 @@ def _release(plan: migration.MigrationPlan, binding: migration.PortBinding) -> N
     """Reopen the ports that a rule has bound to a pin which a person now gives another port, as a new migration would."""
     for other in plan.portBindings:
         if other is not binding and other.pin is binding.pin and other.chosenBy is migration.ChosenBy.rule:
-            bind_by_hand(other, "", (), plan.board)  # type: ignore[arg-type]
+            bind_as_chosen(other, "", (), plan.board)  # type: ignore[arg-type]
             other.open, other.chosenBy, other.confidence = True, migration.ChosenBy.nobody, 0.0
             other.evidence.clear()
 

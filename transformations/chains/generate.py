@@ -7,11 +7,11 @@ from contextlib import nullcontext
 from pathlib import Path
 
 from robosmi.files.recovery import at_work, look_only
-from robosmi.files.runs import alone
-from robosmi.generate.places import Places
+from robosmi.files.run_lock import alone
+from robosmi.generate.output_paths import Places
 from robosmi.transformations.chains.stages.models import FOLDER, PLAN, MigrationModels, load_models
 from robosmi.transformations.chains.stages.output import Generated, produce
-from robosmi.transformations.chains.stages.renewed import renew_findings
+from robosmi.transformations.chains.stages.refresh_findings import refresh_findings
 from robosmi.transformations.constraints.plan_edits import refuse_nonsense
 from robosmi.transformations.m2m.plan_tasks import settle
 
@@ -62,4 +62,4 @@ def _bring_in_line(models: MigrationModels) -> None:
     """Refuse an inconsistent plan, and derive its tasks and findings anew from its decisions."""
     refuse_nonsense(models.plan)
     settle(models.plan, models.files)
-    renew_findings(models.plan, words=False)
+    refresh_findings(models.plan, words=False)

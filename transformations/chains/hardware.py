@@ -19,7 +19,7 @@ from robosmi.transformations.chains.stages.constraint_sets import added_hardware
 from robosmi.transformations.chains.stages.reading import HEADERS_ONLY, NO_BOARD, Drawing, read_drawing
 from robosmi.transformations.constraints.electrical import electrical_findings
 from robosmi.transformations.queries.circuits.circuit import boards, hardware_report, of_board, pin_label, the_board
-from robosmi.transformations.queries.circuits.connector_names import told_name, told_names
+from robosmi.transformations.queries.circuits.connector_names import displayed_name, displayed_names
 
 if TYPE_CHECKING:
     from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
@@ -89,7 +89,7 @@ def _wire(connection: migration.Connection, several: bool) -> tuple[str, str, st
     """A row of the wiring table; if there are several boards, the pin names the board."""
     board = connection.boardConnectors[0].component if connection.boardConnectors else None
     component = connection.component
-    names = ", ".join(filter(None, told_names(connection.connectors)))
+    names = ", ".join(filter(None, displayed_names(connection.connectors)))
     wired_to = component.title or f"#{component.elementId}" if component is not None else "#"
     return (
         f"{board.title} {pin_label(connection)}" if several and board is not None else pin_label(connection),
@@ -102,7 +102,7 @@ def _wire(connection: migration.Connection, several: bool) -> tuple[str, str, st
 
 def _pins(net: hw.Net) -> str:
     placed = [(c, c.component) for c in net.connectors if c.component is not None]
-    return ", ".join(f"{part.title or '#' + part.elementId} {told_name(c) or c.connectorId}" for c, part in placed)
+    return ", ".join(f"{part.title or '#' + part.elementId} {displayed_name(c) or c.connectorId}" for c, part in placed)
 
 
 def hardware_chain() -> Chain:
@@ -137,7 +137,7 @@ def drawing(path: Path, roles: Mapping[str, str], target_name: str | None) -> Dr
 
 def _check_target(made: Drawing, facts: TargetFacts, path: Path) -> None:
     """Refuse a drawing with boards of which none is the target's."""
-    from robosmi.transformations.chains.stages.drawn import checked_board  # wanted with --target only
+    from robosmi.transformations.chains.stages.hardware_stage import checked_board  # wanted with --target only
 
     drawn = [(board, made.board_models.get(board.elementId)) for board in boards(made.circuit)]
     if drawn and not any(model is not None and model.name == facts.board for _, model in drawn):

@@ -7,11 +7,11 @@ from robosmi.plugins import content
 from robosmi.project import default_text
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.recommend.ranking import Ranker
-from robosmi.transformations.chains.stages.drawn import StoredDrawing
-from robosmi.transformations.chains.stages.earlier import earlier_choices
+from robosmi.transformations.chains.stages.choice_history import choice_history
+from robosmi.transformations.chains.stages.hardware_stage import StoredDrawing
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
 from robosmi.transformations.m2m.choices.library_choice import LibraryModels
-from robosmi.transformations.m2m.migration_plan import LibrariesSaid, decide_libraries
+from robosmi.transformations.m2m.migration_plan import UserLibraries, decide_libraries
 
 
 def ranker(target: TargetFacts) -> Ranker | None:
@@ -22,16 +22,16 @@ def ranker(target: TargetFacts) -> Ranker | None:
     return made
 
 
-def earlier(history: str | None, target: TargetFacts) -> ForgivingHistory:
+def previous_choices(history: str | None, target: TargetFacts) -> ForgivingHistory:
     """The earlier choices for the target, or for others with the same libraries."""
-    return earlier_choices(history, target)
+    return choice_history(history, target)
 
 
 def library_decisions(
     drawing: StoredDrawing | None,
     board: platform.Board,
     target: TargetFacts,
-    choices: LibrariesSaid,
+    choices: UserLibraries,
     ranker: Ranker | None,
     earlier: ForgivingHistory,
 ) -> tuple[list[migration.LibraryChoice], LibraryModels]:

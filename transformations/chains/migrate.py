@@ -18,7 +18,7 @@ from robosmi.chain.run import ChainRun, Progress
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import UsageError
 from robosmi.files.commit import again_when_changed
-from robosmi.files.elsewhere import Elsewhere
+from robosmi.files.external_files import ExternalFiles
 from robosmi.files.recovery import recover
 from robosmi.inputs import read_once
 from robosmi.metamodels import ccode, migration, platform
@@ -27,11 +27,11 @@ from robosmi.project import Project, default_number, default_text, project_of
 from robosmi.recommend.history import ForgivingHistory
 from robosmi.resources import project_of_input
 from robosmi.transform import Trace
-from robosmi.transformations.chains.library_steps import earlier, library_decisions, ranker
-from robosmi.transformations.chains.stages.adopted import adopt
+from robosmi.transformations.chains.library_steps import library_decisions, previous_choices, ranker
+from robosmi.transformations.chains.stages.choice_history import history_findings
 from robosmi.transformations.chains.stages.constraint_sets import added_findings
-from robosmi.transformations.chains.stages.drawn import StoredDrawing, stored_drawing
-from robosmi.transformations.chains.stages.earlier import history_findings
+from robosmi.transformations.chains.stages.hardware_stage import StoredDrawing, stored_drawing
+from robosmi.transformations.chains.stages.import_choices import import_choices
 from robosmi.transformations.chains.stages.models import MigrationModels
 from robosmi.transformations.chains.stages.output import Generated, produce, remember
 from robosmi.transformations.chains.stages.own_adapters import adapter_files_of, check_own_adapters, unread_adapters
@@ -49,9 +49,9 @@ from robosmi.transformations.knowledge.platforms.target_platform import TargetFa
 from robosmi.transformations.m2m.adapters.adapter_choice import adapter_choice
 from robosmi.transformations.m2m.choices.library_choice import LibraryModels
 from robosmi.transformations.m2m.choices.stored_choices import NOTHING, StoredChoices, differences
-from robosmi.transformations.m2m.circuits.connector_mapping import keep_apart
+from robosmi.transformations.m2m.circuits.connector_mapping import rename_clashes
 from robosmi.transformations.m2m.circuits.output_settings import set_rest_levels, set_servo_trims
-from robosmi.transformations.m2m.migration_plan import Decided, LibrariesSaid, judge_program, put_together
+from robosmi.transformations.m2m.migration_plan import Decided, UserLibraries, judge_program, put_together
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2m.ports.port_texts import looked_up
@@ -83,7 +83,7 @@ def migration_chain() -> Chain:
     chain.call(board, makes="board", step="look up the board")
     chain.call(choices, makes="choices", step="collect the libraries that persons chose")
     chain.call(ranker, makes="ranker", step="load the ranker")
-    chain.call(earlier, makes="earlier", step="open the history")
+    chain.call(previous_choices, makes="earlier", step="open the history")
     chain.call(ports, makes="ports", step="follow the program's ports")
     chain.call(judgement, makes="judgement", step="judge the program's elements")
     chain.call(widenings, makes="widenings", step="keep the widths of numbers")
@@ -143,7 +143,7 @@ def drawing(hardware: str | Path | None, settings: Project, target: TargetFacts,
     made = stored_drawing(path, settings.roles, target)
     declared = {d.name for view in program.views for d in view.of_kind(ccode.Declaration) if isinstance(d, ccode.Declaration)}
     declared |= {macro.name for view in program.views for macro in view.unit.macros}
-    made.findings.extend(keep_apart(made.hardware.connections, declared, Location(str(path))))
+    made.findings.extend(rename_clashes(made.hardware.connections, declared, Location(str(path))))
     return made
 
 
@@ -153,7 +153,7 @@ def choices(
     drawing: StoredDrawing | None,
     target: TargetFacts,
     stored: StoredChoices | None,
-) -> LibrariesSaid:
+) -> UserLibraries:
     """The libraries that persons chose, flags before the project file and that before the stored plan, and how far rules may go.
 
     Raises:
@@ -164,7 +164,7 @@ def choices(
     said = {**settings.libraries, **libraries} if target.libraries else {}
     kept = (stored or NOTHING).libraries if target.libraries else {}
     places = settings.places("libraries", [name for name in settings.libraries if name not in libraries])
-    made = LibrariesSaid(said, default_number("choices", "limit"), int(default_number("rank", "candidates")), kept, places)
+    made = UserLibraries(said, default_number("choices", "limit"), int(default_number("rank", "candidates")), kept, places)
     if made.libraries and drawing is None:
         raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
     return made
@@ -345,7 +345,7 @@ def migrate(
     ask: Callable[[Sequence[Mapping[str, Any]]], Mapping[str, str]] | None = None,
     ask_ports: Callable[[Sequence[Mapping[str, Any]], Sequence[str]], Mapping[str, str]] | None = None,
     verify: bool = False,
-    outside: Callable[[], Elsewhere] | None = None,
+    outside: Callable[[], ExternalFiles] | None = None,
     progress: Progress | None = None,
     chain: Chain | None = None,
 ) -> Generated:
@@ -370,7 +370,7 @@ def migrate(
     """
     if not dry_run:
         recover(Path(output))  # what a killed run has begun there may be a change of the project file, too
-    chosen, adopted = dict(libraries or {}), adopt(Path(output))
+    chosen, adopted = dict(libraries or {}), import_choices(Path(output))
     run = _started(
         chain, progress, files=files, project=project, hardware=hardware, target_name=target, source_platform=source_platform,
         include_dirs=include_dirs, defines=defines, libraries=chosen, bind=bind or {}, adapters=adapters,

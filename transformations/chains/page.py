@@ -19,10 +19,10 @@ from robosmi.files.files import digest
 from robosmi.files.recovery import at_work
 from robosmi.generate import Gen
 from robosmi.generate.manifest import Manifest
-from robosmi.generate.places import Places
+from robosmi.generate.output_paths import Places
 from robosmi.generate.undo import undo
 from robosmi.metamodels import migration
-from robosmi.model.elements.lean import collector_at_rest
+from robosmi.model.elements.compact_slots import collector_at_rest
 from robosmi.transformations.chains.choose import STAYS, choose
 from robosmi.transformations.chains.generate import generate
 from robosmi.transformations.chains.stages.edited_plan import STORED
@@ -144,7 +144,7 @@ class PlanPage:
             done.models.settled = True
             self._make(done.models, known=done.counted)
             alone = next((note.message for note in done.models.notes if note.rule == STAYS), "in the plan")
-            where = f"in the plan and in {done.project_said}" if done.project is not None else alone
+            where = f"in the plan and in {done.updated_project}" if done.project is not None else alone
             return f"Saved: {identity} {f'= {value}' if value else 'is open again'}; {where}.", done.command, done.diff
         with at_work(self.output):
             if self.now() != shown:

@@ -12,7 +12,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from robosmi.base.doing import doing
+from robosmi.base.progress_events import announce
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import SourceError, UsageError
 from robosmi.files.files import write_atomic
@@ -171,7 +171,7 @@ def simulate(
     if seconds is not None and not 0 < seconds <= 600:
         raise UsageError(f"{seconds:g} s cannot be simulated", fix="give more than 0 s and at most 600 s")
     horizon_us = 1e6 * seconds if seconds is not None else 1e3 * asked.horizon_ms if asked is not None else 1e6 * SECONDS
-    plan_file = plan_beside(output)
+    plan_file = adjacent_plan(output)
     models = stored_models(plan_file.parent.parent) if plan_file is not None else None
     ports = bound_ports(models.plan, plan_file.parent) if models is not None and plan_file is not None else []
     with temporary_folder("simulate") as folder:
@@ -181,7 +181,7 @@ def simulate(
         stored = models.plan.board if models is not None else None
         board = stored if stored is not None and stored.name == report.board else load_board(report.board)
         devices = played(ports if models is not None else _bare(board, asked), asked, target=True)
-        doing(f"simulate {horizon_us / 1e6:g} s")
+        announce(f"simulate {horizon_us / 1e6:g} s")
         trace = run_job(job(report.elf, report.hex, board, horizon_us, devices), engine)
     if vcd is not None:
         try:
@@ -191,7 +191,7 @@ def simulate(
     return Simulated(report, trace, ports, vcd)
 
 
-def plan_beside(output: Path) -> Path | None:
+def adjacent_plan(output: Path) -> Path | None:
     """The stored plan of a program, given its output folder or the program's own folder."""
     for folder in (output, output.parent, output.parent.parent):
         if (path := folder / "models" / "plan.xmi").is_file():

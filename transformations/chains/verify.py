@@ -12,13 +12,13 @@ from typing import Any
 
 from msgspec import Struct
 
-from robosmi.base.doing import doing
+from robosmi.base.progress_events import announce
 from robosmi.base.trust import acting
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, VerificationError
 from robosmi.inputs import read_once
 from robosmi.metamodels import migration, platform
-from robosmi.transformations.chains.simulate import plan_beside
+from robosmi.transformations.chains.simulate import adjacent_plan
 from robosmi.transformations.chains.stages.models import MigrationModels, stored_models
 from robosmi.transformations.chains.stages.output import Generated, produce
 from robosmi.transformations.chains.stages.verified_files import VerifiedFiles
@@ -36,9 +36,9 @@ from robosmi.transformations.verification.bound_devices.port_devices import (
     texts_understood,
 )
 from robosmi.transformations.verification.judgement.difference_calls import calls_around
-from robosmi.transformations.verification.judgement.judging import why_nothing_was_compared
 from robosmi.transformations.verification.judgement.scenario_verdicts import Case, compare_scenarios
 from robosmi.transformations.verification.judgement.source_reached import cover
+from robosmi.transformations.verification.judgement.verdict import why_nothing_was_compared
 from robosmi.transformations.verification.original_side import (
     CONSOLE_CHANNEL,
     Place,
@@ -128,7 +128,7 @@ def verify(
         MissingToolError: a compiler or simulator is not installed, or the system has no sandbox for the original.
         VerificationError: the simulator crashed or did not end.
     """
-    plan_file = plan_beside(output)
+    plan_file = adjacent_plan(output)
     if plan_file is None:
         raise SourceError(f"there is no stored plan in {output}", fix="name the output folder of migrate, with its models")
     models = stored_models(plan_file.parent.parent)
@@ -168,7 +168,7 @@ def verify(
         if not side.shows_console:
             verdict.not_compared.append(CONSOLE_CHANNEL)
         (folder / "source").mkdir()
-        doing("compile the original")
+        announce("compile the original")
         try:
             program = _original(models, folder / "source", trust_original)
         except VerificationError as error:
@@ -180,9 +180,9 @@ def verify(
         cases, made = _cases(
             program, ports, plan, given, plan_file.parent / FOLDER, seed if generate else None, verdict, budget_s
         )
-        if verdict.racy and not made.new and not any(not runs.racy_channels for _, runs in cases):
+        if verdict.racy and not made.new and not any(not runs.nondeterministic_channels for _, runs in cases):
             verdict.reasons.append(f"no scenario is left: in all {verdict.racy} that were made the source differs from itself")
-        doing(f"run the migrated program in {len(cases)} scenario{'s' * (len(cases) != 1)}")
+        announce(f"run the migrated program in {len(cases)} scenario{'s' * (len(cases) != 1)}")
         one_thread, at_rest = plan.concurrency is None, resting_pins(plan)
         compared = compare_scenarios(program, ports, cases, side, one_thread, at_rest, whole=vcd is not None)
         kept = compared.kept
@@ -287,7 +287,7 @@ def _cases(
     listed = given or [read_scenario(path, "stored") for path in sorted(stored.glob("*.toml"))]
     cases: list[Case] = []
     for number, scenario in enumerate(listed, 1):
-        doing(f"run the original in scenario {number} of {len(listed)}, again and again")
+        announce(f"run the original in scenario {number} of {len(listed)}, again and again")
         nominal = run_source(program, ports, scenario, LIMIT_S)
         cases.append((scenario, run_varied(program, ports, scenario, nominal, LIMIT_S)))
     made = _Made()

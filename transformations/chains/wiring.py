@@ -18,7 +18,7 @@ from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
 from robosmi.files.commit import update
 from robosmi.files.files import refuse_link, write_atomic
-from robosmi.generate.places import Places
+from robosmi.generate.output_paths import Places
 from robosmi.metamodels import migration
 from robosmi.plugins import content
 from robosmi.query import Q
@@ -29,7 +29,7 @@ from robosmi.transformations.m2t.circuits.circuit_picture import svg
 from robosmi.transformations.m2t.circuits.wokwi_project import project_files
 from robosmi.transformations.m2t.pin_table import pin_table
 from robosmi.transformations.m2t.sketch_project import project
-from robosmi.transformations.queries.plans.plan import ports_by_pin, said
+from robosmi.transformations.queries.plans.plan import as_findings, ports_by_pin
 
 FORM: Final = "wiring form"
 """The registry's kind for formats: functions of `(models, OUT, path)` that return `Handed`."""
@@ -163,7 +163,7 @@ def picture(models: MigrationModels, output: Path, path: Path) -> Handed:
     plan = models.plan
     if plan.circuit is None:
         raise _no_drawing()
-    wrong = [f for f in said(Q(plan.findings), models.places) if f.rule.startswith("RS2")]
+    wrong = [f for f in as_findings(Q(plan.findings), models.places) if f.rule.startswith("RS2")]
     return Handed({"": svg(plan.circuit, wrong, ports_by_pin(plan)).encode()}, {"": "picture"})
 
 

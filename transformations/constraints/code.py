@@ -25,7 +25,7 @@ located = code.context(ccode.Located)
 calls = code.context(ccode.Call)
 
 
-def is_seen_outside(function: ccode.Function) -> bool:
+def has_external_linkage(function: ccode.Function) -> bool:
     """Whether an element is the definition of a function with external linkage."""
     return bool(
         function.definition
@@ -53,7 +53,7 @@ def PassesWhatIsTaken(c: ccode.Call) -> bool | Fail:
     return given == taken or Fail(f"{c.calleeName} takes {taken} argument{'s' if taken != 1 else ''}, and is given {given}")
 
 
-functions = code.context(ccode.Function, guard=is_seen_outside)
+functions = code.context(ccode.Function, guard=has_external_linkage)
 
 
 @functions.constraint(id="RS713", location=place, advice="rename one of them, or make it static")
@@ -64,7 +64,7 @@ def IsDefinedOnce(f: ccode.Function) -> bool | Fail:
     if known is None:
         known = ext(program).functions_by_name = {}
         for one in all_of_kind(program, ccode.Function):
-            if is_seen_outside(one):
+            if has_external_linkage(one):
                 known.setdefault(one.name, one)
     first = known.get(f.name, f)
     return first is f or Fail(f"{f.name} is defined in {_unit(first)} already")

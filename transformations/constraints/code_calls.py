@@ -10,8 +10,8 @@ from robosmi.query import all_of_kind
 from robosmi.transformations.constraints.code_move import moved, place, the_move, together
 from robosmi.transformations.queries.own_headers import unit_of
 from robosmi.transformations.queries.programs.main_function import main_of
+from robosmi.transformations.queries.programs.unprototyped_functions import unprototyped_pointers
 from robosmi.transformations.queries.programs.unreached import Unreached
-from robosmi.transformations.queries.programs.unsaid_parameters import unsaid_pointers
 from robosmi.validate import Fail
 
 units = moved.context(ccode.SourceUnit)
@@ -38,7 +38,7 @@ def _short_calls(unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Call, str]]:
 
 
 def _short_calls_of_pointers(unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Call, str]]:
-    for kept in unsaid_pointers(the_move().program) if any(c.callee is None for c in the_move().view(unit).calls) else ():
+    for kept in unprototyped_pointers(the_move().program) if any(c.callee is None for c in the_move().view(unit).calls) else ():
         for call in kept.calls:
             lacking = [function for function in kept.functions if len(function.parameters) > len(call.arguments)]
             if unit_of(call) is unit and lacking:

@@ -26,7 +26,7 @@ from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.queries.expression_type import FunctionType
 from robosmi.transformations.queries.flows.cores import Cores
 from robosmi.transformations.queries.numbers import Machine, Numbers
-from robosmi.transformations.queries.plans.plan import keeps_main
+from robosmi.transformations.queries.plans.plan import preserves_main
 from robosmi.transformations.queries.ports.port_masks import PortMasks
 from robosmi.transformations.queries.resources.cooperation import giving_way
 from robosmi.transformations.queries.signature_text import function_type
@@ -34,7 +34,7 @@ from robosmi.transformations.queries.values import Values
 from robosmi.validate import EVL, Fail, Unsatisfied
 
 if TYPE_CHECKING:
-    from robosmi.model.elements.driver import Held
+    from robosmi.model.elements.driver import ItemOrItems
     from robosmi.transformations.queries.constants.ranges import Ranges
 
 moved = EVL()
@@ -158,7 +158,7 @@ class Move:
     @property
     def loop(self) -> str:
         """The name of the function in which programs of the target repeat their work: `loop` or `main`."""
-        return "main" if keeps_main(self.plan) else "loop"
+        return "main" if preserves_main(self.plan) else "loop"
 
     def view(self, unit: ccode.SourceUnit) -> CodeView:
         """The view of a unit."""
@@ -273,7 +273,7 @@ def move_findings(plan: migration.MigrationPlan, seen: Sequence[CodeView]) -> li
     return sorted(found, key=lambda f: (f.path, f.line, f.column, f.rule))
 
 
-def _elements(kept: Held) -> list[Element]:
+def _elements(kept: ItemOrItems) -> list[Element]:
     return [e for e in (kept if isinstance(kept, Sequence) else (kept,)) if isinstance(e, Element)]
 
 

@@ -11,10 +11,10 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.constraints.code_move import in_lines, move, moved, place, the_move, together
-from robosmi.transformations.queries.flows.pin_uses import PinUse, made_uses_of, negative_uses_of, pin_uses_of, says_its_ports
+from robosmi.transformations.queries.flows.pin_uses import PinUse, macro_pin_uses, names_its_ports, negative_uses_of, pin_uses_of
 from robosmi.transformations.queries.flows.pointers import pointed_functions
-from robosmi.transformations.queries.plans.waiting_calls import kept_raw, ports_of_runs_bound
-from robosmi.transformations.queries.ports.made_calls import MadeCalls
+from robosmi.transformations.queries.plans.waiting_calls import lacks_pin, ports_of_runs_bound
+from robosmi.transformations.queries.ports.expanded_calls import ExpandedCalls
 from robosmi.transformations.queries.ports.register_bits import register_bits
 from robosmi.validate import Fail
 
@@ -32,7 +32,7 @@ def PortIsOfTheSource(u: ccode.SourceUnit) -> bool | Fail:
     m = the_move()
     view = m.view(u)
     count = view.api.ports
-    uses = [*pin_uses_of(view, m.views), *made_uses_of(view), *register_bits(view, m.masks)]
+    uses = [*pin_uses_of(view, m.views), *macro_pin_uses(view), *register_bits(view, m.masks)]
     wrong = [use for use in uses if use.pin is not None and use.pin >= count]
     wrong += [use for use in negative_uses_of(view) if use.function not in _signed(m.plan)]
     numbers = sorted({use.pin for use in wrong if use.pin is not None})
@@ -69,10 +69,10 @@ def _unknown(u: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Located]]:
     """The calls, macros and register accesses of a unit whose ports are not known statically, as (name, element)."""
     m = the_move()
     view = m.view(u)
-    flows = [flow for flow in m.plan.portFlows if flow.anything and not kept_raw(flow)]
+    flows = [flow for flow in m.plan.portFlows if flow.anything and not lacks_pin(flow)]
     calls = [call for flow in flows for call in flow.calls if ancestor_of_kind(call, ccode.SourceUnit) is u]
-    yield from ((f"'{call.calleeName}'", call) for call in calls if not says_its_ports(call, view))
-    used = MadeCalls(m.views).used if any(not flow.calls for flow in flows) else frozenset()
+    yield from ((f"'{call.calleeName}'", call) for call in calls if not names_its_ports(call, view))
+    used = ExpandedCalls(m.views).used if any(not flow.calls for flow in flows) else frozenset()
     places = {int(change.startOffset) for flow in flows if not flow.calls for change in flow.changes if change.unit is u}
     macros = [c for c in u.macros if str(c.name) in used and any(c.startOffset <= at < c.endOffset for at in places)]
     yield from ((f"'{macro.name}'", macro) for macro in macros)
@@ -83,7 +83,7 @@ def _unknown(u: ccode.SourceUnit) -> Iterator[tuple[str, ccode.Located]]:
 @units.constraint(id="RS335", location=place, advice="write these calls without the macro")
 def PortsOfMacrosAreLookedUp(u: ccode.SourceUnit) -> bool | Fail:
     """A port that a macro passes to a platform function has a place in the text where its pin can be looked up."""
-    calls = [c for flow in the_move().plan.portFlows if kept_raw(flow) for c in flow.calls]
+    calls = [c for flow in the_move().plan.portFlows if lacks_pin(flow) for c in flow.calls]
     here = [c for c in calls if ancestor_of_kind(c, ccode.SourceUnit) is u]
     names = ", ".join(dict.fromkeys(f"'{call.calleeName}'" for call in here))
     wrong = f"macros give {names} a port in a text that is more than a port, so that nothing can look it up"

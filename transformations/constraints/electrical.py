@@ -12,7 +12,7 @@ from robosmi.transformations.constraints.electrical_buses import buses
 from robosmi.transformations.constraints.electrical_loads import loads
 from robosmi.transformations.constraints.electrical_signals import signals
 from robosmi.transformations.constraints.electrical_supply import supply
-from robosmi.transformations.constraints.places import worst_first
+from robosmi.transformations.constraints.finding_locations import worst_first
 from robosmi.validate import EVL
 
 electrical = EVL()

@@ -9,7 +9,7 @@ from functools import partial
 
 from robosmi.metamodels import hardware
 from robosmi.transformations.constraints.electrical_supply import wiring_of
-from robosmi.transformations.constraints.places import drawing, fault
+from robosmi.transformations.constraints.finding_locations import drawing, fault
 from robosmi.transformations.queries.circuits.electrical import Kind, Role, Wiring, listed, who
 from robosmi.validate import EVL, Fail
 

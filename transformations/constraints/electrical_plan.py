@@ -13,7 +13,7 @@ from robosmi.model import EmfModel
 from robosmi.model.elements.strict import Element
 from robosmi.query import ancestor_of_kind, root_of
 from robosmi.transformations.constraints.electrical import electrical
-from robosmi.transformations.constraints.places import drawing, fault, worst_first
+from robosmi.transformations.constraints.finding_locations import drawing, fault, worst_first
 from robosmi.transformations.knowledge.libraries.library_takes import taken_of
 from robosmi.transformations.queries.circuits.circuit import role_on
 from robosmi.transformations.queries.circuits.electrical import Kind, Role, Wiring, listed, who, wiring

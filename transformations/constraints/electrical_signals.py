@@ -10,8 +10,8 @@ from functools import partial
 
 from robosmi.metamodels import hardware
 from robosmi.transformations.constraints.electrical_supply import wiring_of
-from robosmi.transformations.constraints.places import drawing, fault
-from robosmi.transformations.queries.circuits.connector_names import told_name
+from robosmi.transformations.constraints.finding_locations import drawing, fault
+from robosmi.transformations.queries.circuits.connector_names import displayed_name
 from robosmi.transformations.queries.circuits.electrical import BoardPin, Kind, Role, Wiring, listed, who
 from robosmi.validate import EVL, Fail
 
@@ -42,7 +42,7 @@ def DriversAreApart(n: hardware.Net) -> bool | Fail:
     driving = [(o, c) for o, c in w.on(n) if o.driver and w.means(c, "driver_output")]
     if len({(o, c.name) for o, c in driving}) < 2:  # one output may have two connectors
         return True
-    said = listed([f"{told_name(c)} of '{who(o)}'" for o, c in driving])
+    said = listed([f"{displayed_name(c)} of '{who(o)}'" for o, c in driving])
     return fault(driving[1][0], f"outputs are joined: {said}")
 
 
@@ -167,7 +167,7 @@ def BearsTheSignals(c: hardware.Component) -> bool | Fail:
         model = w.board_model(p.board)
         if p.connector.kind is Kind.signal and model is not None and model.volts > most and not _gives(p.connector.name):
             return fault(
-                c, f"{p.label} drives {told_name(p.connector)} of '{who(c)}' with {model.volts:g} V; it bears {most:g} V"
+                c, f"{p.label} drives {displayed_name(p.connector)} of '{who(c)}' with {model.volts:g} V; it bears {most:g} V"
             )
     return True
 

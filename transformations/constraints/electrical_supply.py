@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from robosmi.metamodels import hardware
-from robosmi.transformations.constraints.places import drawing, fault
-from robosmi.transformations.queries.circuits.circuit_walk import behind
-from robosmi.transformations.queries.circuits.connector_names import told_name
+from robosmi.transformations.constraints.finding_locations import drawing, fault
+from robosmi.transformations.queries.circuits.circuit_walk import beyond_driver
+from robosmi.transformations.queries.circuits.connector_names import displayed_name
 from robosmi.transformations.queries.circuits.electrical import Kind, Role, Wiring, listed, stated_volts, who, wiring
 from robosmi.validate import EVL, Fail
 
@@ -172,7 +172,7 @@ def _loads(w: Wiring, net: hardware.Net) -> Iterator[tuple[hardware.Component, i
         loads = [owner]
         supplies = [n for c, n in w.nets(owner) if c.kind is Kind.supply or w.means(c, "motor_supply")]
         if owner.driver and connector.kind is Kind.supply and all(n is net for n in supplies):
-            loads += behind(owner)[0]
+            loads += beyond_driver(owner)[0]
         for load in loads:
             if (peak := w.facts(load).peak_ma) and (load is not owner or _is_fed_there(w, owner, connector)):
                 yield load, peak
@@ -189,7 +189,7 @@ def BearsItsSupply(c: hardware.Component) -> bool | Fail:
     for connector, volts, _, most in _supplied_with(c):
         if most is not None and volts > most:
             return fault(
-                c, f"'{who(c)}' bears {most:g} V at {told_name(connector)}, and is given {volts:g} V", volts=volts, most=most
+                c, f"'{who(c)}' bears {most:g} V at {displayed_name(connector)}, and is given {volts:g} V", volts=volts, most=most
             )
     return True
 
@@ -199,7 +199,7 @@ def SupplyIsEnough(c: hardware.Component) -> bool | Fail:
     """The supply voltage of a component is not below its minimum."""
     for connector, volts, least, _ in _supplied_with(c):
         if least is not None and 0 < volts < least:
-            message = f"'{who(c)}' needs {least:g} V at {told_name(connector)}, and is given {volts:g} V"
+            message = f"'{who(c)}' needs {least:g} V at {displayed_name(connector)}, and is given {volts:g} V"
             return fault(c, message, volts=volts, least=least)
     return True
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from robosmi.metamodels import hardware
 from robosmi.query import ext
 from robosmi.transformations.constraints.electrical import electrical
-from robosmi.transformations.constraints.places import drawing
+from robosmi.transformations.constraints.finding_locations import drawing
 from robosmi.validate import EVL, Fail
 
 circuit = EVL()

@@ -16,7 +16,7 @@ from robosmi.query import root_of
 from robosmi.transformations.constraints.electrical_plan import terminal_functions
 from robosmi.transformations.knowledge.adapters.adapter_ranges import parameter_names
 from robosmi.transformations.queries.circuits.component_kinds import kinds_of
-from robosmi.transformations.queries.circuits.connector_names import told_names
+from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.plan_adapters import closure
 from robosmi.transformations.queries.plans.waiting_calls import unwired_needs
@@ -175,7 +175,7 @@ def PinDoesWhatIsAsked(b: migration.PortBinding) -> bool | Fail:
     """A pin has the abilities that the functions of its port need, and no other adapter uses its timer."""
     pin = bound_pin(b)
     assert pin is not None
-    for name, capability in asked_of(b):
+    for name, capability in requested_functions(b):
         if capability is platform.PinCapability.pwm and "pwm" not in pin.abilities:
             return Fail(
                 f"{name} needs PWM, and the {named(b)} is on {pin.label}, which has none: it is switched at half", pin=pin.label
@@ -189,7 +189,7 @@ def PinDoesWhatIsAsked(b: migration.PortBinding) -> bool | Fail:
     return True
 
 
-def asked_of(b: migration.PortBinding) -> Iterator[tuple[str, platform.PinCapability]]:
+def requested_functions(b: migration.PortBinding) -> Iterator[tuple[str, platform.PinCapability]]:
     """The functions that receive a port, each with the ability that it needs of the pin."""
     if b.conventionalPort is not None:
         yield b.name, b.conventionalPort.capability
@@ -259,7 +259,7 @@ def _on_one_wire(adapter: platform.Adapter) -> bool:
 
 
 def _wire(connection: migration.Connection) -> str:
-    return next(iter(told_names(connection.connectors)), str(connection.name))
+    return next(iter(displayed_names(connection.connectors)), str(connection.name))
 
 
 @connections.critique(

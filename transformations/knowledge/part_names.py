@@ -74,7 +74,7 @@ class JoinedPins(Struct, frozen=True):
     pins: int
 
 
-class SignalBeside(Struct, frozen=True):
+class ConditionalSignal(Struct, frozen=True):
     """Connector names that are signals on a part that also has all names of one of these groups."""
 
     names: frozenset[str]
@@ -106,7 +106,7 @@ class PartNames(Struct, frozen=True):
     solder_jumpers: tuple[str, ...] = ()
     symbols: Mapping[str, tuple[str, ...]] = {}
     joined: tuple[JoinedPins, ...] = ()
-    signals: tuple[SignalBeside, ...] = ()
+    signals: tuple[ConditionalSignal, ...] = ()
     generated: tuple[GeneratedShape, ...] = ()
 
 
@@ -135,7 +135,7 @@ def connector_kind(name: str, known: PartNames) -> str:
     return "unknown" if word in known.names["idle"] or _NUMBERED.fullmatch(word) else "signal"
 
 
-def signals_beside(of_part: Iterable[str], known: PartNames) -> frozenset[str]:
+def conditional_signals(of_part: Iterable[str], known: PartNames) -> frozenset[str]:
     """The names, in lower case, that are signals on a part with these connectors, whatever they are elsewhere.
 
     The `G` of a transistor is its gate, that of a display a segment; `+` and `-` of an amplifier are its inputs.
@@ -247,7 +247,9 @@ def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
             for entry in drawn.tables("joined", needed=False)
         ),
         signals=tuple(
-            SignalBeside(frozenset(entry.texts("names")), tuple(frozenset(group) for group in entry.lists_of_texts("beside")))
+            ConditionalSignal(
+                frozenset(entry.texts("names")), tuple(frozenset(group) for group in entry.lists_of_texts("beside"))
+            )
             for entry in drawn.tables("signals", needed=False)
         ),
         generated=tuple(

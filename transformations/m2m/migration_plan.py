@@ -23,7 +23,7 @@ from robosmi.transformations.knowledge.platforms.target_platform import TargetFa
 from robosmi.transformations.m2m.adapters.adapter_choice import AdapterChoice, settle_libraries
 from robosmi.transformations.m2m.choices.library_choice import NO_LIBRARY, LibraryModels, choose_libraries
 from robosmi.transformations.m2m.choices.plan_checks import plan_checks, port_calls
-from robosmi.transformations.m2m.choices.stored_choices import Said
+from robosmi.transformations.m2m.choices.stored_choices import UserChoice
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence, partition
 from robosmi.transformations.m2m.partition.text_changes import mark_rewritten
 from robosmi.transformations.m2m.plan_tasks import plan_findings, plan_tasks
@@ -36,7 +36,7 @@ from robosmi.transformations.queries.ports.ports import ProgramPorts
 from robosmi.transformations.queries.source_text import words_of
 
 
-class LibrariesSaid(Struct, frozen=True):
+class UserLibraries(Struct, frozen=True):
     """What persons chose about libraries, and how sure rules must be to choose.
 
     Attributes:
@@ -50,7 +50,7 @@ class LibrariesSaid(Struct, frozen=True):
     libraries: Mapping[str, str] = {}
     limit: float = 0.8
     candidates: int = 10
-    stored: Mapping[tuple[str, str], Said] = {}
+    stored: Mapping[tuple[str, str], UserChoice] = {}
     places: Mapping[str, Location] = {}
 
 
@@ -81,7 +81,7 @@ def decide_libraries(
     drawn: Hardware | None,
     board: platform.Board,
     target: TargetFacts,
-    choices: LibrariesSaid,
+    choices: UserLibraries,
     ranker: Ranker | None,
     history: EarlierChoices,
 ) -> tuple[list[migration.LibraryChoice], LibraryModels]:

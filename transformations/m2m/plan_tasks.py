@@ -21,7 +21,7 @@ from robosmi.transformations.m2m.partition.text_changes import settle_bindings
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.binding_edits import binding_links, referred, trace_binding
-from robosmi.transformations.queries.plans.plan import beside_its_declaration, called, needs_own_types
+from robosmi.transformations.queries.plans.plan import called, is_at_declaration, needs_own_types
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED
 from robosmi.transformations.queries.plans.verdicts import UNDEFINED, body_effort, unserved_headers
 from robosmi.transformations.queries.ports.idle_ports import is_idle
@@ -136,7 +136,7 @@ def _place(element: ccode.Located | None) -> dict[str, object]:
 
 def _where(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> str:
     """The name of the file that contains the adapter."""
-    beside = beside_its_declaration(adapter) or needs_own_types(adapter)
+    beside = is_at_declaration(adapter) or needs_own_types(adapter)
     return f"in the {called(plan)}" if beside else "in adapters.h"
 
 
@@ -166,7 +166,7 @@ def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 def _declared(plan: migration.MigrationPlan, adapter: migration.AdapterUse) -> ccode.Function | None:
     """Where the program declares a function whose body a person has to write there."""
-    units = plan.program.units if plan.program is not None and beside_its_declaration(adapter) else ()
+    units = plan.program.units if plan.program is not None and is_at_declaration(adapter) else ()
     own = (d for unit in units for d in unit.declarations if isinstance(d, ccode.Function) and d.name == adapter.name)
     return next(own, None)
 

@@ -33,11 +33,11 @@ def adapter_text(
     lines = [f"#include {header}" for header in includes(pieces)]
     lines += declarations(pieces, pins, unbound, numbers)
     for piece, above in zip(pieces, (None, *pieces), strict=False):
-        lines += [""] * apart(piece, above) + [f"// {line}" for line in comment(piece)] + [str(piece.text)]
+        lines += [""] * is_separated(piece, above) + [f"// {line}" for line in comment(piece)] + [str(piece.text)]
     return "\n".join(lines) + "\n"
 
 
-def apart(piece: platform.Adapter, above: platform.Adapter | None) -> bool:
+def is_separated(piece: platform.Adapter, above: platform.Adapter | None) -> bool:
     """Whether a blank line separates a piece from the one above it; constants without comments stand together."""
     return above is None or not all(
         each.pieceKind is platform.PieceKind.constant and not comment(each) for each in (piece, above)

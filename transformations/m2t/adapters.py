@@ -13,13 +13,13 @@ from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.query import all_of_kind, ancestor_of_kind
-from robosmi.transformations.m2t.adapter_text import apart, comment, declarations, includes, shared
+from robosmi.transformations.m2t.adapter_text import comment, declarations, includes, is_separated, shared
 from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.circuits.circuit import pin_literal
-from robosmi.transformations.queries.plans.plan import beside_its_declaration, needs_own_types, target_of
+from robosmi.transformations.queries.plans.plan import is_at_declaration, needs_own_types, target_of
 from robosmi.transformations.queries.plans.plan_adapters import emitted
 from robosmi.transformations.queries.plans.port_pins import UNBOUND, port_literals
-from robosmi.transformations.queries.ports.split_wires import answering_pin, asking_pin
+from robosmi.transformations.queries.ports.split_wires import answering_pin, written_pin
 from robosmi.transformations.queries.programs.main_function import main_of
 from robosmi.transformations.queries.source_text import is_header
 
@@ -103,7 +103,7 @@ def adapter_pieces(plan: migration.MigrationPlan) -> dict[str, Any]:
             *declarations(pieces, pins, UNBOUND, numbers, storage),
         ],
         "pieces": [
-            PieceText(piece, users.get(piece, []), apart(piece, above), comment(piece), written(_text(piece, changed)))
+            PieceText(piece, users.get(piece, []), is_separated(piece, above), comment(piece), written(_text(piece, changed)))
             for piece, above in zip(pieces, (None, *pieces), strict=False)
         ],
     }
@@ -176,7 +176,7 @@ def _split_wires(plan: migration.MigrationPlan, pieces: Iterable[platform.Adapte
     pairs = [
         (asked, heard)
         for b in plan.portBindings
-        if (asked := asking_pin(b, list(plan.connections))) and (heard := answering_pin(b))
+        if (asked := written_pin(b, list(plan.connections))) and (heard := answering_pin(b))
     ]
     if not pairs or not any(piece.name == SPLIT_WIRES for piece in pieces):
         return []
@@ -190,9 +190,9 @@ SPLIT_WIRES = "asking"
 """The piece that looks up the two pins of a component with one wire per direction."""
 
 
-def made_apart(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:
+def separate_placeholders(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:
     """The placeholders that are emitted as functions of their own, not in place of the program's declaration."""
-    return [use for use in plan.adapterUses if use.adapter is None and not beside_its_declaration(use)]
+    return [use for use in plan.adapterUses if use.adapter is None and not is_at_declaration(use)]
 
 
 def with_own_types(plan: migration.MigrationPlan) -> list[migration.AdapterUse]:

@@ -19,10 +19,10 @@ from robosmi.query import Q, ancestor_of_kind
 from robosmi.transformations.m2t.circuits.circuit_picture import svg
 from robosmi.transformations.m2t.first_screen import Counted, counted, first_screen, task_place
 from robosmi.transformations.m2t.task_list import VERDICT_RULES, WHO
-from robosmi.transformations.queries.circuits.connector_names import told_names
+from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.plans.answers import answer
-from robosmi.transformations.queries.plans.choices import Choice, OfferedChoice, Option, choices, offered_choices, reason
-from robosmi.transformations.queries.plans.plan import said
+from robosmi.transformations.queries.plans.choices import AvailableChoice, Choice, Option, available_choices, choices, reason
+from robosmi.transformations.queries.plans.plan import as_findings
 from robosmi.transformations.queries.plans.verdicts import verdict_counts
 from robosmi.transformations.queries.reports.work import Work
 from robosmi.transformations.queries.reports.written_bodies import task_key
@@ -46,7 +46,7 @@ def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Co
 
 def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: str) -> dict[str, Any]:
     """Each choice with its possible answers, the open ones first."""
-    told = {each.id: each for each in offered_choices(plan)}
+    told = {each.id: each for each in available_choices(plan)}
     shown = [_choice(plan, one, told[one.id], sources, output) for one in choices(plan)]
     shown += [_role(told[identity], output) for identity in told if identity.startswith("role:")]
     open_ = [one for one in shown if one["open"]]
@@ -54,7 +54,7 @@ def decide(plan: migration.MigrationPlan, sources: Mapping[str, bytes], output: 
     return {"open": open_, "made": [one for one in shown if not one["open"]], "wants_drawing": drawing}
 
 
-def _role(told: OfferedChoice, output: str) -> dict[str, Any]:
+def _role(told: AvailableChoice, output: str) -> dict[str, Any]:
     """The choice of a component's role; it is never open, since an unknown component counts as an input."""
     return {
         "id": told.id, "kind": "role", "subject": told.subject, "open": False, "chosen": told.chosen,
@@ -69,7 +69,7 @@ def _role(told: OfferedChoice, output: str) -> dict[str, Any]:
 
 
 def _choice(
-    plan: migration.MigrationPlan, one: Choice, told: OfferedChoice, sources: Mapping[str, bytes], output: str
+    plan: migration.MigrationPlan, one: Choice, told: AvailableChoice, sources: Mapping[str, bytes], output: str
 ) -> Mapping[str, Json]:
     decision, how = one.decision, answer(plan, one.decision)
     pins = {c.name: c for c in plan.connections}
@@ -106,7 +106,7 @@ def _on(connection: migration.Connection) -> str:
     component = connection.component
     if component is None:
         return str(pin)
-    wires = ", ".join(told_names(connection.connectors))
+    wires = ", ".join(displayed_names(connection.connectors))
     return f"{pin}: {wires} of {component.title}{f' ({component.partTitle})' if component.partTitle else ''}"
 
 
@@ -114,7 +114,7 @@ def _short(connection: migration.Connection) -> str:
     """A connection in short: the pin, the connectors, the component."""
     pin = str(connection.pin.label) if connection.pin is not None else str(connection.name)
     component = connection.component
-    wires = ", ".join(told_names(connection.connectors))
+    wires = ", ".join(displayed_names(connection.connectors))
     return f"{pin}: {wires} of {component.title}" if component is not None else pin
 
 
@@ -223,11 +223,11 @@ def wiring(plan: migration.MigrationPlan, places: dict[str, str]) -> dict[str, A
     for binding in plan.portBindings:
         if binding.pin is not None:
             ports.setdefault(binding.pin.label, []).append(str(binding.name))
-    wrong = said(Q(f for f in plan.findings if str(f.rule).startswith("RS2")), places)
+    wrong = as_findings(Q(f for f in plan.findings if str(f.rule).startswith("RS2")), places)
     rows = [
         (
             c.pin.label if c.pin is not None else "", str(c.component.title) if c.component is not None else "",
-            ", ".join(told_names(c.connectors)), str(c.name),
+            ", ".join(displayed_names(c.connectors)), str(c.name),
             ", ".join(ports.get(c.pin.label, [])) if c.pin is not None else "",
         )
         for c in plan.connections
@@ -244,7 +244,7 @@ def _image(picture: str) -> str:
 
 def verdict(plan: migration.MigrationPlan, picture: str, places: dict[str, str]) -> dict[str, Json]:
     """The result of comparing the sketch with the original, empty if that was not done."""
-    told = [finding_row(f) for f in said(Q(f for f in plan.findings if f.rule in VERDICT_RULES), places)]
+    told = [finding_row(f) for f in as_findings(Q(f for f in plan.findings if f.rule in VERDICT_RULES), places)]
     return {"told": told, "picture": _image(picture) if picture and told else ""}
 
 

@@ -15,7 +15,7 @@ from robosmi.errors import UsageError, did_you_mean
 from robosmi.metamodels import migration
 from robosmi.quoting import csv_cell, toml
 from robosmi.transformations.queries.circuits.circuit import pin_label
-from robosmi.transformations.queries.circuits.connector_names import told_name
+from robosmi.transformations.queries.circuits.connector_names import displayed_name
 
 _ENDINGS = (".csv", ".toml")
 _COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "rest", "board")
@@ -59,7 +59,7 @@ def _row(connection: migration.Connection, rests: Mapping[str, str]) -> dict[str
         "part": (component.partTitle or component.title or component.partId) if component else "",
         "role": component.role.name if component else "",
         "title": (component.title or f"#{component.elementId}") if component else "",
-        "connector": " ".join(told_name(connection.connectors[0]).split()) if connection.connectors else "",
+        "connector": " ".join(displayed_name(connection.connectors[0]).split()) if connection.connectors else "",
         "driver": "true" if component and component.driver else "",
         "through": "; ".join((part.title or part.partTitle).replace(";", ",") for part in connection.via),
         "rest": rests.get(component.elementId, "") if component else "",

@@ -24,7 +24,7 @@ from robosmi.base.data_text import Json
 from robosmi.errors import UsageError
 from robosmi.generate import Gen, Generation
 from robosmi.metamodels import ccode, hardware, migration
-from robosmi.transformations.m2t.adapters import adapter_pieces, adapters, made_apart, with_own_types
+from robosmi.transformations.m2t.adapters import adapter_pieces, adapters, separate_placeholders, with_own_types
 from robosmi.transformations.m2t.first_screen import Counted
 from robosmi.transformations.m2t.program_text import file_name, own_header, program_text
 from robosmi.transformations.m2t.task_list import report
@@ -102,7 +102,7 @@ def program_files(
 
     @g.rule(template=templates.adapters, target=f"{plan.name}/{ADAPTERS_FILE}")
     def Adapters() -> dict[str, Any]:
-        listed = adapters(plan, made_apart(plan))
+        listed = adapters(plan, separate_placeholders(plan))
         return {
             "plan": plan,
             **adapter_pieces(plan),

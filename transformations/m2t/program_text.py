@@ -16,7 +16,7 @@ from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2t.adapters import adapters, handles_interrupts
 from robosmi.transformations.m2t.main_text import MainPart, heading, hoisted_parts, main_parts
 from robosmi.transformations.queries.own_headers import headers_of_types, undeclared, undeclared_variables, unit_of
-from robosmi.transformations.queries.plans.plan import keeps_main, target_of
+from robosmi.transformations.queries.plans.plan import preserves_main, target_of
 from robosmi.transformations.queries.plans.plan_adapters import rest_levels
 from robosmi.transformations.queries.plans.verdicts import IN_PLACE
 from robosmi.transformations.queries.programs.main_function import main_of
@@ -113,7 +113,7 @@ def program_text(
     """
     unit = source.unit
     functions = [d for d in unit.declarations if isinstance(d, ccode.Function) and d.definition]
-    main = None if keeps_main(plan) else main_of(unit)
+    main = None if preserves_main(plan) else main_of(unit)
     prototypes: dict[str, list[ccode.Function]] = {}
     for declared in unit.declarations:
         if isinstance(declared, ccode.Function) and not declared.definition:

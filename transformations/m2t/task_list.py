@@ -12,7 +12,7 @@ from typing import Any
 from robosmi.base.data_text import Json
 from robosmi.metamodels import ccode, migration
 from robosmi.transformations.m2t.first_screen import Counted, FirstScreen, first_screen, task_place
-from robosmi.transformations.queries.circuits.connector_names import told_names
+from robosmi.transformations.queries.circuits.connector_names import displayed_names
 from robosmi.transformations.queries.plans.choices import reason
 from robosmi.transformations.queries.plans.plan import called, header_name
 from robosmi.transformations.queries.plans.plan_adapters import limits
@@ -133,7 +133,7 @@ def _wire(connection: migration.Connection, plan: migration.MigrationPlan) -> di
     return {
         "pin": connection.pin.label if connection.pin else "",
         "component": connection.component.title if connection.component else "",
-        "connectors": ", ".join(told_names(connection.connectors)),
+        "connectors": ", ".join(displayed_names(connection.connectors)),
         "via": ", ".join(c.title for c in connection.via),
         "name": connection.name,
         "ports": ", ".join(ports) or "none",

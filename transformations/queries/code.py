@@ -153,7 +153,7 @@ class CodeView:
                 found.setdefault(name, CalledFunction(name, callee=callee)).calls.append(call)
             for name in self._called_in_macros():
                 found.setdefault(name, CalledFunction(name)).in_macro = True
-            for name, made in self.made.items():
+            for name, made in self.macro_calls.items():
                 if name in found or (not self.defined(name) and self.resolve(name) is not None):  # a body may not show the name
                     found.setdefault(name, CalledFunction(name, in_macro=True)).made = made
             for function in found.values():
@@ -162,7 +162,7 @@ class CodeView:
         return self._functions
 
     @cached_property
-    def made(self) -> dict[str, list[ccode.Call]]:
+    def macro_calls(self) -> dict[str, list[ccode.Call]]:
         """The calls that the program's macros make where they are used in the unit, by name of the function."""
         found: dict[str, list[ccode.Call]] = {}
         for call in self.of_kind(ccode.Call):

@@ -35,7 +35,7 @@ def _without_name(definition: ccode.Typedef) -> ccode.Record | None:
     return next((record for record in records if start <= record.startOffset < end), None)
 
 
-def says_where(element: ccode.Located) -> bool:
+def is_designated(element: ccode.Located) -> bool:
     """Whether an element of an initialiser list is designated: `.name = value`, `[index] = value`."""
     left = element.left if isinstance(element, ccode.Assignment) else None
     return isinstance(left, ccode.Member) or (isinstance(left, ccode.Index) and left.array is None)
@@ -43,7 +43,7 @@ def says_where(element: ccode.Located) -> bool:
 
 def value_in(element: ccode.Expression | None) -> ccode.Expression | None:
     """The value of an element of an initialiser list, without its designator."""
-    return element.right if isinstance(element, ccode.Assignment) and says_where(element) else element
+    return element.right if isinstance(element, ccode.Assignment) and is_designated(element) else element
 
 
 def leaves(expression: ccode.Expression | None) -> Iterator[ccode.Expression]:
@@ -81,7 +81,7 @@ def members_given(
     places = {str(member.name): place for place, member in enumerate(record.fields)}
     place = 0
     for element, value in zip(initialiser.elements, inside, strict=True):
-        left = element.left if isinstance(element, ccode.Assignment) and says_where(element) else None
+        left = element.left if isinstance(element, ccode.Assignment) and is_designated(element) else None
         place = places.get(str(left.name), place) if isinstance(left, ccode.Member) else place
         member = record.fields[place] if place < len(record.fields) else None
         place += 1

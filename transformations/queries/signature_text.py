@@ -29,7 +29,7 @@ def split(parameters: str) -> list[str]:
     return [p.strip() for p in parts if p.strip() not in ("", "...", "void")]
 
 
-def taken_apart(signature: str) -> tuple[str, str, list[str]]:
+def split_signature(signature: str) -> tuple[str, str, list[str]]:
     """Return type, name and parameters of a signature; empty if the text is no signature."""
     found = _HEAD.match(signature.strip())
     return (found["returns"].strip(), found["name"], split(found["rest"])) if found else ("", "", [])
@@ -84,7 +84,7 @@ def declare(spelling: str, name: str) -> str:
 
 def function_type(signature: str) -> FunctionType:
     """The return type and the parameter types of a signature."""
-    returns, _, parameters = taken_apart(signature)
+    returns, _, parameters = split_signature(signature)
     return FunctionType(returns, tuple(parameter_type(p) for p in parameters))
 
 

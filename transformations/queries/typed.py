@@ -16,15 +16,15 @@ from msgspec import Struct
 from robosmi.transformations.queries.macros.macro_definitions import TextPlace
 from robosmi.transformations.queries.numbers import Number
 
-DEEP = 6000
+MAX_DEPTH = 6000
 """Python's recursion limit for expression trees as deep as the parser's, with several calls a level."""
 
 
 @contextmanager
-def deep_calls() -> Iterator[None]:
-    """Raise Python's recursion limit to `DEEP`: sums of hundreds of terms are trees as deep as that."""
+def raised_recursion_limit() -> Iterator[None]:
+    """Raise Python's recursion limit to `MAX_DEPTH`: sums of hundreds of terms are trees as deep as that."""
     limit = sys.getrecursionlimit()
-    sys.setrecursionlimit(max(limit, DEEP))
+    sys.setrecursionlimit(max(limit, MAX_DEPTH))
     try:
         yield
     finally:

@@ -34,11 +34,11 @@ from robosmi.transformations.knowledge.drawn_boards import DrawnBoard, drawn_boa
 from robosmi.transformations.knowledge.drawn_chips import port_of
 from robosmi.transformations.knowledge.part import GIVEN, KINDS, ROLES, Part, PartConnector
 from robosmi.transformations.knowledge.part_names import (
+    conditional_signals,
     conducts_by_bus_only,
     connector_kind,
     controls_supply,
     names,
-    signals_beside,
 )
 from robosmi.transformations.knowledge.part_roles import classify, classify_by_id, classify_drawn
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
@@ -309,7 +309,7 @@ class CircuitBuilder:
         facts = [self._renamed(fact, placed.names.get(fact.id, "")) for fact in facts] if placed.names else facts
         if len(facts) == 2 and part.role not in ("Power", "Board"):  # + and - of a lamp are no supply
             facts = [replace(f, kind="signal") if f.name.lower() in self.names.names["polarity"] else f for f in facts]
-        if signals := signals_beside((fact.name for fact in facts), self.names):
+        if signals := conditional_signals((fact.name for fact in facts), self.names):
             facts = [replace(f, kind="signal") if f.name.strip().lower() in signals else f for f in facts]
         return facts
 

@@ -20,7 +20,7 @@ from robosmi import inputs
 from robosmi.base.data_text import Json, json_of
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
-from robosmi.recommend.words import chunks, words
+from robosmi.recommend.tokens import chunks, words
 from robosmi.transformations.t2m.library_declarations import declarations
 from robosmi.transformations.t2m.library_rows import HeaderRow, LibraryRow
 

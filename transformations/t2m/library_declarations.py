@@ -109,7 +109,7 @@ def _statement(parts: list[Part], at: int, scan: _Scan) -> int:
             scan.scopes[-1].public = text == "public"
             return end + 1
     if text == "template" and following == "<":
-        return behind_angles(parts, at + 1)
+        return after_angles(parts, at + 1)
     if text == "[" and following == "[":
         return closing_of(parts, at)
     if text == "extern" and at + 2 < len(parts) and parts[at + 1][0] == "string" and parts[at + 2][1] == "{":
@@ -120,9 +120,9 @@ def _statement(parts: list[Part], at: int, scan: _Scan) -> int:
     if parts[at + head][1] == "namespace":
         return _namespace(parts, at + head + 1, scan)
     if text in ("using", "static_assert"):
-        return behind_statement(parts, at)
+        return after_statement(parts, at)
     if text == "friend":
-        return behind_variable(parts, at)
+        return after_variable(parts, at)
     if (marked := _marked(parts, at)) is not None:
         return marked
     first = at + 1 if text == "typedef" else at
@@ -131,7 +131,7 @@ def _statement(parts: list[Part], at: int, scan: _Scan) -> int:
         if opening is not None:
             return (_enumeration if parts[first][1] == "enum" else _class)(parts, first, opening, scan)
     if text == "typedef":
-        return behind_statement(parts, at)
+        return after_statement(parts, at)
     return _declaration(parts, at, scan)
 
 
@@ -164,7 +164,7 @@ def _opening(parts: list[Part], at: int) -> int | None:
             return None
         if text in (";", "=", ")", "}"):
             return None
-        at = closing_of(parts, at) if text in ("(", "[") else behind_angles(parts, at) if text == "<" else at + 1
+        at = closing_of(parts, at) if text in ("(", "[") else after_angles(parts, at) if text == "<" else at + 1
     return None
 
 
@@ -174,7 +174,7 @@ def _class(parts: list[Part], at: int, opening: int, scan: _Scan) -> int:
     while place < opening and parts[place][1] != ":":
         text = parts[place][1]
         if text == "<":
-            place = behind_angles(parts, place)
+            place = after_angles(parts, place)
             continue
         if text in ("(", "["):
             place = closing_of(parts, place)
@@ -222,7 +222,7 @@ def _enumeration(parts: list[Part], at: int, opening: int, scan: _Scan) -> int:
                 listed.append(text)
             expected = text == ","
             place += 1
-    return behind_statement(parts, end)
+    return after_statement(parts, end)
 
 
 def _declaration(parts: list[Part], at: int, scan: _Scan) -> int:
@@ -234,7 +234,7 @@ def _declaration(parts: list[Part], at: int, scan: _Scan) -> int:
             opening = place + 1
             while opening < len(parts) and (parts[opening][1] != "(" or opening == place + 1):
                 if parts[opening][1] in (";", "{", "}"):
-                    return behind_statement(parts, at)
+                    return after_statement(parts, at)
                 opening += 1
             return _function(parts, at, place, opening, scan)
         if text == "(":
@@ -244,8 +244,8 @@ def _declaration(parts: list[Part], at: int, scan: _Scan) -> int:
             return _function(parts, at, place - 1, place, scan)
         if text in (";", "=", "{", "}", ":"):
             break
-        place = closing_of(parts, place) if text == "[" else behind_angles(parts, place) if text == "<" else place + 1
-    return place + 1 if place < len(parts) and parts[place][1] == ":" else behind_variable(parts, place)
+        place = closing_of(parts, place) if text == "[" else after_angles(parts, place) if text == "<" else place + 1
+    return place + 1 if place < len(parts) and parts[place][1] == ":" else after_variable(parts, place)
 
 
 def _function(parts: list[Part], at: int, named: int, opening: int, scan: _Scan) -> int:
@@ -268,7 +268,7 @@ def _function(parts: list[Part], at: int, named: int, opening: int, scan: _Scan)
             named += 1
         opening = named + 1
         if opening >= len(parts) or parts[opening][1] != "(":
-            return behind_statement(parts, behind)
+            return after_statement(parts, behind)
         while head and head[-1][1] in ("*", "&"):
             head = head[:-1]
         head = [*head, *parts[behind + 1 : named]]
@@ -350,7 +350,7 @@ def _behind_body(parts: list[Part], at: int) -> int:
     if parts[at][1] == "{":
         return closing_of(parts, at)
     if parts[at][1] != ":":
-        return behind_statement(parts, at)
+        return after_statement(parts, at)
     at += 1
     while at < len(parts) and parts[at][1] not in (";", "}"):
         if parts[at][1] == "{" and parts[at - 1][1] in (")", "}"):
@@ -454,7 +454,7 @@ def closing_of(parts: list[Part], at: int) -> int:
     return len(parts)
 
 
-def behind_angles(parts: list[Part], at: int) -> int:
+def after_angles(parts: list[Part], at: int) -> int:
     """The index after the `<...>` that begins here."""
     depth, place = 0, at
     while place < len(parts):
@@ -471,7 +471,7 @@ def behind_angles(parts: list[Part], at: int) -> int:
     return place
 
 
-def behind_statement(parts: list[Part], at: int) -> int:
+def after_statement(parts: list[Part], at: int) -> int:
     """The index after the `;` of the statement that begins here, or of the `}` that closes its scope."""
     while at < len(parts):
         text = parts[at][1]
@@ -483,7 +483,7 @@ def behind_statement(parts: list[Part], at: int) -> int:
     return at
 
 
-def behind_variable(parts: list[Part], at: int) -> int:
+def after_variable(parts: list[Part], at: int) -> int:
     """The index after a variable, or after a body without a head."""
     while at < len(parts):
         text = parts[at][1]

@@ -23,7 +23,7 @@ from robosmi.transformations.verification.bound_devices.played_devices import br
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.bound_devices.simulated_kinds import SimulatedKind, device_facts
 from robosmi.transformations.verification.bound_devices.varied_devices import MOVED_MS, moved_devices, put_down_anywhere
-from robosmi.transformations.verification.places_seen import rests_seen
+from robosmi.transformations.verification.rest_comparison import observed_rests
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_calls import with_place
 from robosmi.verify.original_coverage import coverage
@@ -46,7 +46,7 @@ from robosmi.verify.traces.activity import (
 )
 from robosmi.verify.traces.alignment import numbers_of, shape_of, with_vague_widths
 from robosmi.verify.traces.comparison import NOT_EXERCISED, RACY, SAME, ChannelComparison, ClosedLoop, compare
-from robosmi.verify.traces.driven_lines import held_levels, let_go_levels, pulse_lengths
+from robosmi.verify.traces.driven_lines import let_go_levels, level_durations, pulse_lengths
 from robosmi.verify.traces.goals_of_motions import Rest
 from robosmi.verify.traces.pulses import pulses_of
 
@@ -59,7 +59,7 @@ STANDING = " standing"
 """Suffix of the channel with when none of the wheels is driven for which the program waits."""
 Place = tuple[str | int, ...]
 """(file, line) or (file, line, number of a branch) in the source, ("channel", name), or a goal of `scenario_goals`."""
-Seen = dict[str, list[list[ActivityEvent]]]
+ChannelEvents = dict[str, list[list[ActivityEvent]]]
 """Name of each channel -> for each of `SIGHTS` its events in one run."""
 SETTLED = ("running", "finished")
 """Statuses of runs that ended by themselves, or at the horizon."""
@@ -120,7 +120,7 @@ class SourceRuns(Struct, frozen=True):
         return self.nominal.status in SETTLED and any(run.status not in SETTLED for run in self.varied)
 
     @property
-    def racy_channels(self) -> list[str]:
+    def nondeterministic_channels(self) -> list[str]:
         """The channels on which the runs of the source differ from each other."""
         horizon = self.nominal.trace.simulated_us / 1000
         return [
@@ -130,7 +130,7 @@ class SourceRuns(Struct, frozen=True):
         ]
 
 
-def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) -> Seen:
+def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) -> ChannelEvents:
     """The events of each channel in a trace, for each of `SIGHTS`: the watched ports, what devices report, and the console.
 
     Args:
@@ -142,7 +142,7 @@ def channel_events(trace: PinTrace, ports: Sequence[BoundPort], target: bool) ->
     for port in ports:
         known = device_facts().get(port.device, {})
         if port.compared and known.get("driven"):
-            found[f"{port.title}{DRIVEN}"] = [held_levels(trace, port.target if target else port.source)]
+            found[f"{port.title}{DRIVEN}"] = [level_durations(trace, port.target if target else port.source)]
         elif port.compared and known.get("driven_as_output"):
             found[f"{port.title}{DRIVEN}"] = _at_port(trace, port, target)
         elif port.watched and port.pulsed:
@@ -260,7 +260,7 @@ def run_source(
 
 
 def places_reached(
-    program: OriginalProgram, run: OriginalRun, ports: Sequence[BoundPort], seen: Seen | None = None
+    program: OriginalProgram, run: OriginalRun, ports: Sequence[BoundPort], seen: ChannelEvents | None = None
 ) -> frozenset[Place]:
     """The lines and branches of the source that a run has reached, and the channels on which something has happened.
 
@@ -281,7 +281,7 @@ def places_reached(
 
 def run_varied(
     program: OriginalProgram, ports: Sequence[BoundPort], scenario: Scenario, nominal: OriginalRun, limit_s: float = 60.0,
-    until_racy: bool = False, own: Seen | None = None,
+    until_racy: bool = False, own: ChannelEvents | None = None,
 ) -> SourceRuns:  # fmt: skip
     """Add the varied runs of a scenario to its nominal run.
 
@@ -298,7 +298,7 @@ def run_varied(
     devices = played(ports, scenario, target=False)
     until = used_s() + limit_s
     seen = [channel_events(nominal.trace, ports, target=False) if own is None else own]
-    rests = {name: [each] for name, each in rests_seen(nominal.trace, ports, target=False).items()}
+    rests = {name: [each] for name, each in observed_rests(nominal.trace, ports, target=False).items()}
     loop = _loop(nominal.trace, ports)
     runs = SourceRuns(nominal, (), _by_channel(seen), nominal.status if nominal.status in LIMITS else "", loop, rests)
     for variation in _FACTORS if not runs.given_up else ():
@@ -311,10 +311,10 @@ def run_varied(
         rests = _with_rests(rests, run.trace, ports)
         emptied = replace(run, trace=replace(run.trace, changes=(), waves=(), console=(), device_events=()))
         runs = SourceRuns(nominal, (*runs.varied, emptied), _by_channel(seen), loop=loop, rests=rests)
-        if until_racy and runs.racy_channels:
+        if until_racy and runs.nondeterministic_channels:
             return runs
 
-    def again(showing: Sequence[DeviceUse]) -> Seen:
+    def again(showing: Sequence[DeviceUse]) -> ChannelEvents:
         run = _run(program, ports, scenario, showing, until)
         return channel_events(run.trace, ports, target=False)
 
@@ -362,7 +362,7 @@ def _with_rests(
     rests: Mapping[str, list[list[Rest]]], trace: PinTrace, ports: Sequence[BoundPort]
 ) -> dict[str, list[list[Rest]]]:
     """The places of rest, with those of one more run of the source added."""
-    seen = rests_seen(trace, ports, target=False)
+    seen = observed_rests(trace, ports, target=False)
     return {name: [*each, seen[name]] for name, each in rests.items()}
 
 
@@ -373,7 +373,7 @@ def _loop(trace: PinTrace, ports: Sequence[BoundPort]) -> ClosedLoop | None:
     return ClosedLoop(min(driven) / 1000, max(port.loop_ms for port in wheels)) if driven else None
 
 
-def _by_channel(seen: Sequence[Seen]) -> dict[str, list[list[list[ActivityEvent]]]]:
+def _by_channel(seen: Sequence[ChannelEvents]) -> dict[str, list[list[list[ActivityEvent]]]]:
     return {name: [list(runs) for runs in zip(*(each[name] for each in seen), strict=True)] for name in seen[0]}
 
 

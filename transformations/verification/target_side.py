@@ -20,7 +20,7 @@ from robosmi.verify.toolchains.processes import in_parallel
 
 LIMIT_S = 60.0
 """Seconds of processor time for each run of the target, the nominal run of the source, and all its varied runs together."""
-NOTHING_SEEN = PinTrace("", "crashed", 0.0, (), (), (), ())
+EMPTY_TRACE = PinTrace("", "crashed", 0.0, (), (), (), ())
 """The trace of a run of which no simulator has reported anything."""
 
 

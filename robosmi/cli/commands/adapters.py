@@ -10,7 +10,7 @@ from robosmi.plugins import content
 from robosmi.report import Report
 
 if TYPE_CHECKING:
-    from robosmi.cli.answers import ToldAdapters
+    from robosmi.cli.answers import AdapterAnswer
     from robosmi.cli.options import Options
 
 
@@ -48,7 +48,7 @@ def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("adapters")
     if arguments.action == "list":
-        done: ToldAdapters = content("chain", "adapters_list")(arguments.target, arguments.source_platform)
+        done: AdapterAnswer = content("chain", "adapters_list")(arguments.target, arguments.source_platform)
     elif arguments.action == "show":
         done = content("chain", "adapters_show")(arguments.name, arguments.target, arguments.source_platform)
     else:

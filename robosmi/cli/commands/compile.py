@@ -31,7 +31,7 @@ class _Arguments(argparse.Namespace):
 
 def run(arguments: _Arguments) -> Report:
     """Run the command."""
-    from robosmi.verify.toolchains.kept_program import compile_into
+    from robosmi.verify.toolchains.compiled_program import compile_into
 
     compiled = compile_into(arguments.output, arguments.board, into=arguments.into)
     report = Report("compile", ok=compiled.exit_code == 0, failure_code=compiled.exit_code)

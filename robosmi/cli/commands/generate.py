@@ -12,7 +12,7 @@ from robosmi.plugins import content
 from robosmi.report import Report
 
 if TYPE_CHECKING:
-    from robosmi.api import MadeSketch
+    from robosmi.api import MigratedSketch
     from robosmi.cli.options import Options
 
 
@@ -38,7 +38,7 @@ class _Arguments(argparse.Namespace):
 def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("generate")
-    done: MadeSketch = content("chain", "generate")(
+    done: MigratedSketch = content("chain", "generate")(
         arguments.plan, arguments.output, dry_run=arguments.dry_run, strict=arguments.strict, bench=arguments.bench
     )
     return filled(report, done, {}, ())

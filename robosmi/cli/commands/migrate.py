@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, TextIO
 
 from robosmi.cli.common import add_source_options, output_folder, pairs
 from robosmi.cli.progress import progress
-from robosmi.files.elsewhere import Elsewhere
+from robosmi.files.external_files import ExternalFiles
 from robosmi.files.recovery import recover
 from robosmi.plugins import content
 from robosmi.project import FILE_NAME, Accepted, project_of
@@ -24,7 +24,7 @@ from robosmi.quoting import terminal
 from robosmi.report import Report
 
 if TYPE_CHECKING:
-    from robosmi.api import MadeSketch
+    from robosmi.api import MigratedSketch
     from robosmi.cli.options import Options
 
 
@@ -95,7 +95,7 @@ def run(arguments: _Arguments) -> Report:
     answers = Answers() if may_ask(yes=arguments.yes, as_json=arguments.json) else None
     beside = first if first.is_dir() else first.parent
     with progress() as told:
-        done: MadeSketch = content("chain", "migrate")(
+        done: MigratedSketch = content("chain", "migrate")(
             arguments.files, arguments.output, project=project, hardware=arguments.hardware, target=arguments.target,
             source_platform=arguments.source_platform, include_dirs=arguments.include_dirs, defines=arguments.defines,
             libraries=pairs(arguments.libraries, "--library"), bind=pairs(arguments.bind, "--bind"), adapters=arguments.adapters,
@@ -114,7 +114,7 @@ def run(arguments: _Arguments) -> Report:
     return report
 
 
-def filled(report: Report, made: MadeSketch, severity: Mapping[str, str], accept: tuple[Accepted, ...]) -> Report:
+def filled(report: Report, made: MigratedSketch, severity: Mapping[str, str], accept: tuple[Accepted, ...]) -> Report:
     """The report of a generation, whether from sources or from a stored plan."""
     report.rest, report.findings, report.tasks = made.result, list(made.findings), list(made.tasks())
     report.artifacts = made.artifacts()
@@ -229,7 +229,7 @@ class Answers:
         self.said.setdefault("bind", {}).update(found)
         return found
 
-    def offer(self, folder: Path) -> Elsewhere:
+    def offer(self, folder: Path) -> ExternalFiles:
         """Offer to keep what was answered in the project file of a folder; what the file is to hold if the person wants it.
 
         Raises:
@@ -238,14 +238,14 @@ class Answers:
         entries = {table: values for table, values in self.said.items() if values}
         if not entries:
             return {}
-        from robosmi.generate.project_entries import added_to_project, said_place  # most runs ask nothing
+        from robosmi.generate.project_entries import added_to_project, displayed_path  # most runs ask nothing
 
         change = added_to_project(folder, entries)
         if change.stays:
             print(f"\nThe answers are kept in the plan alone: {terminal(change.stays)}.", file=self.out or sys.stdout)
         if not change.files:
             return {}
-        count, place = sum(len(each) for each in entries.values()), said_place(folder / FILE_NAME)
+        count, place = sum(len(each) for each in entries.values()), displayed_path(folder / FILE_NAME)
         print(f"\nKeep {count} answer{'s' * (count != 1)} in {terminal(place)}? (y, Enter: no)", file=self.out or sys.stdout)
         try:
             wanted = self.answer("> ").strip().lower() in ("y", "yes")

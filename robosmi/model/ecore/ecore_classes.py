@@ -37,6 +37,7 @@ from robosmi.model.ecore.ecore_description import (
 )  # fmt: skip
 from robosmi.model.ecore.ecore_xml import EcoreNode
 from robosmi.model.elements import ecore
+from robosmi.model.elements.compact_slots import computed
 from robosmi.model.elements.datatypes import default, literal_text
 from robosmi.model.elements.ecore import (
     Argument,
@@ -51,7 +52,6 @@ from robosmi.model.elements.ecore import (
     EStructuralFeature,
 )
 from robosmi.model.elements.feature_values import FeatureCollection
-from robosmi.model.elements.lean import computed
 from robosmi.model.elements.ordering import post_order
 from robosmi.model.elements.pyecore_internals import add_silently, contain, key_of, set_features_of, set_key
 from robosmi.model.elements.python_names import MEMBER, python_name

@@ -19,10 +19,10 @@ from typing import Any, TypeAlias
 from robosmi.errors import UsageError, did_you_mean
 from robosmi.model.ecore.metamodels import Metamodels
 from robosmi.model.elements import ecore
+from robosmi.model.elements.containment_order import all_contents, contents
 from robosmi.model.elements.driver import Model, TypeHandle, unknown_type
 from robosmi.model.elements.ecore import EClass, EClassifier, EEnum, EEnumLiteral, EObject, EPackage, Package
-from robosmi.model.elements.feature_errors import UnknownFeatureError, literal_wanted, not_named, value_refused
-from robosmi.model.elements.in_order import all_contents, contents
+from robosmi.model.elements.feature_errors import UnknownFeatureError, literal_error, not_named, value_error
 from robosmi.model.elements.pyecore_internals import is_element, is_static
 from robosmi.model.elements.strict import INTERNAL, Element
 
@@ -244,11 +244,11 @@ def _set(self: EObject, name: str, value: object) -> None:
             fix=f"use one of: {', '.join(sorted(known))}",
         )
     if isinstance(feature, ecore.EAttribute) and isinstance(feature.eType, ecore.EEnum) and isinstance(value, str):
-        raise literal_wanted(self.eClass.name, name, feature.eType, value)
+        raise literal_error(self.eClass.name, name, feature.eType, value)
     try:
         object.__setattr__(self, name, value)
     except TypeError as error:
-        raise value_refused(self.eClass.name, name, value, error) from error
+        raise value_error(self.eClass.name, name, value, error) from error
 
 
 _MEMBERS: Mapping[str, object] = {

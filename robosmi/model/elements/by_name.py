@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from robosmi.model.elements.driver import Held, Item, ModelElement, Node
+from robosmi.model.elements.driver import Item, ItemOrItems, ModelElement, Node
 
 
-def feature_value(element: Node, name: str) -> Held:
+def feature_value(element: Node, name: str) -> ItemOrItems:
     """The value of an element's feature, given by name."""
-    value: Held = getattr(element, name)
+    value: ItemOrItems = getattr(element, name)
     return value
 
 

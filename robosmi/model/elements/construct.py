@@ -11,10 +11,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from robosmi.model.elements import ecore, lean
+from robosmi.model.elements import compact_slots, ecore
+from robosmi.model.elements.compact_slots import ContainedValue, ReferenceValue, collection, features_fixed, new_slot, note_link
 from robosmi.model.elements.ecore import EAttribute, EClassifier, EEnum, EEnumLiteral, EObject, EProxy, EStructuralFeature
 from robosmi.model.elements.feature_errors import unknown_feature
-from robosmi.model.elements.lean import ContainedValue, ReferenceValue, collection, features_fixed, holder, note_link
 from robosmi.model.elements.pyecore_internals import (
     CONTAINER,
     CONTAINING_FEATURE,
@@ -152,13 +152,13 @@ def _plan(cls: type) -> Plan:
                 kind = feature.eType if enumeration else _PYTHON.get(feature.eType)
                 many = None if feature.unique or enumeration else _put_attributes
                 put = None if kind is None else many if feature.many else _put_literal if enumeration else None
-                if kind is not None and not feature.many and lean.bare(feature):
+                if kind is not None and not feature.many and compact_slots.store_unboxed(feature):
                     bare = None if enumeration else kind
                 elif not feature.many:
                     put = None
             else:
                 kind = _Known(feature)
-                lean.quick(feature)
+                compact_slots.quick(feature)
                 opposite = feature.eOpposite
                 if opposite is None:
                     put = _put_many if feature.many else _put_reference
@@ -217,7 +217,7 @@ def _adopt(element: EObject, feature: EStructuralFeature, known: _Known, value: 
 def _put_reference(element: EObject, slots: Slots, name: str, feature: EStructuralFeature, known: _Known, value: Any) -> bool:
     if not _adopt(element, feature, known, value, (element, feature)):
         return False
-    slots[name] = holder(known.holder, element, feature, value)
+    slots[name] = new_slot(known.holder, element, feature, value)
     return True
 
 
@@ -257,7 +257,7 @@ def _put_parts(
         own = value.__dict__
         own[CONTAINER] = element
         own[CONTAINING_FEATURE] = feature
-        own[key] = holder(ReferenceValue, value, back, element)
+        own[key] = new_slot(ReferenceValue, value, back, element)
         _set(own, back)
         positions[value] = len(items)
         items.append(value)
@@ -272,7 +272,7 @@ def _put_one_of_many(element: EObject, slots: Slots, name: str, feature: EStruct
     many = own.get(known.back_key)
     if many is None:
         many = own[known.back_key] = collection(value, known.back)
-    slots[name] = holder(ReferenceValue, element, feature, value)
+    slots[name] = new_slot(ReferenceValue, element, feature, value)
     many.map[element] = len(many.items)
     many.items.append(element)
     _set(own, known.back)

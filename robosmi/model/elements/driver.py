@@ -32,7 +32,7 @@ FeatureValue: TypeAlias = "Item | Iterable[Item]"
 """What a feature may be given."""
 Item: TypeAlias = "Scalar | ModelElement"
 """One value: an element of any technology, or a plain value."""
-Held: TypeAlias = "Item | Sequence[Item]"
+ItemOrItems: TypeAlias = "Item | Sequence[Item]"
 """What a feature holds."""
 
 

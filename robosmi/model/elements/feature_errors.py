@@ -25,7 +25,7 @@ class FeatureValueError(ModelError, TypeError):
     """A value that the feature does not take."""
 
 
-def value_refused(owner: str, name: str, value: object, error: TypeError) -> FeatureValueError:
+def value_error(owner: str, name: str, value: object, error: TypeError) -> FeatureValueError:
     """The error for a value that a feature does not take.
 
     Args:
@@ -135,7 +135,7 @@ def not_named(kind: ecore.EClassifier | type, values: Sequence[object]) -> Model
     )
 
 
-def literal_wanted(owner: str, name: str, enumeration: EEnum, text: str) -> FeatureValueError:
+def literal_error(owner: str, name: str, enumeration: EEnum, text: str) -> FeatureValueError:
     """The error for a text in the place of a literal.
 
     Args:

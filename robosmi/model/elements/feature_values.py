@@ -1,7 +1,7 @@
 """The collections of many-valued features: pyecore's, extended by the operations of queries.
 
 `book.authors.select(...)` is delegated to a collection that the query package makes from the values
-(`robosmi.query.held.collection`). This package does not depend on queries, so they register themselves when imported
+(`robosmi.query.live_collections.collection`). This package does not depend on queries, so they register themselves when imported
 (`queried_by`). Methods of pyecore's collections keep their meaning (`append`, `remove`, `index`), except for `select`, `reject`
 and `count`, which return plain lists or take no function there.
 """
@@ -12,7 +12,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from robosmi.model.elements.ecore import EBag, ECollection, EList, EObject, EOrderedSet, ESet, EStructuralFeature
-from robosmi.model.elements.feature_errors import FeatureValueError, not_computed, value_refused
+from robosmi.model.elements.feature_errors import FeatureValueError, not_computed, value_error
 
 _query: Callable[[Any], Any] | None = None
 
@@ -23,7 +23,7 @@ def queried_by(view: Callable[[Any], Any]) -> None:
     _query = view
 
 
-class Asked:
+class Queryable:
     """Adds the operations of queries to a collection of elements or values."""
 
     def __getattr__(self, name: str) -> Any:
@@ -54,11 +54,11 @@ class Asked:
         return int(self._ask("count", condition, kind))
 
 
-class Contents(Asked, list[Any]):
+class Contents(Queryable, list[Any]):
     """What an element contains, as a list of its own that takes the operations of queries; changing it changes no element."""
 
 
-class Queried(Asked):
+class Queried(Queryable):
     """Adds the operations of queries to a collection of pyecore's that holds the values of a feature."""
 
     def check(self, value: object) -> None:
@@ -73,7 +73,7 @@ class Queried(Asked):
             super().check(value)  # type: ignore[misc]
         except TypeError as error:
             owner, _, name = self._place()[0].rpartition(".")
-            raise value_refused(owner, name, value, error) from error
+            raise value_error(owner, name, value, error) from error
 
     def _place(self) -> tuple[str, bool]:
         """Class and name of the feature, as `Book.authors`, and whether it holds elements."""

@@ -2,7 +2,7 @@
 
 No other module reads or writes a private name of pyecore's; a structure test holds that. `tests/model/pyecore_contract.py` says
 for any version of pyecore which of the facts below hold there. Nothing is decided here: how elements are built without empty
-containers is `lean`'s part.
+containers is `compact_slots`'s part.
 
 The facts, in the order of this module:
 
@@ -126,7 +126,7 @@ def is_static(cls: type) -> bool:
     return getattr(cls, IS_STATIC, False) is True
 
 
-def hold(holder: EValue, value: Argument) -> None:
+def set_slot(holder: EValue, value: Argument) -> None:
     """Store a value in an `EValue` without check and notification."""
     held: Any = holder
     held._value = value

@@ -11,8 +11,8 @@ from typing import TypeAlias, TypeVar
 
 from robosmi.model.elements.by_name import feature_value
 from robosmi.model.elements.driver import (
-    Held,
     Item,
+    ItemOrItems,
     Kind,
     Model,
     ModelElement,
@@ -76,7 +76,7 @@ def rows(source: Model | Iterable[Node], kind: Kind | None = None) -> list[dict[
     return found
 
 
-def known_values(element: Node) -> Iterator[tuple[str, Held]]:
+def known_values(element: Node) -> Iterator[tuple[str, ItemOrItems]]:
     """The features of an element with their values, without those that nothing computes."""
     for name in features_of(element):
         try:
@@ -95,7 +95,7 @@ def _reference(element: Node) -> str:
     return fragment_of(element, []) if hasattr(element, "eClass") else label(element)
 
 
-def plain(value: Held) -> Plain:
+def plain(value: ItemOrItems) -> Plain:
     """A feature's value as numbers, texts and lists: elements by their ids, literals by their names."""
     if isinstance(value, EEnumLiteral):
         return str(value.name)

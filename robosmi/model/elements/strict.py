@@ -3,7 +3,7 @@
 pyecore takes a misspelt feature, a misspelt constructor keyword and a text where an enumeration literal is wanted
 without a word; `Element` refuses all three and says what was meant. To type checkers it is a plain typed class, since
 pyecore has no annotations. Generated packages import this module and pyecore, nothing else. How values are put into a new
-element is `construct`'s and `lean`'s business.
+element is `construct`'s and `compact_slots`'s business.
 """
 
 from __future__ import annotations
@@ -11,18 +11,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from robosmi.model.elements import ecore
+from robosmi.model.elements.compact_slots import is_prepared, prepare
 from robosmi.model.elements.construct import initialise
+from robosmi.model.elements.containment_order import all_contents, contents
 from robosmi.model.elements.feature_errors import (
     FeatureValueError,
     UnknownFeatureError,
     declared_features,
-    literal_wanted,
+    literal_error,
     not_named,
     unknown_feature,
-    value_refused,
+    value_error,
 )
-from robosmi.model.elements.in_order import all_contents, contents
-from robosmi.model.elements.lean import is_prepared, prepare
 from robosmi.model.elements.structure import resource_of
 
 __all__ = ["Element", "EnumLiteral", "FeatureValueError", "UnknownFeatureError", "enum_literal"]
@@ -67,7 +67,7 @@ class Element(_Base):
     if not TYPE_CHECKING:
 
         def __new__(cls, /, *args: Any, **features: Any) -> Any:
-            """As pyecore's, without its process-wide set of all instances and without empty containers (`lean`)."""
+            """As pyecore's, without its process-wide set of all instances and without empty containers (`compact_slots`)."""
             if args:
                 raise not_named(cls, args)
             if not is_prepared(cls):
@@ -75,7 +75,7 @@ class Element(_Base):
             return object.__new__(cls)
 
         _fixed_features = True
-        """Once a class is made its features never change, so that `lean` may keep what it finds of them."""
+        """Once a class is made its features never change, so that `compact_slots` may keep what it finds of them."""
 
         _renamed: dict[str, str] = {}
         """Names of features that would hide what every element has (`delete`) -> the attribute that has them."""
@@ -118,11 +118,11 @@ class Element(_Base):
                     return
                 raise unknown_feature(self, name)
             if expected is not None and value.__class__ is str:
-                raise literal_wanted(type(self).__name__, name, expected, value)
+                raise literal_error(type(self).__name__, name, expected, value)
             try:
                 object.__setattr__(self, name, value)
             except TypeError as error:
-                raise value_refused(type(self).__name__, name, value, error) from error
+                raise value_error(type(self).__name__, name, value, error) from error
 
         def __getattr__(self, name: str) -> Any:
             if name[:2] == "__":

@@ -6,7 +6,7 @@ without checks, so all questions about a metamodel (what is unsupported, abstrac
 
 from __future__ import annotations
 
-from robosmi.model.elements import datatypes, ecore, features, lean
+from robosmi.model.elements import compact_slots, datatypes, ecore, features
 from robosmi.model.elements.datatypes import FromText
 from robosmi.model.elements.ecore import EClass, EDataType, EReference, EStructuralFeature
 from robosmi.model.elements.feature_values import is_stored
@@ -88,11 +88,11 @@ class ClassPlan:
         self.cls = eclass.python_class
         self.name = str(eclass.name)
         self.abstract = features.is_abstract(eclass)
-        self.fixed = lean.features_fixed(self.cls)
+        self.fixed = compact_slots.features_fixed(self.cls)
         self.entries: dict[str, FeatureEntry] = {f"{XMI}}}id": FeatureEntry(XMI_ID)}
         self.bounds: list[tuple[str, str, int, int]] = []
         self.refused: str | None = None
-        lean.prepare(self.cls)
+        compact_slots.prepare(self.cls)
         for feature in features.all_features(eclass):
             self._add(feature)
 
@@ -116,18 +116,18 @@ class ClassPlan:
             return FeatureEntry(REFUSED, feature, self.refused)
         if not is_stored(feature) or (feature.many and features.is_computed(feature)):
             return FeatureEntry(REFUSED, feature, f"{self.name}.{feature.name} is computed, not stored")
-        lean.repair_default(feature, kind)
+        compact_slots.repair_default(feature, kind)
         entry = FeatureEntry(VALUES if feature.many else VALUE, feature)
         entry.convert = datatypes.from_text(kind)
         entry.is_id = bool(feature.iD)
-        entry.bare = self.fixed and lean.bare(feature)
+        entry.bare = self.fixed and compact_slots.store_unboxed(feature)
         return entry
 
     def _reference(self, feature: EStructuralFeature, kind: EClass) -> FeatureEntry:
         if (feature.many and features.is_computed(feature)) or (feature.derived and not is_stored(feature)):
             return FeatureEntry(REFUSED, feature, f"{self.name}.{feature.name} is computed, not stored")
         if self.fixed:
-            lean.quick(feature)
+            compact_slots.quick(feature)
         back = features.opposite(feature)
         if back is not None and back.containment:
             return FeatureEntry(IGNORED, feature)  # the containment itself says it

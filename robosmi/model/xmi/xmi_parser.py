@@ -28,10 +28,17 @@ from robosmi.model.ecore.xmi_document import (
     UnknownEncoding,
     Unreadable,
 )
+from robosmi.model.elements.compact_slots import (
+    UNBOXED_TYPES,
+    AttributeValue,
+    ContainedValue,
+    ReferenceValue,
+    collection,
+    new_slot,
+)
 from robosmi.model.elements.datatypes import ECORE_URI
 from robosmi.model.elements.ecore import DynamicEObject
 from robosmi.model.elements.features import class_in, class_names
-from robosmi.model.elements.lean import BARE, AttributeValue, ContainedValue, ReferenceValue, collection, holder
 from robosmi.model.elements.pyecore_internals import CONTAINER, CONTAINING_FEATURE, IDENTITY, add_silently, key_of
 from robosmi.model.elements.xmi_plan import (
     CHILD,
@@ -49,7 +56,7 @@ from robosmi.model.elements.xmi_plan import (
     FeatureEntry,
     Plans,
 )
-from robosmi.model.xmi.xml_characters import may_hold_escapes, restored
+from robosmi.model.xmi.xml_characters import may_contain_escapes, restored
 
 if TYPE_CHECKING:
     from robosmi.model.elements.ecore import Slots
@@ -92,13 +99,13 @@ class Builder:
             self.here(f"{type(element).__name__}.{feature.name} takes one element, not two")
             return
         else:
-            slots[entry.key] = holder(ContainedValue, element, feature, child)
+            slots[entry.key] = new_slot(ContainedValue, element, feature, child)
         child_slots[CONTAINER] = element
         child_slots[CONTAINING_FEATURE] = feature
         if entry.back is None:
             child_slots["_birth"] = (element, feature)
         else:
-            child_slots[key_of(entry.back)] = holder(ReferenceValue, child, entry.back, element)
+            child_slots[key_of(entry.back)] = new_slot(ReferenceValue, child, entry.back, element)
 
     def here(self, text: str) -> None:
         """Note a problem at the current line."""
@@ -196,8 +203,8 @@ class Builder:
         if entry.kind == VALUE:
             if entry.key in slots:
                 self.here(f"{owner}.{entry.feature.name} takes one value, not two")
-            lies_bare = entry.bare and value.__class__ in BARE
-            slots[entry.key] = value if lies_bare else holder(AttributeValue, element, entry.feature, value)
+            lies_bare = entry.bare and value.__class__ in UNBOXED_TYPES
+            slots[entry.key] = value if lies_bare else new_slot(AttributeValue, element, entry.feature, value)
             if entry.is_id and text:
                 self.identify(text, element)
             return
@@ -207,7 +214,7 @@ class Builder:
         if not add_silently(many, value):
             self.here(f"{owner}.{entry.feature.name} takes each value once: '{text}' is there already")
 
-    def part_elsewhere(self, element: DynamicEObject, entry: FeatureEntry, link: str) -> None:
+    def external_part(self, element: DynamicEObject, entry: FeatureEntry, link: str) -> None:
         """Note a contained element that lies in another file."""
         if element is None or entry.kind not in (CHILD, CHILDREN):
             self.here("a root cannot lie in another file")
@@ -273,7 +280,7 @@ class _Parser(Builder):
         parser.StartNamespaceDeclHandler = self.declare
         parser.EndNamespaceDeclHandler = self.undeclare
         parser.StartDoctypeDeclHandler = self.doctype
-        self.escapes = may_hold_escapes(data)
+        self.escapes = may_contain_escapes(data)
         self.start, self.end = self.handlers()
         if self.escapes:
             self.start = _restoring(self.start)
@@ -335,8 +342,8 @@ class _Parser(Builder):
                     except ValueError as error:
                         self.problem(parser.CurrentLineNumber, f"{plan.name}.{name}: {error}")
                         continue
-                    lies_bare = attribute.bare and value.__class__ in BARE
-                    child_slots[attribute.key] = value if lies_bare else holder(AttributeValue, child, attribute.feature, value)
+                    lies_bare = attribute.bare and value.__class__ in UNBOXED_TYPES
+                    child_slots[attribute.key] = value if lies_bare else new_slot(AttributeValue, child, attribute.feature, value)
                     if attribute.is_id:
                         self.identify(text, child)
                 elif what == REFERENCE:
@@ -357,9 +364,9 @@ class _Parser(Builder):
                 if back is None:
                     child_slots["_birth"] = many.birth
                 else:
-                    child_slots[key_of(back)] = holder(ReferenceValue, child, back, element)
+                    child_slots[key_of(back)] = new_slot(ReferenceValue, child, back, element)
             elif elsewhere is not None:
-                self.part_elsewhere(element, entry, elsewhere)
+                self.external_part(element, entry, elsewhere)
             elif kind == CHILD:
                 self.contain(element, slots, entry, child, child_slots)
             else:
@@ -405,7 +412,7 @@ class _Parser(Builder):
         elif attributes.get(f"{XSI}}}nil") in ("true", "1"):
             if entry.kind == REFERENCE:
                 if not entry.many:
-                    slots[entry.key] = holder(ReferenceValue, element, entry.feature, None)
+                    slots[entry.key] = new_slot(ReferenceValue, element, entry.feature, None)
             else:
                 self.add_value(element, slots, owner, entry, None)
             self.skip()

@@ -24,10 +24,17 @@ from robosmi.diagnostics import Location
 from robosmi.errors import ModelError, RobosmiError, SourceError
 from robosmi.model.ecore.metamodels import OWN_NAMESPACES, Metamodels, built_in
 from robosmi.model.ecore.xmi_document import Document, ForeignRoot, Unreadable
-from robosmi.model.elements import ecore, lean
+from robosmi.model.elements import compact_slots, ecore
+from robosmi.model.elements.compact_slots import (
+    UNBOXED_TYPES,
+    ContainedValue,
+    ReferenceValue,
+    collection,
+    collector_at_rest,
+    new_slot,
+)
 from robosmi.model.elements.ecore import DynamicEObject, ENamedElement, EObject, Package
 from robosmi.model.elements.features import as_package
-from robosmi.model.elements.lean import BARE, ContainedValue, ReferenceValue, collection, collector_at_rest, holder
 from robosmi.model.elements.pyecore_internals import (
     add_silently,
     contain,
@@ -38,8 +45,8 @@ from robosmi.model.elements.pyecore_internals import (
     target_in,
 )
 from robosmi.model.elements.xmi_plan import FeatureEntry, Plans
+from robosmi.model.xmi.xmi_locations import shown
 from robosmi.model.xmi.xmi_parser import parse
-from robosmi.model.xmi.xmi_places import shown
 
 if TYPE_CHECKING:
     from robosmi.model.xmi.open_files import OpenDocuments
@@ -308,7 +315,7 @@ class _Reader:
                 slots = element.__dict__
                 for key, name, lower, upper in plan.bounds:
                     slot = slots.get(key)
-                    number = 0 if slot is None else 1 if slot.__class__ in BARE or is_value(slot) else len(slot)
+                    number = 0 if slot is None else 1 if slot.__class__ in UNBOXED_TYPES or is_value(slot) else len(slot)
                     if number < lower:
                         wanted = "which it needs" if lower == 1 else f"of which it needs {lower}, but {number}"
                         text = f"{plan.name} has no '{name}', which it needs" if not number else f"{plan.name}.{name}: {wanted}"
@@ -414,9 +421,9 @@ class XmiLinker:
         if slot is not None and target_in(slot) is not None and target_in(slot) is not target:
             self._wrong(document, line, owner, entry, "takes one element, not two")
             return
-        slots[entry.key] = holder(ReferenceValue, owner, entry.feature, target)
+        slots[entry.key] = new_slot(ReferenceValue, owner, entry.feature, target)
         if entry.back is None:
-            lean.note_link(target, (owner, entry.feature))
+            compact_slots.note_link(target, (owner, entry.feature))
         else:
             self._two_sided.append((document, line, owner, entry, [target]))
 
@@ -427,7 +434,7 @@ class XmiLinker:
             many = slots[entry.key] = collection(owner, entry.feature)
         for target in targets:
             if add_silently(many, target) and entry.back is None:
-                lean.note_link(target, (owner, entry.feature))
+                compact_slots.note_link(target, (owner, entry.feature))
         if entry.back is not None:
             self._two_sided.append((document, line, owner, entry, targets))
 
@@ -445,7 +452,7 @@ class XmiLinker:
                         slot = target.__dict__[key] = collection(target, back)
                     add_silently(slot, owner)
                 elif slot is None or target_in(slot) is None:
-                    target.__dict__[key] = holder(ReferenceValue, target, back, owner)
+                    target.__dict__[key] = new_slot(ReferenceValue, target, back, owner)
                 elif target_in(slot) is not owner:
                     other = shown(target_in(slot))
                     self._wrong(
@@ -474,7 +481,7 @@ class XmiLinker:
             if entry.key in slots:
                 self._wrong(document, line, owner, entry, "takes one element, not two")
                 return
-            slots[entry.key] = holder(ContainedValue, owner, entry.feature, part)
+            slots[entry.key] = new_slot(ContainedValue, owner, entry.feature, part)
         else:
             if entry.key not in slots:
                 slots[entry.key] = collection(owner, entry.feature)
@@ -482,9 +489,9 @@ class XmiLinker:
             _move(slots[entry.key], place)
         contain(part, owner, entry.feature)
         if entry.back is None:
-            lean.note_link(part, (owner, entry.feature))
+            compact_slots.note_link(part, (owner, entry.feature))
         else:
-            part.__dict__[key_of(entry.back)] = holder(ReferenceValue, part, entry.back, owner)
+            part.__dict__[key_of(entry.back)] = new_slot(ReferenceValue, part, entry.back, owner)
 
 
 def _move(many: Any, place: int) -> None:
@@ -534,7 +541,7 @@ def _step(element: EObject, step: str) -> EObject | None:
         return _by_name(element, step) if isinstance(element, ecore.EModelElement) else None
     name, _, index = step[1:].partition(".")
     slot = element.__dict__.get(name)
-    if slot is not None and not isinstance(slot, lean.AttributeValue) and index.isascii() and index.isdecimal():
+    if slot is not None and not isinstance(slot, compact_slots.AttributeValue) and index.isascii() and index.isdecimal():
         try:
             items = slot if isinstance(slot, list) else slot.items
             found: DynamicEObject = items[int(index)]

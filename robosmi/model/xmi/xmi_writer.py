@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any
 
 from robosmi.errors import ModelError
 from robosmi.model.elements import ecore
+from robosmi.model.elements.compact_slots import UNBOXED_TYPES, collector_at_rest
 from robosmi.model.elements.datatypes import real
 from robosmi.model.elements.ecore import EClass, EObject, EOrderedSet
 from robosmi.model.elements.features import as_package
-from robosmi.model.elements.lean import BARE, collector_at_rest
 from robosmi.model.elements.pyecore_internals import container_of, set_features_of, target_in, value_in, xmi_id_of
 from robosmi.model.xmi.xmi_layout import CHILDREN, LINKS, VALUE, VALUES, Column, Layouts
-from robosmi.model.xmi.xmi_places import Unplaced, UnusableId, XmiPlaces, metamodel_uri, relative, shown
+from robosmi.model.xmi.xmi_locations import Unplaced, UnusableId, XmiLocations, metamodel_uri, relative, shown
 from robosmi.model.xmi.xml_characters import in_attribute, in_text, refuse_forbidden
 
 if TYPE_CHECKING:
@@ -29,7 +29,9 @@ if TYPE_CHECKING:
 _PIECES = 20_000  # texts that are joined at a time, so that a large model is not held as millions of small texts
 
 
-def to_xmi(models: Mapping[str, Root], wanted: Iterable[str] | None = None, places: XmiPlaces | None = None) -> dict[str, bytes]:
+def to_xmi(
+    models: Mapping[str, Root], wanted: Iterable[str] | None = None, places: XmiLocations | None = None
+) -> dict[str, bytes]:
     """The bytes of a set of models that refer to each other.
 
     Args:
@@ -46,7 +48,7 @@ def to_xmi(models: Mapping[str, Root], wanted: Iterable[str] | None = None, plac
     """
     roots = {name: _roots(given) for name, given in models.items()}
     with collector_at_rest():
-        found, names = places or XmiPlaces(roots), models if wanted is None else wanted
+        found, names = places or XmiLocations(roots), models if wanted is None else wanted
         return {name: _Writer(name, roots[name], found).write() for name in names}
 
 
@@ -58,7 +60,7 @@ def _roots(given: Root) -> list[EObject]:
 class _Writer:
     """One file."""
 
-    def __init__(self, name: str, roots: list[EObject], places: XmiPlaces) -> None:
+    def __init__(self, name: str, roots: list[EObject], places: XmiLocations) -> None:
         self.name = name
         self.roots = roots
         self.places = places
@@ -144,7 +146,7 @@ class _Writer:
                 for kind, key, plain, rendered, column in layout.shapes.get(tuple(slots)) or layout.columns_in(slots):
                     slot = slots[key]
                     if kind == VALUE:
-                        value = slot if slot.__class__ in BARE else held(slot)
+                        value = slot if slot.__class__ in UNBOXED_TYPES else held(slot)
                         if value.__class__ is plain and (text := rendered.get(value)) is not None:
                             append(text)
                         else:

@@ -57,6 +57,6 @@ def restored(text: str) -> str:
     return _ESCAPE.sub(lambda match: chr(int(match[1], 16)), text) if _SYMBOL in text else text
 
 
-def may_hold_escapes(data: bytes) -> bool:
+def may_contain_escapes(data: bytes) -> bool:
     """Whether an XML document may contain an escape; a fast check in UTF-8 that avoids examining each text."""
     return data[:2] in (b"\xff\xfe", b"\xfe\xff") or _POSSIBLE.search(data) is not None

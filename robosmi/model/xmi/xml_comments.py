@@ -32,7 +32,7 @@ def comments_lost(old: bytes, new: bytes) -> list[int]:
     return [line for line, text in comments(old) if text not in staying]
 
 
-def told(lost: list[int], kept: str) -> str:
+def lost_comments(lost: list[int], kept: str) -> str:
     """The message of a finding about comments that were lost.
 
     Args:

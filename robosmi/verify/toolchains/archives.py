@@ -43,7 +43,7 @@ def cached(name: str) -> Path | None:
     return path if path.is_file() else None
 
 
-def keep(archive: Path, name: str) -> Path:
+def store(archive: Path, name: str) -> Path:
     """Move an archive into the cache atomically; returns its path there, or its old path if the cache cannot be written.
 
     An existing archive is not replaced: another process may be linking with it, and an optimising linker opens it twice.

@@ -29,7 +29,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi import inputs
-from robosmi.base.doing import doing
+from robosmi.base.progress_events import announce
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import MissingToolError
 from robosmi.plugins import content
@@ -162,7 +162,7 @@ class Build(Struct):
     def _compile(self, sources: Sequence[Path], use: str, includes: Sequence[Path], into: Path) -> tuple[list[Path], str, bool]:
         """Compile files in parallel; returns the objects, the messages, and whether one failed."""
         into.mkdir(exist_ok=True)
-        doing(f"compile {len(sources)} file{'s' * (len(sources) != 1)} of the {use}")
+        announce(f"compile {len(sources)} file{'s' * (len(sources) != 1)} of the {use}")
         objects = [into / f"{number}-{source.name}.o" for number, source in enumerate(sources)]
 
         def one(job: tuple[Path, Path]) -> tuple[str, bool]:
@@ -202,7 +202,7 @@ class Build(Struct):
             failed, said = done.returncode != 0, said + done.stderr
         if failed:
             raise _Broken(name, said)
-        return archives.keep(archive, name)
+        return archives.store(archive, name)
 
     def _name(self, what: str, files: Iterable[Path], sources: Sequence[Path], use: str, includes: Sequence[Path]) -> str:
         flags = [self._flags(suffix, use, "compile", includes) for suffix in sorted({path.suffix for path in sources})]

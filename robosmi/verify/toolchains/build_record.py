@@ -1,6 +1,6 @@
 """The record of a program that `compile` stores: its inputs and its sizes.
 
-It shows whether the program still belongs to the sketch. `kept_program` writes it together with the program.
+It shows whether the program still belongs to the sketch. `compiled_program` writes it together with the program.
 """
 
 from __future__ import annotations

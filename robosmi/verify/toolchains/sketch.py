@@ -24,7 +24,7 @@ from robosmi.base.data_tables import DataTable
 from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, UsageError
 from robosmi.generate.manifest import NAME as MANIFEST
-from robosmi.generate.places import Places
+from robosmi.generate.output_paths import Places
 from robosmi.verify.toolchains.boards import Board, find_board
 from robosmi.verify.toolchains.toolchain_data import Toolchain
 

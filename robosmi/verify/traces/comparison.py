@@ -236,7 +236,7 @@ def compare(
     if (mine or theirs) is not None:
         beyond = off[min(found.own, len(off) - 1)].time_ms
         if not _may_be_beyond(mine, theirs, beyond, horizon_ms):
-            told = told_difference(source, target, found, in_time, lambda own: _tau(source[own], off[own].time_ms))
+            told = report_difference(source, target, found, in_time, lambda own: _tau(source[own], off[own].time_ms))
             difference = FirstDifference(told.at_us / 1000, channel, told.message, told.source, told.target)
             return ChannelComparison(channel, DIFFERENT, difference, max(0, len(source) - 1), greatest)
     if (stray := first_stray_width((source, *varied), target[: found.other], found.pairs)) is not None:
@@ -417,7 +417,7 @@ _MOST = 20_000
 """Limit on the events of a run that are searched."""
 
 
-class ToldDifference(Struct, frozen=True):
+class DifferenceReport(Struct, frozen=True):
     """A difference in words.
 
     Attributes:
@@ -432,13 +432,13 @@ class ToldDifference(Struct, frozen=True):
     target: ActivityEvent | None
 
 
-def told_difference(
+def report_difference(
     source: Sequence[ActivityEvent],
     target: Sequence[ActivityEvent],
     found: Alignment,
     in_time: Callable[[int, int], bool],
     allowed_ms: Callable[[int], float],
-) -> ToldDifference:
+) -> DifferenceReport:
     """Describe the first events without a counterpart.
 
     Args:
@@ -454,24 +454,24 @@ def told_difference(
         moved = alike(mine, theirs)
         lost, more = sides.met_elsewhere(found.other), sides.is_elsewhere(found.own)
         if lost and more and not moved:
-            return ToldDifference(theirs.at_us, f"{theirs} before {mine}, not after it", mine, theirs)
+            return DifferenceReport(theirs.at_us, f"{theirs} before {mine}, not after it", mine, theirs)
         if lost and not more:
-            return ToldDifference(mine.at_us, _missing(mine), mine, theirs)
+            return DifferenceReport(mine.at_us, _missing(mine), mine, theirs)
         if more and not lost:
-            return ToldDifference(theirs.at_us, sides.more(theirs), mine, theirs)
+            return DifferenceReport(theirs.at_us, sides.more(theirs), mine, theirs)
         if not moved:
-            return ToldDifference(mine.at_us, f"{theirs} instead of {mine}", mine, theirs)
+            return DifferenceReport(mine.at_us, f"{theirs} instead of {mine}", mine, theirs)
         return _moved(mine, theirs, allowed_ms(found.own))
     if mine is None:
         assert theirs is not None
         place = sides.nearest(theirs, source, sides.paired_source)
-        return _moved(source[place], theirs, allowed_ms(place)) if place is not None else ToldDifference(
+        return _moved(source[place], theirs, allowed_ms(place)) if place is not None else DifferenceReport(
             theirs.at_us, sides.more(theirs), None, theirs
         )  # fmt: skip
     place = sides.nearest(mine, target, sides.paired_target)
     if place is not None:
         return _moved(mine, target[place], allowed_ms(found.own))
-    return ToldDifference(mine.at_us, _missing(mine), mine, None)
+    return DifferenceReport(mine.at_us, _missing(mine), mine, None)
 
 
 def lasts_otherwise(event: ActivityEvent, source_ms: float, target_ms: float) -> str:
@@ -525,8 +525,8 @@ def _missing(event: ActivityEvent) -> str:
     return f"{event} {'are' if event.kind == PULSES else 'is'} missing"
 
 
-def _moved(mine: ActivityEvent, theirs: ActivityEvent, allowed_ms: float) -> ToldDifference:
+def _moved(mine: ActivityEvent, theirs: ActivityEvent, allowed_ms: float) -> DifferenceReport:
     dt = (theirs.at_us - mine.at_us) / 1000
     verb = "come" if mine.kind == PULSES else "comes"
     message = f"{mine} {verb} {abs(dt):.1f} ms too {'late' if dt > 0 else 'early'} (allowed are {allowed_ms:.1f} ms)"
-    return ToldDifference(min(mine.at_us, theirs.at_us) if dt < 0 else mine.at_us, message, mine, theirs)
+    return DifferenceReport(min(mine.at_us, theirs.at_us) if dt < 0 else mine.at_us, message, mine, theirs)

@@ -37,7 +37,7 @@ NO_MORE = -1_000.0
 """The length, in an event, that means that the line is no longer driven."""
 
 
-def held_levels(trace: PinTrace, pin: str) -> list[ActivityEvent]:
+def level_durations(trace: PinTrace, pin: str) -> list[ActivityEvent]:
     """For how long a line is driven at a time: an event wherever this length changes.
 
     Args:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct, field
 
-from robosmi.verify.missed_places import places_told
+from robosmi.verify.missed_lines import format_ranges
 from robosmi.verify.original_calls import LibraryCall
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.traces.comparison import DIFFERENT, NOT_EXERCISED, RACY, SAME, ChannelComparison, FirstDifference
@@ -256,7 +256,7 @@ class Verdict(Struct):
             "branches not taken": self.untaken,
             "branches taken only where the source differs from itself, and not compared": self.racy_branches,
         }
-        return [f"{what}: {places_told(places, whole)}" for what, places in told.items() if places and self.counted]
+        return [f"{what}: {format_ranges(places, whole)}" for what, places in told.items() if places and self.counted]
 
     def all_reasons(self) -> list[str]:
         """The reasons, without duplicates, why scenarios could not be decided."""

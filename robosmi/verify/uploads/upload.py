@@ -1,6 +1,6 @@
 """Uploads a compiled program to its board.
 
-`upload_sketch` is the entry point: it checks the kept program (`kept_program`) against the sketch, makes the board wait for a
+`upload_sketch` is the entry point: it checks the kept program (`compiled_program`) against the sketch, makes the board wait for a
 program, and lets the tool of `uploader` send the program. Nothing is compiled here.
 """
 
@@ -25,7 +25,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError, SourceError, UploadError, UsageError
 from robosmi.verify.toolchains.boards import Board, BootLoader, find_board, load_boards
 from robosmi.verify.toolchains.build_record import BuildRecord
-from robosmi.verify.toolchains.kept_program import digests, folder_of, kept_hex, outside, read_record
+from robosmi.verify.toolchains.compiled_program import compiled_hex, digests, folder_of, outside, read_record
 from robosmi.verify.toolchains.sketch import Sketch, find_sketch
 from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
 from robosmi.verify.uploads import serial_ports
@@ -119,12 +119,12 @@ def upload_sketch(
         with nullcontext() if dry_run else _alone(port):
             actual = port if dry_run else _awake(port, loader, tool, board, boards)
             for rate in (baud,) if baud is not None else loader.bauds:
-                command = tool.command(board, loader, actual, rate, kept_hex(folder, sketch))
+                command = tool.command(board, loader, actual, rate, compiled_hex(folder, sketch))
                 said = None if dry_run else tool.send(command, folder)
                 if said is None:
                     seconds = time.perf_counter() - started
                     return UploadReport(tool.title, tuple(command), length, board.name, actual, not dry_run, seconds)
-                error, again = tool.refused(said, board, actual, boards, command)
+                error, again = tool.upload_error(said, board, actual, boards, command)
                 if not again:
                     break
             raise error
@@ -141,7 +141,7 @@ def _kept(sketch: Sketch, folder: Path, named: Path) -> tuple[BuildRecord, bytes
     """
     record, path, fix = (
         read_record(folder, sketch),
-        kept_hex(folder, sketch),
+        compiled_hex(folder, sketch),
         f"compile it: robosmi compile {shlex.quote(str(named))}",
     )
     if record is None or not path.is_file():
@@ -270,7 +270,7 @@ def _awake(port: str, loader: BootLoader, tool: Uploader, board: Board, boards: 
         elif loader.programmer in tool.data.texts("probe", ()):
             serial_ports.probe(port)
     except OSError as error:
-        raise tool.refused(f"{port}: {error.strerror or error}", board, port, boards)[0] from error
+        raise tool.upload_error(f"{port}: {error.strerror or error}", board, port, boards)[0] from error
     if not loader.touch_baud:
         return port
     leaves, returns = tool.data.decimal("touch_leaves_s"), tool.data.decimal("touch_returns_s")

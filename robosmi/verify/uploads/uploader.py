@@ -64,7 +64,7 @@ class Uploader(Struct, frozen=True):
         found = serial_ports.ports(self.data.texts("ports"))
         return f"there are: {', '.join(found)}" if found else "none is there now"
 
-    def refused(
+    def upload_error(
         self, said: str, board: Board, port: str, boards: Sequence[Board], command: Sequence[str] = ()
     ) -> tuple[UploadError, bool]:
         """What to say of a board that did not take its program, and whether another baud rate may help.

@@ -21,7 +21,7 @@ from robosmi.transformations.constraints.code_move import MANY, move_findings
 from robosmi.transformations.constraints.code_rules import MODULES, moved
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.code import views
-from robosmi.transformations.queries.plans.plan import said
+from robosmi.transformations.queries.plans.plan import as_findings
 
 FOLDER = Path(__file__).parent / "moves"
 RULES = sorted({c.id for context in moved.contexts for c in context.constraints})
@@ -32,7 +32,7 @@ Place = tuple[int, str]
 def found(path: Path) -> list[Finding]:
     """The findings of the constraints about moving a program, without a drawing."""
     models = plan_migration([path], widths="keep")
-    return [f for f in said(Q(models.plan.findings), models.places) if f.rule in RULES]
+    return [f for f in as_findings(Q(models.plan.findings), models.places) if f.rule in RULES]
 
 
 def marked(path: Path, rule: str) -> list[Place]:

@@ -23,7 +23,7 @@ from robosmi.transformations.knowledge.electrical_facts import FILE, ElectricalF
 from robosmi.transformations.knowledge.electrical_facts import electrical as facts
 from robosmi.transformations.m2t.terminal_text import terminal_lines
 from robosmi.transformations.queries.circuits.electrical import stated_volts, wiring
-from robosmi.transformations.queries.plans.plan import said
+from robosmi.transformations.queries.plans.plan import as_findings
 from robosmi.transformations.t2m.fritzing import read_circuit
 from robosmi.validate import Constraint
 from tests.running import run
@@ -116,7 +116,7 @@ def test_a_plan_keeps_the_findings_with_their_components() -> None:
     assert kept.path == "source/wiring.csv"
     from robosmi.query import Q
 
-    (finding,) = [f for f in said(Q(models.plan.findings), models.places) if f.rule == "RS260"]
+    (finding,) = [f for f in as_findings(Q(models.plan.findings), models.places) if f.rule == "RS260"]
     assert (finding.evidence["component"], finding.evidence["model_index"]) == ("Warmth", "2")
     assert finding.location is not None
     assert finding.location.path == str(folder / "wiring.csv")

@@ -9,8 +9,8 @@ import pytest
 
 import robosmi
 from robosmi.metamodels import migration
-from robosmi.transformations.queries.circuits.component_kinds import said
-from robosmi.transformations.queries.plans.choices import offered_choices
+from robosmi.transformations.queries.circuits.component_kinds import significant_words
+from robosmi.transformations.queries.plans.choices import available_choices
 
 CASES = sorted((Path(__file__).parent / "port_evidence").iterdir())
 
@@ -42,7 +42,7 @@ def test_a_channel_of_a_converter_is_offered_pins_that_measure() -> None:
     case = Path(__file__).parent / "port_evidence" / "channel_of_a_converter"
     plan = robosmi.plan_migration([case / "program.c"], hardware=case / "wiring.csv").plan
     channel = next(b for b in plan.portBindings if b.name == "AD2")
-    offered = {o.value: o for choice in offered_choices(plan) if choice.subject == "AD2" for o in choice.options}
+    offered = {o.value: o for choice in available_choices(plan) if choice.subject == "AD2" for o in choice.options}
     assert [o.label for o in channel.options] == ["Potentiometer2ReadP1"]
     assert offered["Potentiometer1ReadP1"].why == "drawn; D3 cannot measure a voltage"
     assert {name for name in offered if re.fullmatch(r"[AD]\d+", name)} == {"A0", "A2", "A3", "A4", "A5"}
@@ -64,4 +64,4 @@ def test_a_channel_of_a_converter_is_offered_pins_that_measure() -> None:
     ],
 )
 def test_names_are_taken_apart_where_all_of_them_is_known(name: str, words: set[str]) -> None:
-    assert said([name]) == words
+    assert significant_words([name]) == words

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.transformations.chains.hardware import hardware
-from robosmi.transformations.queries.circuits.connector_names import told_name, wire_name
+from robosmi.transformations.queries.circuits.connector_names import displayed_name, wire_name
 from tests.running import run
 from tests.transformations.t2m.eagle import support as eagle
 from tests.transformations.t2m.kicad import support as kicad
@@ -63,7 +63,7 @@ def test_what_is_joined_is_one_pin_and_keeps_its_name(tmp_path: Path) -> None:
     circuit = hardware(
         eagle.schematic(tmp_path, libraries, [eagle.part("U1", "ARDUINO_UNO"), eagle.part("R1", "R")], nets)
     ).circuit
-    names = {told_name(c) for component in circuit.components for c in component.connectors}
+    names = {displayed_name(c) for component in circuit.components for c in component.connectors}
     assert {"OUT", "GND"} <= names
     assert not any("@" in name for name in names)
     assert wire_name(circuit.components[1].connectors) == "OUT"

@@ -7,8 +7,8 @@ from msgspec.structs import replace
 
 from robosmi.base.data_text import Json, as_list, as_number, as_whole
 from robosmi.transformations.verification.devices.feedback_servo import FeedbackServo
-from robosmi.transformations.verification.devices.servo_pulses import Leeway, PulseDriven
-from robosmi.transformations.verification.devices.way_marks import WayMarks
+from robosmi.transformations.verification.devices.servo_pulses import MotionTolerance, PulseDriven
+from robosmi.transformations.verification.devices.waypoints import Waypoints
 from robosmi.transformations.verification.devices.wheel import Wheel
 from robosmi.verify.bench import Bench
 from robosmi.verify.simulation import DeviceUse, simulate
@@ -171,7 +171,7 @@ def told_marks(leeway: float, *way: tuple[float, float]) -> list[Json]:
     `leeway` is how far apart two correct programs may be beyond a quarter of that distance.
     """
     told: list[Json] = []
-    marks = WayMarks(16.0, lambda what, mark: told.append(mark if what == "at" else [what, mark]))
+    marks = Waypoints(16.0, lambda what, mark: told.append(mark if what == "at" else [what, mark]))
     marks.leeway = leeway
     stood(marks, 0.0, 0.0, 0.5)
     now, place = 500.0, 0.0
@@ -208,7 +208,7 @@ def test_a_mark_that_is_passed_slowly_has_a_vague_time() -> None:
 
 def distance_after(timed: bool, *steps: float | str) -> float:
     """The leeway after a device is driven at these speeds, or has got such an aim."""
-    leeway = Leeway(timed)
+    leeway = MotionTolerance(timed)
     for step in steps:
         if isinstance(step, str):
             leeway.aimed(step)
@@ -239,7 +239,7 @@ def test_each_motion_for_a_time_adds_to_the_leeway(timed: bool, steps: list[floa
     assert distance_after(timed, *steps) == pytest.approx(distance)
 
 
-def stood(marks: WayMarks, place: float, begin_s: float, end_s: float) -> None:
+def stood(marks: Waypoints, place: float, begin_s: float, end_s: float) -> None:
     """Keep a device at a place from one time to another."""
     for number in range(round(begin_s * 100), round(end_s * 100)):
         marks.moved(place, number * 10_000.0)
@@ -249,7 +249,7 @@ def stood(marks: WayMarks, place: float, begin_s: float, end_s: float) -> None:
 def test_a_mark_near_which_a_device_stands_is_one_that_it_barely_comes_to(first: float) -> None:
     """Marks are at 11.52 and 27.52: the first one is passed before the device stands, or when it goes on."""
     told: list[tuple[str, Json]] = []
-    marks = WayMarks(16.0, lambda what, mark: told.append((what, mark)))
+    marks = Waypoints(16.0, lambda what, mark: told.append((what, mark)))
     stood(marks, 0.0, 0.0, 0.5)
     stood(marks, first, 0.5, 2.0)
     stood(marks, 20.0, 2.0, 2.01)
@@ -259,7 +259,7 @@ def test_a_mark_near_which_a_device_stands_is_one_that_it_barely_comes_to(first:
 
 def test_a_slow_device_passes_its_marks_all_the_same() -> None:
     told: list[tuple[str, Json]] = []
-    marks = WayMarks(16.0, lambda what, mark: told.append((what, mark)))
+    marks = Waypoints(16.0, lambda what, mark: told.append((what, mark)))
     for number in range(10_000):  # ten ticks a second
         marks.moved(number * 0.01, number * 1000.0)
     assert [what for what, _ in told] == ["at"] * 6

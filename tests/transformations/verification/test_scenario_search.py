@@ -10,7 +10,7 @@ import pytest
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.bound_devices.simulated_kinds import device_facts
 from robosmi.transformations.verification.original_side import channel_events
-from robosmi.transformations.verification.search.scenario_goals import NEGATIVE, behaviour, beside
+from robosmi.transformations.verification.search.scenario_goals import NEGATIVE, behaviour, near_threshold
 from robosmi.transformations.verification.search.scenario_inputs import (
     ScenarioInput,
     constant,
@@ -135,18 +135,18 @@ def test_a_program_that_goes_round_and_shows_nothing_is_looked_at_for_longer(bod
 def test_values_beside_a_border_of_a_ranger_are_no_whole_centimetres(kind: str) -> None:
     """A program that rounds them and waits that long takes another time where two boards round differently."""
     facts = device_facts()[kind]
-    assert beside(42, facts) == (40.5, 43.5)  # 41.5 may be seen as 42 by another board
-    assert beside(50, facts) == (48.5, 51.5)
-    assert beside(100, facts) == (98.5, 101.5)
+    assert near_threshold(42, facts) == (40.5, 43.5)  # 41.5 may be seen as 42 by another board
+    assert near_threshold(50, facts) == (48.5, 51.5)
+    assert near_threshold(100, facts) == (98.5, 101.5)
     for border in range(4, 250):
-        low, high = beside(border, facts)
+        low, high = near_threshold(border, facts)
         assert border / 1.02 - 0.8 <= low < border - 0.07
         assert border + 0.07 < high <= border * 1.02 + 0.8
         assert all(0.3 - 1e-9 <= value % 1 <= 0.7 + 1e-9 for value in (low, high))
 
 
 def test_values_beside_a_border_of_what_nobody_rounds_are_as_near_as_boards_allow() -> None:
-    assert list(beside(1020, {"near_percent": 2, "off_least": 7})) == pytest.approx([1000, 1040.4])
+    assert list(near_threshold(1020, {"near_percent": 2, "off_least": 7})) == pytest.approx([1000, 1040.4])
 
 
 def test_all_digits_of_a_remote_are_pressed() -> None:

@@ -15,21 +15,21 @@ from msgspec import Struct
 
 from robosmi.chain import Chain
 from robosmi.generate import Generation
-from robosmi.generate.kept_texts import KeptTexts
+from robosmi.generate.last_generated import MergedTexts
 from robosmi.generate.manifest import Manifest
-from robosmi.generate.places import Places
+from robosmi.generate.output_paths import Places
 from robosmi.generate.record import Record
 from robosmi.generate.result import FileChange
 from robosmi.metamodels import migration
 from robosmi.plugin_contracts import wrong_result
 from robosmi.plugins import content
-from robosmi.transformations.chains.stages.built import built
-from robosmi.transformations.chains.stages.by_hand import ByHand, by_hand
+from robosmi.transformations.chains.stages.build_sizes import stored_build_sizes
+from robosmi.transformations.chains.stages.compiler_errors import RULE as REFUSED
+from robosmi.transformations.chains.stages.compiler_errors import compiler_errors
 from robosmi.transformations.chains.stages.conflicts import RULE as CONFLICT
 from robosmi.transformations.chains.stages.conflicts import conflicts
 from robosmi.transformations.chains.stages.models import LAST, MigrationModels
-from robosmi.transformations.chains.stages.refused import RULE as REFUSED
-from robosmi.transformations.chains.stages.refused import refused_lines
+from robosmi.transformations.chains.stages.user_edits import UserEdits, find_user_edits
 from robosmi.transformations.m2m.plan_tasks import settle_tasks
 from robosmi.transformations.queries.plans.plan import target_of
 from robosmi.transformations.queries.reports.written_bodies import task_key
@@ -63,8 +63,8 @@ class Completed(Struct):
     models: MigrationModels
     folder: OutputFolder
     program: Generation
-    edits: ByHand
-    kept: KeptTexts
+    edits: UserEdits
+    kept: MergedTexts
 
 
 def completion_chain(made: Generation | None = None) -> Chain:
@@ -111,37 +111,37 @@ def program(models: MigrationModels) -> Generation:
 
 def compiler_findings(models: MigrationModels, program: Generation) -> list[migration.PlanFinding]:
     """RS337: the lines of the program that a compiler of the target refuses."""
-    return refused_lines(models.plan, _texts(program), models.files)
+    return compiler_errors(models.plan, _texts(program), models.files)
 
 
-def user_edits(models: MigrationModels, program: Generation, folder: OutputFolder) -> ByHand:
+def user_edits(models: MigrationModels, program: Generation, folder: OutputFolder) -> UserEdits:
     """What the user has written into the program that is there, and ticked in its report."""
     record = Record(folder.path, LAST, folder.manifest.files)
-    return by_hand(models.plan, folder.places, _texts(program), record)
+    return find_user_edits(models.plan, folder.places, _texts(program), record)
 
 
-def merged(program: Generation, folder: OutputFolder, user_edits: ByHand) -> KeptTexts:
+def merged(program: Generation, folder: OutputFolder, user_edits: UserEdits) -> MergedTexts:
     """The program's files with the user's edits.
 
     Raises:
         SourceError: a link or a folder is where a file was made.
     """
-    kept = KeptTexts(folder.places, LAST, folder.manifest.files)
+    kept = MergedTexts(folder.places, LAST, folder.manifest.files)
     kept.add(_texts(program), user_edits.base)
     return kept
 
 
-def build_sizes(models: MigrationModels, folder: OutputFolder, merged: KeptTexts) -> migration.Build | None:
+def build_sizes(models: MigrationModels, folder: OutputFolder, merged: MergedTexts) -> migration.Build | None:
     """The sizes of the last build of the program; None if it is not a build of these files."""
-    return built(folder.path, models.plan.name, merged.files)
+    return stored_build_sizes(folder.path, models.plan.name, merged.files)
 
 
 def completed(
     models: MigrationModels,
     folder: OutputFolder,
     program: Generation,
-    user_edits: ByHand,
-    merged: KeptTexts,
+    user_edits: UserEdits,
+    merged: MergedTexts,
     compiler_findings: Sequence[migration.PlanFinding],
     build_sizes: migration.Build | None,
 ) -> Completed:

@@ -1,14 +1,14 @@
 """Turns edits of the program that could not be merged into tasks for the plan, so that the report shows them.
 
-The merge marks a conflict in the file (`generate.keep`). Here the marks are read back, including those of earlier runs, which
-remain until a person resolves them.
+The merge marks a conflict in the file (`generate.merge_edits`). Here the marks are read back, including those of earlier runs,
+which remain until a person resolves them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from robosmi.generate.keep import BASE, GENERATED, MIDDLE, YOURS
+from robosmi.generate.merge_edits import BASE, GENERATED, MIDDLE, YOURS
 from robosmi.metamodels import migration
 
 RULE = "RS511"

@@ -10,8 +10,8 @@ from robosmi.errors import RuleError
 from robosmi.metamodels import hardware, migration
 from robosmi.model import EmfModel
 from robosmi.plugins import registry
-from robosmi.query.rules.erl import place_of
-from robosmi.transformations.constraints.places import in_file
+from robosmi.query.rules.rule_language import place_of
+from robosmi.transformations.constraints.finding_locations import in_file
 from robosmi.validate import EVL
 
 KIND: Final = "constraints"

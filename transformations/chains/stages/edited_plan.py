@@ -25,7 +25,7 @@ _LOOSE = "//text()[preceding-sibling::* or normalize-space(.) != string(.)]"
 """Text between elements, and text that may have surrounding blanks."""
 
 
-def beside_choices(plan: bytes) -> str:
+def digest_without_choices(plan: bytes) -> str:
     """The digest of a stored plan without its choices of pins and libraries; empty if the plan has no canonical form."""
     try:
         root = parse_xml(plan, PLAN, PLAN, tool="EMF", blanks=False)
@@ -55,4 +55,4 @@ def only_choices_differ(manifest: Manifest, name: str, data: bytes | None) -> bo
     """Whether a file is unchanged since the last run, or is the stored plan with only its choices edited."""
     if data is None or manifest.files.get(name) == digest(data):
         return data is not None
-    return name == STORED and bool(manifest.beside_choices) and manifest.beside_choices == beside_choices(data)
+    return name == STORED and bool(manifest.beside_choices) and manifest.beside_choices == digest_without_choices(data)

@@ -20,7 +20,7 @@ from robosmi.errors import SourceError
 from robosmi.files.files import digest, within
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.model.ecore.metamodels import built_in
-from robosmi.model.xmi.xmi_places import XmiPlaces
+from robosmi.model.xmi.xmi_locations import XmiLocations
 from robosmi.model.xmi.xmi_writer import to_xmi
 
 PLAN, CODE, HARDWARE, PLATFORM = "plan.xmi", "code.xmi", "hardware.xmi", "platform.xmi"
@@ -53,7 +53,7 @@ class MigrationModels(Struct):
     places: dict[str, str] = {}
     notes: list[Finding] = []
     settled: bool = False
-    _places: XmiPlaces | None = None
+    _places: XmiLocations | None = None
 
     def _repr_html_(self) -> str:
         from robosmi.model.elements.show import element_html  # for notebooks only
@@ -75,8 +75,8 @@ class MigrationModels(Struct):
         every = {**roots, PLAN: self.plan}
         places = self._places
         if places is None or places.roots != {id(root): name for name, root in every.items()}:
-            places = XmiPlaces({name: [root] for name, root in every.items()})
-        places.keep(unchanged)
+            places = XmiLocations({name: [root] for name, root in every.items()})
+        places.retain(unchanged)
         written = to_xmi(every, [name for name in roots if name not in unchanged], places)
         stored = {name: written[name] if name in written else unchanged[name] for name in roots}
         kinds = {CODE: "code", HARDWARE: "hardware", PLATFORM: "platform"}
@@ -88,7 +88,7 @@ class MigrationModels(Struct):
                     self.plan.inputs.append(known[name])
                 known[name].digest = digest(stored[name])
         files = {**stored, **to_xmi(every, [PLAN], places), **self.files}
-        places.keep(unchanged)
+        places.retain(unchanged)
         self._places = places
         return files
 

@@ -17,7 +17,7 @@ from msgspec.structs import replace
 from robosmi.base.data_text import Json
 from robosmi.diagnostics import Finding, Severity
 from robosmi.errors import RobosmiError, StoppedError
-from robosmi.files.elsewhere import Elsewhere
+from robosmi.files.external_files import ExternalFiles
 from robosmi.files.recovery import at_work, look_only
 from robosmi.generate.result import FileChange, Generation, TextLink
 from robosmi.generate.text_form import read
@@ -32,7 +32,7 @@ from robosmi.transformations.chains.stages.written_output import checked, chosen
 from robosmi.transformations.m2t.first_screen import Counted, counted
 from robosmi.transformations.m2t.program_files import BENCH, report_file
 from robosmi.transformations.m2t.terminal_text import terminal_lines
-from robosmi.transformations.queries.plans.plan import open_choices, plan_json, said
+from robosmi.transformations.queries.plans.plan import as_findings, open_choices, plan_json
 from robosmi.transformations.queries.reports.work import work_json
 
 KINDS = {
@@ -79,11 +79,11 @@ class Generated(Struct):
     @property
     def findings(self) -> list[Finding]:
         """The plan's findings, and those of this run alone."""
-        return Findings([*said(Q(self.models.plan.findings), self.models.places), *self.models.notes, *self.notes])
+        return Findings([*as_findings(Q(self.models.plan.findings), self.models.places), *self.models.notes, *self.notes])
 
     def tasks(self) -> list[Finding]:
         """The plan's tasks."""
-        return Findings(said(Q(self.models.plan.tasks), self.models.places))
+        return Findings(as_findings(Q(self.models.plan.tasks), self.models.places))
 
     def _repr_html_(self) -> str:
         from robosmi.model.elements.show import element_html  # for notebooks only
@@ -132,7 +132,7 @@ def produce(
     output: Path,
     *,
     inputs: Mapping[str, bytes | None] | None = None,
-    outside: Elsewhere | None = None,
+    outside: ExternalFiles | None = None,
     dry_run: bool = False,
     strict: bool = False,
     diff: bool = False,

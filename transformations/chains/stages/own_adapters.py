@@ -28,7 +28,7 @@ from robosmi.transformations.m2t.adapter_text import adapter_text
 from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
 from robosmi.transformations.queries.plans.port_pins import UNBOUND
 from robosmi.transformations.queries.reports.analysis import UNKNOWN
-from robosmi.transformations.queries.signature_text import taken_apart
+from robosmi.transformations.queries.signature_text import split_signature
 
 _UNKNOWN = re.compile(r"['‘](\w+)['’] (?:was not declared|undeclared)|implicit declaration of function ['‘](\w+)['’]")
 _MISSING_HEADER = "RS803"
@@ -116,7 +116,7 @@ def check_own_adapters(choice: AdapterChoice, target: TargetFacts, board: platfo
     Raises:
         PlatformDataError: one does not compile, at its place in its file, or declares a library of which it includes nothing.
     """
-    own = [piece for piece in choice.chosen_pieces if choice.index.kept_by(piece) != BUILT_IN]
+    own = [piece for piece in choice.chosen_pieces if choice.index.owner_of(piece) != BUILT_IN]
     _check_libraries(own, choice, target)
     _check_results(own, choice.api)
     _check_timers(own, board)
@@ -188,7 +188,7 @@ def _check_results(own: Iterable[AdapterPiece], api: ApiIndex) -> None:
 
 
 def _gives_nothing(signature: str) -> bool:
-    return taken_apart(signature)[0].strip() == "void"
+    return split_signature(signature)[0].strip() == "void"
 
 
 def _offering(header: str, target: TargetFacts) -> list[str]:

@@ -14,12 +14,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.project import Project, default_number
 from robosmi.transform import Trace
-from robosmi.transformations.chains.stages.drawn import StoredDrawing
+from robosmi.transformations.chains.stages.hardware_stage import StoredDrawing
 from robosmi.transformations.chains.stages.program import StoredProgram
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.choices.stored_choices import NOTHING, StoredChoices
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
-from robosmi.transformations.m2m.ports.port_binding import SaidPins, bind_ports
+from robosmi.transformations.m2m.ports.port_binding import UserPins, bind_ports
 from robosmi.transformations.queries.code import CodeView, unit_of
 from robosmi.transformations.queries.flows.pin_uses import PinUse
 from robosmi.transformations.queries.plans.plan_adapters import closure
@@ -53,7 +53,7 @@ def bindings(
     assert source is not None
     connections = list(drawing.hardware.connections) if drawing is not None else []
     asked = with_conventions(ports, judgement[0].adapters, program.views)
-    said = (SaidPins(settings.bind, settings.places("bind", settings.bind)), SaidPins({**bind}))
+    said = (UserPins(settings.bind, settings.places("bind", settings.bind)), UserPins({**bind}))
     limit, kept = default_number("choices", "limit"), (stored or NOTHING).ports
     split = split_functions(judgement[0].adapters)
     return bind_ports(asked, api, source, connections, board, said, limit, kept, split)
@@ -122,7 +122,7 @@ def _calls(use: migration.AdapterUse, name: str, argument: int | None, views: Se
     numbered = _NUMBERED.search(name)
     if numbered is not None and argument is None:
         return
-    for call in (*use.calls, *(made for view in views for made in view.made.get(str(use.name), ()))):
+    for call in (*use.calls, *(made for view in views for made in view.macro_calls.get(str(use.name), ()))):
         if numbered is None or argument is None or int(numbered[1]) in _values(call, argument, views):
             yield call
 

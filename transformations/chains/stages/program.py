@@ -27,14 +27,14 @@ from robosmi.transformations.chains.stages.reading import read_program
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.platforms.target_platform import CPLUSPLUS, PLAIN_C, TargetFacts
-from robosmi.transformations.m2m.language.refused_forms import remarks
+from robosmi.transformations.m2m.language.cpp_incompatibilities import remarks
 from robosmi.transformations.queries.block_braces import is_torn
 from robosmi.transformations.queries.code import CodeView, views
 from robosmi.transformations.queries.double_definitions import double_definitions
 from robosmi.transformations.queries.reports.analysis import library_cogs, unknown_functions
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE, INCLUDED
 from robosmi.transformations.t2m.c_source.parsing.sources import source_files
-from robosmi.transformations.t2m.c_source.side_file import ENDING, SideProject, project_beside, read_side
+from robosmi.transformations.t2m.c_source.side_file import ENDING, SideProject, adjacent_project, read_side
 
 
 class ProgramFiles(Struct, frozen=True):
@@ -105,7 +105,7 @@ def _side_project(path: str) -> SideProject | None:
     """
     if path.endswith(ENDING):
         return read_side(path, sourced=True)
-    beside = project_beside(path)
+    beside = adjacent_project(path)
     if not beside:
         return None
     made = read_side(beside)
@@ -129,7 +129,7 @@ def stored_program(files: ProgramFiles, api: ApiIndex, target: TargetFacts) -> S
     if target.language == PLAIN_C:
         _refuse_cplusplus(program, target)
     main = _the_main(program)
-    if not target.keeps_main:
+    if not target.preserves_main:
         _refuse_torn(main)
     seen = views(program, api)
     for view in seen:

@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, StoppedError
 from robosmi.files.files import write_atomic
-from robosmi.files.runs import alone
+from robosmi.files.run_lock import alone
 from robosmi.transformations.verification.judgement.scenario_verdicts import ComparedScenario
 from robosmi.verify.scenario import Scenario, read_scenario
 from robosmi.verify.simulation import PinTrace

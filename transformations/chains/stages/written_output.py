@@ -15,14 +15,14 @@ from msgspec import Struct
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import StoppedError
 from robosmi.files.commit import update
-from robosmi.files.elsewhere import Elsewhere
+from robosmi.files.external_files import ExternalFiles
 from robosmi.generate.manifest import NAME as MANIFEST
-from robosmi.generate.manifest import Guarded, Manifest, held_back, hidden, reformed_file
-from robosmi.generate.places import Places, free_name
-from robosmi.generate.undo import keep_before
+from robosmi.generate.manifest import Guarded, Manifest, hidden, reformed_file, retained_file
+from robosmi.generate.output_paths import Places, free_name
+from robosmi.generate.undo import save_previous
 from robosmi.metamodels import migration
 from robosmi.transformations.chains.stages.completion import Completed
-from robosmi.transformations.chains.stages.edited_plan import STORED, beside_choices, only_choices_differ
+from robosmi.transformations.chains.stages.edited_plan import STORED, digest_without_choices, only_choices_differ
 from robosmi.transformations.chains.stages.models import FOLDER, LAST, MigrationModels
 from robosmi.transformations.chains.stages.replaced_programs import replaced_programs
 
@@ -64,12 +64,12 @@ def checked(done: Completed, inputs: Mapping[str, bytes | None], unchanged: Mapp
     guarded = manifest.guard(places, contents | kept.records, inputs=known)
     obsolete = guarded.obsolete | kept.obsolete
     going = {name for name in obsolete if manifest.may_remove(name) and _made_by_runs(name)}
-    kept.findings += [held_back(output / name) for name in sorted(obsolete - going) if not name.startswith(f"{LAST}/")]
+    kept.findings += [retained_file(output / name) for name in sorted(obsolete - going) if not name.startswith(f"{LAST}/")]
     kept.findings += [*_told(output, guarded), *replaced_programs(output, models.plan.name, going, contents)]
     return Writing(contents, kept.records, kept.old | _with_comments(output, inputs, contents, kept.findings), going)
 
 
-def commit(done: Completed, new: Writing, inputs: Mapping[str, bytes | None], outside: Elsewhere | None) -> None:
+def commit(done: Completed, new: Writing, inputs: Mapping[str, bytes | None], outside: ExternalFiles | None) -> None:
     """Write the files, and the record of them, all or none."""
     manifest, places, output = done.folder.manifest, done.folder.places, done.folder.path
     record = Manifest.of(new.contents | new.records, {*chosen_by_persons(done.models.plan), *manifest.choices})
@@ -82,9 +82,9 @@ def commit(done: Completed, new: Writing, inputs: Mapping[str, bytes | None], ou
         *(done.kept.orphans if manifest.own else ()),
     ]
     record.files |= {name: manifest.files[name] for name in staying if name in manifest.files}
-    record.beside_choices = manifest.beside_choices if STORED in staying else beside_choices(new.contents[STORED])
+    record.beside_choices = manifest.beside_choices if STORED in staying else digest_without_choices(new.contents[STORED])
     writing = {**new.every, MANIFEST: record.to_bytes()}
-    elsewhere = keep_before(output, places, writing, new.going, outside)
+    elsewhere = save_previous(output, places, writing, new.going, outside)
     manifest.note(output, writing[MANIFEST])
     update(output, writing, new.going, places.seen, elsewhere)
 
@@ -158,7 +158,7 @@ def _with_comments(
     for name, data in inputs.items():
         if data is None or name not in contents:
             continue
-        from robosmi.model.xmi.xml_comments import comments_lost, told  # a first run has no models to write anew
+        from robosmi.model.xmi.xml_comments import comments_lost, lost_comments  # a first run has no models to write anew
 
         lost = comments_lost(data, contents[name])
         if not lost:
@@ -166,6 +166,6 @@ def _with_comments(
         beside = free_name(output, f"{name}.orig")
         old[beside] = data
         place = Location(str(output / name), lost[0])
-        message = told(lost, Path(beside).name)
+        message = lost_comments(lost, Path(beside).name)
         findings.append(Finding("RS524", Severity.warning, message, place, fix="keep such notes outside of the models"))
     return old

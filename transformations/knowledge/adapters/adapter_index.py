@@ -87,9 +87,9 @@ class AdapterIndex:
             PlatformDataError: as for `files`.
         """
         pieces = (piece for header in self.own_headers() for file in self.files(header) for piece in file.pieces)
-        return next((p for p in pieces if p.kind == "adapter" and p.name == function and self.kept_by(p) != BUILT_IN), None)
+        return next((p for p in pieces if p.kind == "adapter" and p.name == function and self.owner_of(p) != BUILT_IN), None)
 
-    def kept_by(self, piece: AdapterPiece) -> str:
+    def owner_of(self, piece: AdapterPiece) -> str:
         """The owner of a piece: `project`, `user` or `built-in`."""
         path = Path(piece.location.path)
         return next((whose for folder, whose in self.own.items() if path.is_relative_to(folder)), BUILT_IN)

@@ -32,7 +32,7 @@ from robosmi.recommend.device_ranker import DeviceRanker, Knowledge
 from robosmi.recommend.index import Library, LibraryIndex
 from robosmi.recommend.lexicon import Lexicon
 from robosmi.recommend.ranking import Ranker
-from robosmi.recommend.words import StopWords, plain, stem
+from robosmi.recommend.tokens import StopWords, plain, stem
 from robosmi.transformations.knowledge.platforms.target_platform import target_facts
 
 if TYPE_CHECKING:

@@ -35,7 +35,7 @@ class TargetNames:
         self.statements: frozenset[str] = frozenset()
         """Words of the statements that stand within the program's text, which no macro of the program may be."""
 
-    def beside(self, declared: frozenset[str], macros: frozenset[str], statements: frozenset[str]) -> TargetNames:
+    def extended(self, declared: frozenset[str], macros: frozenset[str], statements: frozenset[str]) -> TargetNames:
         """A copy extended by the names of other text in the sketch: declarations, macros, and words in statements."""
         made = TargetNames(None)
         made.declared, made.macros = self.declared | declared, self.macros | macros

@@ -121,7 +121,7 @@ class TargetFacts:
         return str(self.model.libraryIndex)
 
     @property
-    def keeps_main(self) -> bool:
+    def preserves_main(self) -> bool:
         """Whether programs of the target begin with main, so that the program's main is kept."""
         return self.model.structure is platform.EntryStructure.mainFunction
 

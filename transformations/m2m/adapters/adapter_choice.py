@@ -22,7 +22,7 @@ from robosmi.transformations.knowledge.platforms.platform_model import split_par
 from robosmi.transformations.queries.adapter_signature import spelling
 from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
 from robosmi.transformations.queries.plans.plan_adapters import closure, emitted
-from robosmi.transformations.queries.signature_text import parameter_type, taken_apart
+from robosmi.transformations.queries.signature_text import parameter_type, split_signature
 
 Status = migration.AdapterStatus
 _LONG = re.compile(r"(?<!long )\blong(?! long)(?: int)?\b")
@@ -249,7 +249,7 @@ def _count(signature: str) -> tuple[int, bool]:
 
 def _types(signature: str) -> list[str]:
     """The return type and parameter types of a signature in normalized spelling, so that they can be compared."""
-    returned, _, parameters = taken_apart(signature)
+    returned, _, parameters = split_signature(signature)
     return _plain([returned, *(parameter_type(parameter) for parameter in parameters)])
 
 

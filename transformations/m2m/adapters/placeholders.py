@@ -219,7 +219,7 @@ def _value(name: str, spelled: str, indexed: bool, mutable: bool, number: int, t
     return f"{storage}{declare(kind, name)}{' = 0' if plain else ''};"
 
 
-def wanted_types(views: Iterable[CodeView], functions: Mapping[str, FunctionType]) -> dict[str, str]:
+def expected_types(views: Iterable[CodeView], functions: Mapping[str, FunctionType]) -> dict[str, str]:
     """For each undeclared name used where a pointer is expected, the type of that pointer."""
     found: dict[str, str] = {}
     for view in views:

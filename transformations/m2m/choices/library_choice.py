@@ -22,7 +22,7 @@ from robosmi.recommend.ranking import Choices, Ranker, Recommendation
 from robosmi.transformations.knowledge.libraries.library_ranking import library_in, library_index
 from robosmi.transformations.knowledge.libraries.library_takes import Takes, library_takes
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
-from robosmi.transformations.m2m.choices.stored_choices import Said, explain
+from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
 from robosmi.transformations.queries.circuits.circuit import component_named
 
 NO_LIBRARY = "none"
@@ -125,7 +125,7 @@ def choose_libraries(
     history: Choices,
     limit: int,
     sure: float = 1.0,
-    stored: Mapping[tuple[str, str], Said] | None = None,
+    stored: Mapping[tuple[str, str], UserChoice] | None = None,
     places: Mapping[str, Location] | None = None,
 ) -> list[migration.LibraryChoice]:
     """A decision for each component.

@@ -18,7 +18,7 @@ from robosmi.metamodels import migration
 DIFFERENT, GONE = "RS413", "RS414"
 
 
-class Said(Struct, frozen=True):
+class UserChoice(Struct, frozen=True):
     """A person's choice: the value, the reason, and the time (as `Decision.chosenAt`)."""
 
     value: str
@@ -35,8 +35,8 @@ class StoredChoices(Struct, frozen=True):
         place: the plan's file, for messages.
     """
 
-    ports: Mapping[str, Said] = {}
-    libraries: Mapping[tuple[str, str], Said] = {}
+    ports: Mapping[str, UserChoice] = {}
+    libraries: Mapping[tuple[str, str], UserChoice] = {}
     place: Path | None = None
 
 
@@ -63,11 +63,11 @@ def choices_of_persons(plan: migration.MigrationPlan, place: Path | None = None)
     )
 
 
-def _said(decision: migration.Decision) -> Said:
-    return Said(str(decision.choice), tuple(decision.evidence), str(decision.chosenAt))
+def _said(decision: migration.Decision) -> UserChoice:
+    return UserChoice(str(decision.choice), tuple(decision.evidence), str(decision.chosenAt))
 
 
-def explain(decision: migration.Decision, said: Said | None) -> None:
+def explain(decision: migration.Decision, said: UserChoice | None) -> None:
     """Copy reason and time of a person's decision from the stored plan, if it chose the same."""
     if said is not None and said.value == decision.choice and decision.chosenBy is migration.ChosenBy.person:
         decision.chosenAt = said.at
@@ -110,7 +110,9 @@ def differences(
     return found
 
 
-def _subjects(plan: migration.MigrationPlan, stored: StoredChoices) -> Iterator[tuple[migration.Decision, str, str, Said | None]]:
+def _subjects(
+    plan: migration.MigrationPlan, stored: StoredChoices
+) -> Iterator[tuple[migration.Decision, str, str, UserChoice | None]]:
     for binding in plan.portBindings:
         yield binding, f"the port '{binding.name}'", "bind", stored.ports.get(str(binding.name))
     for choice in plan.libraryChoices:
@@ -149,7 +151,7 @@ def _lost(plan: migration.MigrationPlan, stored: StoredChoices) -> list[Finding]
     ]
 
 
-def _gone(subject: str, said: Said, stored: StoredChoices) -> Finding:
+def _gone(subject: str, said: UserChoice, stored: StoredChoices) -> Finding:
     message = f"{subject}: the plan of the last run says {said.value}, which the program and its hardware do not have any more"
     place = Location(str(stored.place)) if stored.place is not None else None
     return Finding(GONE, Severity.warning, message, place, fix="choose anew, if it is still needed")

@@ -26,7 +26,7 @@ from robosmi.metamodels import hardware, migration, platform
 from robosmi.model.elements.strict import enum_literal
 from robosmi.transformations.knowledge.part_names import PartNames, name_direction, names
 from robosmi.transformations.queries.circuits.circuit_walk import ReachedComponent, either_side, natural_key, pins_of, walk
-from robosmi.transformations.queries.circuits.connector_names import told_name
+from robosmi.transformations.queries.circuits.connector_names import displayed_name
 
 Role = hardware.Role
 
@@ -222,7 +222,7 @@ def _report_net(board: hardware.Component, label: str, net: hardware.Net, state:
     if id(net) not in state.on_boards:
         state.on_boards[id(net)] = [c for c in net.connectors if c.component is not None and c.component.role is Role.Board]
     others = (c for c in state.on_boards[id(net)] if c.component is not board)
-    named = [f"{c.pin or told_name(c)} of the board '{_title(c.component)}'" for c in islice(others, _NAMED + 1)]  # type: ignore[arg-type]
+    named = [f"{c.pin or displayed_name(c)} of the board '{_title(c.component)}'" for c in islice(others, _NAMED + 1)]  # type: ignore[arg-type]
     if len(named) > _NAMED:
         named[_NAMED:] = ["more"]
     if named:
@@ -286,7 +286,9 @@ def _names(mapped: list[_Mapped], state: _State) -> list[str]:
     return result
 
 
-def keep_apart(connections: Iterable[migration.Connection], words: Container[str], location: Location | None) -> list[Finding]:
+def rename_clashes(
+    connections: Iterable[migration.Connection], words: Container[str], location: Location | None
+) -> list[Finding]:
     """Rename those connections whose names the program already declares.
 
     Args:
@@ -331,7 +333,7 @@ def tied_inside(pins: Sequence[hardware.Connector], net: hardware.Net) -> tuple[
     }
     wires = [wire for wire in _wires(net) if len(wire.ends) > 1]
     for component, buses in switches.items():
-        joined = next(([told_name(c) or c.connectorId for c in bus] for bus in buses if len(_wired(bus, wires)) > 1), None)
+        joined = next(([displayed_name(c) or c.connectorId for c in bus] for bus in buses if len(_wired(bus, wires)) > 1), None)
         if joined is not None and not _leads_to_supply(pins, net, wires, component):
             return component, joined
     return None

@@ -33,7 +33,7 @@ from robosmi.transformations.knowledge.part_names import Phrases
 from robosmi.transformations.knowledge.parts_catalogue import Catalogue
 from robosmi.transformations.knowledge.wildcards import fits
 from robosmi.transformations.knowledge.wokwi_diagram import DrawnPart, NotDrawn, WokwiWiring
-from robosmi.transformations.queries.circuits.connector_names import told_name
+from robosmi.transformations.queries.circuits.connector_names import displayed_name
 
 _GROUND, _SUPPLY = "GND", "5V"
 
@@ -104,7 +104,7 @@ class _Wiring:
             self._list(component, "Wokwi's elements have no part that stands for it")
             return
         mapped = {c.connectorId: c for n in self.plan.connections if n.component is component for c in n.connectors}
-        if lost := [told_name(c) or c.connectorId for identity, c in mapped.items() if identity not in part.pins]:
+        if lost := [displayed_name(c) or c.connectorId for identity, c in mapped.items() if identity not in part.pins]:
             self._list(component, f"its {', '.join(lost)} is no pin of {part.kind}")
             return
         self._name(component)

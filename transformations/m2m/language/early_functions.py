@@ -2,7 +2,7 @@
 them.
 
 Before setup the target's core has not started its clock, so a wait in such a function would never end. Those that main's file
-declares before main lose the attribute and are called first in setup; `refused_forms` reports the others.
+declares before main lose the attribute and are called first in setup; `cpp_incompatibilities` reports the others.
 """
 
 from __future__ import annotations

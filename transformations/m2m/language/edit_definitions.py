@@ -70,7 +70,7 @@ def one_element(element: ccode.Variable, choice: str, text: SourceText) -> list[
     return [Replacement(found.end() - 1, found.end() - 1, "1")] if found else []
 
 
-def define_behind(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
+def define_after(element: ccode.Variable, choice: str, text: SourceText) -> list[Replacement]:
     """Add definitions of some of the names after a declaration of several."""
     place = text.data.find(b";", element.endOffset) + 1
     weak = "__attribute__((weak)) " if is_header(text.unit) else ""

@@ -1,7 +1,7 @@
 """Function types with an empty parameter list (`typedef int handler();`): unspecified parameters in C, none in C++.
 
 If all functions that the program stores under such a type take the same parameters, the type is given them. Where they differ,
-or nothing shows what the calls pass, `refused_forms` reports it.
+or nothing shows what the calls pass, `cpp_incompatibilities` reports it.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import FunctionType, type_of
 from robosmi.transformations.queries.initialisers import members_given, record_of
 from robosmi.transformations.queries.macros.tokens import name_tokens
-from robosmi.transformations.queries.programs.unsaid_parameters import parameters_of
+from robosmi.transformations.queries.programs.unprototyped_functions import parameters_of
 
 _EMPTY = re.compile(rb"\(\s*\)\s*\Z")
 
@@ -57,7 +57,7 @@ def empty_types(view: CodeView, data: bytes) -> Iterator[EmptyType]:
             yield EmptyType(typedef, next(iter(taken)) if len(taken) == 1 else None)
 
 
-def said_parameters(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+def explicit_parameters(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """Find the types that can be given a parameter list."""
     for found in empty_types(view, data):
         if found.parameters:

@@ -1,8 +1,8 @@
 """C constructs that a compiler for the target's language (C++) refuses, each with the edit that mends it.
 
 A table of rules over the code model. Each rule finds elements and names the rule of `edit_rules` that changes their text; what
-no simple edit mends is reported by `refused_forms`. Conversions of values follow from `queries.expression_type`. Declarations
-in the style of old C are in `old_c`, variables that several declarations or files share in `shared_names`.
+no simple edit mends is reported by `cpp_incompatibilities`. Conversions of values follow from `queries.expression_type`.
+Declarations in the style of old C are in `old_c`, variables that several declarations or files share in `shared_names`.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from robosmi.transformations.m2m.language import old_c, shared_names, void_arith
 from robosmi.transformations.m2m.language.compound_literals import compound_literals
 from robosmi.transformations.m2m.language.designated_lists import list_holders, positional
 from robosmi.transformations.m2m.language.early_functions import run_in_setup
-from robosmi.transformations.m2m.language.empty_types import said_parameters
-from robosmi.transformations.m2m.language.exact_texts import exact_texts
-from robosmi.transformations.m2m.language.excess_values import excess_values
+from robosmi.transformations.m2m.language.empty_types import explicit_parameters
+from robosmi.transformations.m2m.language.excess_initialisers import excess_initialisers
 from robosmi.transformations.m2m.language.nested_types import nested_enumerations, nested_tags
 from robosmi.transformations.m2m.language.read_only_registers import read_only_registers
 from robosmi.transformations.m2m.language.source_assembler import assembler
 from robosmi.transformations.m2m.language.text_change import Change, Rule
-from robosmi.transformations.m2m.language.unsaid_pointers import said_of_pointers
+from robosmi.transformations.m2m.language.unprototyped_pointers import pointer_prototypes
+from robosmi.transformations.m2m.language.unterminated_literals import unterminated_literals
 from robosmi.transformations.m2m.language.written_conversions import NULLS, conversions, is_primary, plain_type
 from robosmi.transformations.m2m.language.written_types import unnamed
 from robosmi.transformations.queries.code import CodeView
@@ -208,10 +208,10 @@ RULES: tuple[Rule, ...] = (
     _tags,
     _designated,
     compound_literals,
-    exact_texts,
-    excess_values,
-    said_parameters,
-    said_of_pointers,
+    unterminated_literals,
+    excess_initialisers,
+    explicit_parameters,
+    pointer_prototypes,
     run_in_setup,
     _enumerations,
     conversions,

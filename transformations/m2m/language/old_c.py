@@ -53,7 +53,7 @@ def missing_arguments(view: CodeView, data: bytes, functions: Mapping[str, Funct
             yield Change(call, "missing-arguments", before + values, "it is called without arguments that it takes")
 
 
-def parameters_behind(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
+def old_style_parameters(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """K&R definitions, `f(a) int a; {`: the parameters' types have to move into the list."""
     for function in view.of_kind(ccode.Function):
         names = [p.name for p in function.parameters]
@@ -287,7 +287,7 @@ def hidden_counters(view: CodeView, data: bytes, functions: Mapping[str, Functio
 RULES = (
     empty_lists,
     missing_arguments,
-    parameters_behind,
+    old_style_parameters,
     implicit_int,
     missing_returns,
     returns,

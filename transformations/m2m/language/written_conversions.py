@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from robosmi.metamodels import ccode
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.m2m.language.text_change import Change
-from robosmi.transformations.m2m.language.unsaid_pointers import said_values
+from robosmi.transformations.m2m.language.unprototyped_pointers import value_prototypes
 from robosmi.transformations.m2m.language.written_types import gives_text, written_type
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.expression_type import (
@@ -26,7 +26,7 @@ NULLS = re.compile(rb"NULL|\(?\s*0[xX]?0*[uUlL]*\s*\)?")
 
 def conversions(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) -> Iterator[Change]:
     """Find the values of a unit that need a cast, each with the type to cast to."""
-    said = said_values(view)
+    said = value_prototypes(view)
     for value, place in expectations(view, functions):
         wanted = place
         if id(value) in said:

@@ -61,7 +61,7 @@ def decide(d: Disposition, element: ccode.Located, action: migration.Action, rul
 def dispositions(code: ProgramModel, known: Known) -> ETL:
     """Build the transformation from a program to dispositions; its rule `Rewritten` takes elements that no other matches."""
     t = ETL(code, step=STEP)
-    declared = declarations(known.target.keeps_main)
+    declared = declarations(known.target.preserves_main)
     for module in (includes(known), declared, mains(known.divisions), externals(code.program, known)):
         t.include(module)
 

@@ -13,13 +13,13 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.replacements import Replacement
-from robosmi.transformations.m2m.language import compound_literals, early_functions, excess_values
+from robosmi.transformations.m2m.language import compound_literals, early_functions, excess_initialisers
 from robosmi.transformations.m2m.language.decided_conditions import as_decided
 from robosmi.transformations.m2m.language.declared_lists import without
 from robosmi.transformations.m2m.language.designated_lists import positional
 from robosmi.transformations.m2m.language.edit_definitions import (
     body,
-    define_behind,
+    define_after,
     define_extern,
     define_local,
     define_without_extern,
@@ -294,7 +294,7 @@ RULES: dict[str, EditRule] = {
     "decided-condition": lambda element, choice, text: as_decided(element, text),
     "open-size": _open_size,
     "positional": lambda element, choice, text: positional(element, text.data) or [],
-    excess_values.RULE: lambda element, choice, text: excess_values.places(element, text.data),
+    excess_initialisers.RULE: lambda element, choice, text: excess_initialisers.places(element, text.data),
     compound_literals.RULE: lambda element, choice, text: compound_literals.replacements(element, choice, text.data),
     "convert": _convert,
     "convert-compound": _convert_compound,
@@ -331,8 +331,8 @@ RULES: dict[str, EditRule] = {
     "define-without-extern": define_without_extern,
     "define-local": define_local,
     "define-in-list": sized,
-    "define-behind": define_behind,
-    "shared-behind": define_behind,
+    "define-behind": define_after,
+    "shared-behind": define_after,
     "left-undefined": lambda element, choice, text: [],
     "adapter-in-place": body,
     "adapter-declared": _out,

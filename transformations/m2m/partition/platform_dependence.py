@@ -36,13 +36,13 @@ from robosmi.transformations.m2m.adapters.adapter_uses import (
     own_types,
 )
 from robosmi.transformations.m2m.adapters.placeholders import (
+    expected_types,
     implied_headers,
     size_names,
     standard_values,
     symbol_use,
     type_uses,
     used_symbols,
-    wanted_types,
 )
 from robosmi.transformations.m2m.language.decided_conditions import decided_conditions
 from robosmi.transformations.m2m.language.language_gap import TEXT_RULES as LANGUAGE_RULES
@@ -144,7 +144,7 @@ def partition(
     result.pieces, result.unserved = choice.elements, choice.unserved
     shared = _beside_adapters(names, views, result, target.libraries)
     reserved = shared.declared | shared.macros | shared.keywords | _standard_names(views, target, result.symbols)
-    mains = [] if target.keeps_main else [main for unit in program.units if (main := main_of(unit)) is not None]
+    mains = [] if target.preserves_main else [main for unit in program.units if (main := main_of(unit)) is not None]
     result.divisions = [divide(main, reserved, words) for main in mains]
     if not target.model.platform or not target.model.platform.hasCogs:
         plain = [SourceText(view.unit, sources[view.unit.path], ()) for view in views]
@@ -193,7 +193,7 @@ def _symbols(
     assert result.source is not None
     there = {(h.name, s.name): s for h in result.source.headers for s in h.symbols}
     known = _resolved(there, api, used, [i.header for v in views for i in v.unit.includes])
-    wanted = wanted_types(views, functions)
+    wanted = expected_types(views, functions)
     attributes = set(api.settings["parser"].get("attribute_macros", []))
     several = sum(not is_header(v.unit) for v in views) > 1
     sizes = size_names(views)
@@ -247,7 +247,7 @@ def _beside_adapters(names: TargetNames, views: Sequence[CodeView], result: Depe
     declared, macros = declared_names(result.pieces, own)
     declared |= library_names(result.pieces, index, own)
     within = {word for piece in result.pieces for statement in piece.setup for word in _WORD.findall(str(statement))}
-    return names.beside(declared, macros | {str(helper.name) for helper in result.helpers}, frozenset(within))
+    return names.extended(declared, macros | {str(helper.name) for helper in result.helpers}, frozenset(within))
 
 
 def _change_unit_texts(

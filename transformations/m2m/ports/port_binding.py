@@ -24,7 +24,7 @@ from robosmi.metamodels import migration, platform
 from robosmi.model.elements.strict import enum_literal
 from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
-from robosmi.transformations.m2m.choices.stored_choices import Said, explain
+from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
 from robosmi.transformations.m2m.ports.port_evidence import Fit, Seat, fit, may_meet
 from robosmi.transformations.queries.flows.value_flows import PinArgument
 from robosmi.transformations.queries.plans.binding_edits import referred, trace_binding
@@ -36,7 +36,7 @@ _SIGNALS = {"in": "read", "out": "write"}
 _ANOTHER_PROGRAM = "take it out there, or give each program a folder of its own with its project file"
 
 
-class SaidPins(Struct, frozen=True):
+class UserPins(Struct, frozen=True):
     """The pins that one source of choices (a flag, the project file) assigns to ports.
 
     Attributes:
@@ -61,9 +61,9 @@ def bind_ports(
     source: platform.Platform,
     connections: Sequence[migration.Connection],
     board: platform.Board,
-    said: Sequence[SaidPins],
+    said: Sequence[UserPins],
     limit: float,
-    stored: Mapping[str, Said] | None = None,
+    stored: Mapping[str, UserChoice] | None = None,
     split: frozenset[str] = frozenset(),
 ) -> list[migration.PortBinding]:
     """Make the binding decision for each port of the program.
@@ -123,7 +123,7 @@ def _within_reach(
 
 
 def _kept(
-    stored: Mapping[str, Said],
+    stored: Mapping[str, UserChoice],
     ports: list[Port],
     program: ProgramPorts,
     api: ApiIndex,
@@ -134,7 +134,7 @@ def _kept(
     found: dict[str, _Pin] = {}
     for name, kept in stored.items():
         try:
-            layer = _layer(SaidPins({name: kept.value}), ports, program, api)
+            layer = _layer(UserPins({name: kept.value}), ports, program, api)
             if kept.value != NOT_WIRED:
                 _chosen(kept.value, connections, board)
         except UsageError:
@@ -175,7 +175,7 @@ def _seat(port: Port, binding: migration.PortBinding, found: ProgramPorts, api: 
     return Seat(binding, _words(port, api), names, siblings, role, _usual(port, facts.get("usual", {})), _is_split(port, split))
 
 
-def _layer(layer: SaidPins, ports: list[Port], program: ProgramPorts, api: ApiIndex) -> dict[str, _Pin]:
+def _layer(layer: UserPins, ports: list[Port], program: ProgramPorts, api: ApiIndex) -> dict[str, _Pin]:
     """The pins that one source of choices gives, by port; a pin that the program may compute at run time is added as a port."""
     found: dict[str, tuple[str, str]] = {}
     for name, pin in layer.pins.items():
@@ -230,7 +230,7 @@ def _take(binding: migration.PortBinding, said: str, connections: Sequence[migra
     binding.evidence.append("by flag or in the project file")
 
 
-def bind_by_hand(
+def bind_as_chosen(
     binding: migration.PortBinding, said: str, connections: Sequence[migration.Connection], board: platform.Board
 ) -> None:
     """Set the reference of a stored binding to what a person chose; an empty text leaves the port unbound.

@@ -21,7 +21,7 @@ from robosmi.transformations.queries.circuits.component_kinds import (
     is_serial,
     kinds_of,
     known_roles,
-    said,
+    significant_words,
 )
 from robosmi.transformations.queries.plans.port_pins import measures
 
@@ -75,7 +75,7 @@ def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
         return None
     if seat.split and _only_answers(connection, own, known):
         return None
-    mine, theirs = said(seat.words), said(component_texts(connection))
+    mine, theirs = significant_words(seat.words), significant_words(component_texts(connection))
     for group in known.apart:
         if mine & group and theirs & group and not mine & theirs & group:
             return None
@@ -104,7 +104,7 @@ def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
     if points and numbered:
         reasons.append("its connector has the number of the element")
         points += 1
-    if points and (same := (mine | said(seat.parameters)) & own - SENDS - RECEIVES - EMPTY_WORDS):
+    if points and (same := (mine | significant_words(seat.parameters)) & own - SENDS - RECEIVES - EMPTY_WORDS):
         reasons.append(f"its connector is called '{', '.join(sorted(same))}', too")
         points += 0.5 * len(same)
     if points and (side := mine & theirs & qualifiers):

@@ -50,7 +50,7 @@ def port_changes(
     for binding in bindings:
         binding.changes.clear()
     found, number = [], 1
-    shut = shut_pins([argument for each in ports.flows for argument in each.flow.arguments], sources)
+    shut = disabled_pins([argument for each in ports.flows for argument in each.flow.arguments], sources)
     moved = {id(place.element) for each in ports.flows if each.moved for place in each.flow.places}
     for each in ports.flows:
         if each.moved:
@@ -197,7 +197,7 @@ class _Use(Struct, frozen=True):
     end: int
 
 
-def shut_pins(arguments: Iterable[PinArgument], sources: Mapping[str, bytes]) -> dict[int, list[migration.TextChange]]:
+def disabled_pins(arguments: Iterable[PinArgument], sources: Mapping[str, bytes]) -> dict[int, list[migration.TextChange]]:
     """Make the directives around each macro use that expands to calls whose ports cannot be looked up.
 
     Args:

@@ -51,7 +51,7 @@ def conversions(text: str, reads: bool) -> Iterator[Conversion]:
         yield length or "", letter, found.end() - 1
 
 
-def wanted(
+def required_length(
     there: Machine, conversion: Conversion, number: Number | None, wide: Number | None, sure: bool
 ) -> tuple[bool, Number | None]:
     """Whether a conversion needs the length `l` inserted, and the type that its argument has to be cast to (None: no cast).

@@ -12,8 +12,8 @@ from collections.abc import Callable, Iterator, Mapping
 
 from msgspec import Struct
 
-from robosmi.transformations.m2m.widths.width_formats import conversions, has_format, wanted
-from robosmi.transformations.m2m.widths.width_wants import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, Want
+from robosmi.transformations.m2m.widths.width_formats import conversions, has_format, required_length
+from robosmi.transformations.m2m.widths.width_requirements import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, WidthRequirement
 from robosmi.transformations.queries.macros.macro_definitions import TextPlace
 from robosmi.transformations.queries.numbers import COMPARISONS, Machine, Number
 from robosmi.transformations.queries.typed import NumberKind, TypedExpression
@@ -38,7 +38,7 @@ class Walk(Struct):
     here: Machine
     there: Machine
     names: Mapping[str, str] = {}
-    wants: list[Want] = []
+    wants: list[WidthRequirement] = []
     seen: dict[TextPlace, set[str]] = {}
     changed: set[TextPlace] = set()
     handing: set[str] = set()
@@ -68,13 +68,13 @@ class Walk(Struct):
         """Want a plain char to be read as unsigned."""
         high = node.form == "character" and node.value is not None and 127 < node.value < 256
         if high or (node.kind.char and node.form != "character"):
-            self.wants.append(Want(READ, node))
+            self.wants.append(WidthRequirement(READ, node))
             return Number(8, False)
         return number
 
     def widen(self, node: TypedExpression, number: Number) -> None:
         """Want an operand to be cast to a wider type."""
-        self.wants.append(Want(WIDEN, node, number))
+        self.wants.append(WidthRequirement(WIDEN, node, number))
 
     # ---- expressions without an operator
 
@@ -100,7 +100,7 @@ class Walk(Struct):
 
     def _macro(self, node: TypedExpression) -> Number | None:
         if node.name in self.names:
-            self.wants.append(Want(NAME, node, text=self.names[node.name]))
+            self.wants.append(WidthRequirement(NAME, node, text=self.names[node.name]))
             return node.kind.number
         return None
 
@@ -132,9 +132,9 @@ class Walk(Struct):
         if node.origin != "standard":
             return node.kind.target
         if node.name in _ORDERED and len(arguments) > _ORDERED[node.name]:
-            self.wants.append(Want(ORDER, arguments[_ORDERED[node.name]]))
+            self.wants.append(WidthRequirement(ORDER, arguments[_ORDERED[node.name]]))
         if node.name in self.names and node.children:
-            self.wants.append(Want(NAME, node.children[0], text=self.names[node.name]))
+            self.wants.append(WidthRequirement(NAME, node.children[0], text=self.names[node.name]))
             return node.kind.number
         return self.there.number(node.kind.base) if node.kind.base in _PLAIN else node.kind.target
 
@@ -142,7 +142,7 @@ class Walk(Struct):
         """Check a call's format and the arguments that it describes."""
         text, reads = arguments[node.fixed - 1], node.name.endswith("scanf")
         if text.form != "text":
-            self.wants.append(Want(TEXT, text, text="?"))
+            self.wants.append(WidthRequirement(TEXT, text, text="?"))
             return
         offsets = []
         given = zip(conversions(text.text, reads), arguments[node.fixed :], numbers[node.fixed :], strict=False)
@@ -152,12 +152,12 @@ class Walk(Struct):
                 wide = not length and letter in "diuxXo"
             else:
                 sure = argument.form == "literal"
-                wide, made = wanted(self.there, conversion, self._promoted(number), argument.converted.number, sure)
+                wide, made = required_length(self.there, conversion, self._promoted(number), argument.converted.number, sure)
                 if made is not None:
                     self.widen(argument, made)
             offsets += [offset] if wide else []
         if offsets:
-            self.wants.append(Want(TEXT, text, offsets=tuple(offsets)))
+            self.wants.append(WidthRequirement(TEXT, text, offsets=tuple(offsets)))
 
     def _arguments_of_adapter(self, node: TypedExpression) -> None:
         """Visit an adapter's arguments, which need no casts: adapters expect the source's widths and its plain char."""
@@ -309,10 +309,10 @@ class Walk(Struct):
         if operator in ("<<", ">>"):
             small = right.value is not None and 0 <= right.value < self.there.int_bits
             if narrow and not (small and (operator == "<<" or not left.kind.char or not self.resigned)):
-                self.wants.append(Want(SHIFT, node, self.here.promoted(declared), operator, right))
+                self.wants.append(WidthRequirement(SHIFT, node, self.here.promoted(declared), operator, right))
             return first
         if operator in ("/", "%") and left.kind.char and self.resigned:
-            self.wants.append(Want(SHIFT, node, wanted, operator, right))
+            self.wants.append(WidthRequirement(SHIFT, node, wanted, operator, right))
             return first
         found = first if first is not None else self.there.integer
         common = self.there.common(found, second if second is not None else self.there.integer)

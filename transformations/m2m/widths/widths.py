@@ -26,11 +26,11 @@ from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.language.macro_order import MacroOrder
 from robosmi.transformations.m2m.partition.platform_dependence import Dependence
 from robosmi.transformations.m2m.widths.width_formats import handing_on
+from robosmi.transformations.m2m.widths.width_requirements import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, WidthRequirement
 from robosmi.transformations.m2m.widths.width_rules import Walk
-from robosmi.transformations.m2m.widths.width_wants import NAME, ORDER, READ, SHIFT, TEXT, WIDEN, Want
 from robosmi.transformations.queries.macros.macro_definitions import TextPlace
 from robosmi.transformations.queries.numbers import Machine, Number
-from robosmi.transformations.queries.typed import TypedExpression, deep_calls
+from robosmi.transformations.queries.typed import TypedExpression, raised_recursion_limit
 from robosmi.transformations.queries.width_types import retyped, retyped_words
 
 TYPE = "type"
@@ -56,7 +56,7 @@ class Widened(Struct):
     """
 
     widenings: list[migration.Widening] = []
-    lost: list[Want] = []
+    lost: list[WidthRequirement] = []
     unread: list[TextPlace] = []
 
 
@@ -82,10 +82,10 @@ def widenings(
     """
     here, there = machines
     walk = Walk(here, there, names)
-    with deep_calls():
+    with raised_recursion_limit():
         walk.handing = {name for top in typed.values() for name in handing_on(top)}
     writer = Writer(texts, walk, MacroOrder(units, texts), cplusplus)
-    with deep_calls():
+    with raised_recursion_limit():
         for unit in units:
             walk.run(typed.get(unit.path, []))
     written = writer.edits()
@@ -307,7 +307,7 @@ class Writer(Struct):
     walk: Walk
     order: MacroOrder
     lambdas: bool = True
-    lost: list[Want] = []
+    lost: list[WidthRequirement] = []
     _casts: dict[TextPlace, _Cast] = {}
     _edits: dict[tuple[str, Replacement, str], None] = {}
 
@@ -349,7 +349,7 @@ class Writer(Struct):
     def _slice(self, place: TextPlace) -> str:
         return self.texts[place.unit][place.start : place.end].decode("latin-1")
 
-    def _widen(self, want: Want) -> bool:
+    def _widen(self, want: WidthRequirement) -> bool:
         number = want.number
         assert number is not None
         node = want.node
@@ -367,7 +367,7 @@ class Writer(Struct):
         cast.number = number
         return True
 
-    def _read(self, want: Want) -> bool:
+    def _read(self, want: WidthRequirement) -> bool:
         here = self.walk.here.int_bits
         place = self._place(want.node, {f"{here} True char", f"{here} True character"}, None)
         if place is None:
@@ -394,14 +394,14 @@ class Writer(Struct):
                 return place
         return None
 
-    def _name(self, want: Want) -> bool:
+    def _name(self, want: WidthRequirement) -> bool:
         place = next((p for p in want.node.inner if self._slice(p) == want.node.name), None)
         if place is None:
             return False
         self._add(place.unit, Replacement(place.start, place.end, want.text), NAME)
         return True
 
-    def _text(self, want: Want) -> bool:
+    def _text(self, want: WidthRequirement) -> bool:
         """Insert the length `l` for 32 bits into the conversions of a format."""
         written = want.node.text
         if want.text or "PRI" in written or "SCN" in written:
@@ -413,7 +413,7 @@ class Writer(Struct):
             self._add(place.unit, Replacement(place.start + offset, place.start + offset, "l"), TEXT)
         return True
 
-    def _order(self, want: Want) -> bool:
+    def _order(self, want: WidthRequirement) -> bool:
         """Wrap a comparison function for `qsort` or `bsearch` in a lambda that reduces its 32-bit result to the sign."""
         place = next(iter(want.node.inner), None)
         if place is None or not self.lambdas or not re.fullmatch(r"&?\s*\w+", self._slice(place)):
@@ -423,7 +423,7 @@ class Writer(Struct):
         self._add(place.unit, Replacement(place.start, place.end, text), ORDER)
         return True
 
-    def _shift(self, want: Want) -> bool:
+    def _shift(self, want: WidthRequirement) -> bool:
         """Write `a <<= n` as `a = (int32_t)a << n`."""
         left, right = want.node.children[:2]
         assert want.number is not None

@@ -32,7 +32,7 @@ from robosmi.generate import Gen
 from robosmi.metamodels import hardware
 from robosmi.transformations.m2t.circuits.circuit_layout import HEAD, Box, DrawnLink, DrawnMark, PartRow, Place, placed
 from robosmi.transformations.queries.circuits.circuit_walk import natural_key, pins_of
-from robosmi.transformations.queries.circuits.connector_names import told_name
+from robosmi.transformations.queries.circuits.connector_names import displayed_name
 
 _FILLS = {
     "Board": "#cfe3f5", "Input": "#d9f0d3", "Output": "#fde3c8", "Both": "#e9dcf2", "Passive": "#eeeeee", "Power": "#f8d0d0",
@@ -261,7 +261,7 @@ def _groups(component: hardware.Component) -> Iterable[tuple[str, Sequence[hardw
     others = [c for c in component.connectors if not c.pin]
     for connector in (*pins, *others):
         if connector.net is not None and any(c.component is not component for c in connector.net.connectors):
-            text = connector.pin or same.get(id(connector.net)) or told_name(connector) or connector.connectorId
+            text = connector.pin or same.get(id(connector.net)) or displayed_name(connector) or connector.connectorId
             found.setdefault((text, id(connector.net)), []).append(connector)
     return [(text, connectors) for (text, _), connectors in found.items()]
 

@@ -15,8 +15,8 @@ from robosmi.metamodels import hardware, migration, platform
 from robosmi.query import Q, root_of
 from robosmi.quoting import toml
 from robosmi.transformations.knowledge.part import GIVEN
-from robosmi.transformations.queries.circuits.circuit_walk import behind, either_side
-from robosmi.transformations.queries.circuits.connector_names import told_name
+from robosmi.transformations.queries.circuits.circuit_walk import beyond_driver, either_side
+from robosmi.transformations.queries.circuits.connector_names import displayed_name
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -156,7 +156,7 @@ def circuit_graph(
 
 def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.Connection]) -> dict[str, Any]:
     """The result of the command `hardware`, JSON values only (`boards`, `components`, `mappings`, `nets`)."""
-    beyond = {c: behind(c) for c in circuit.components if c.driver}
+    beyond = {c: beyond_driver(c) for c in circuit.components if c.driver}
     return {
         "boards": [{"title": b.title, "model_index": b.elementId, "module_id": b.partId} for b in boards(circuit)],
         "components": [
@@ -185,7 +185,7 @@ def _ends(net: hardware.Net) -> list[dict[str, str]]:
             "component": c.component.title,
             "component_model_index": c.component.elementId,
             "id": c.connectorId,
-            "name": told_name(c),
+            "name": displayed_name(c),
         }
         for c in net.connectors
         if c.component is not None
@@ -217,7 +217,7 @@ def _mapping(
 
 
 def _connectors(connectors: Iterable[hardware.Connector]) -> list[dict[str, str]]:
-    return [{"id": connector.connectorId, "name": told_name(connector)} for connector in connectors]
+    return [{"id": connector.connectorId, "name": displayed_name(connector)} for connector in connectors]
 
 
 def _components(components: Iterable[hardware.Component]) -> list[dict[str, str]]:

@@ -62,7 +62,7 @@ def walk(start: Iterable[hardware.Net], blocked: Iterable[hardware.Net], ignore:
     return list(found.values())
 
 
-def behind(driver: hardware.Component) -> tuple[list[hardware.Component], list[hardware.Component]]:
+def beyond_driver(driver: hardware.Component) -> tuple[list[hardware.Component], list[hardware.Component]]:
     """The outputs that a driver drives and the inputs that it senses, beyond its connectors that lead to no board.
 
     They are given for the whole device, not channel by channel, and have no mapping of their own.
@@ -76,8 +76,8 @@ def behind(driver: hardware.Component) -> tuple[list[hardware.Component], list[h
 
 
 def either_side(component: hardware.Component) -> tuple[list[hardware.Component], list[hardware.Component]]:
-    """`behind` for a chip that may be on either side of the board, nothing for any other component."""
-    return behind(component) if is_either_side(component) else ([], [])
+    """`beyond_driver` for a chip that may be on either side of the board, nothing for any other component."""
+    return beyond_driver(component) if is_either_side(component) else ([], [])
 
 
 def _label_order(label: str) -> tuple[int, tuple[tuple[int, str], ...]]:

@@ -49,7 +49,7 @@ class PortWords(Struct, frozen=True):
 
 def kinds_of(connection: migration.Connection) -> set[str]:
     """The kinds that a component may be of, judged by the words of its names and by the connectors that are wired here."""
-    theirs = said(component_texts(connection))
+    theirs = significant_words(component_texts(connection))
     known = known_roles()
     kinds = {role for role, words in known.roles.items() if theirs & words}
     own = connector_words(c.name for c in connection.connectors)
@@ -65,7 +65,7 @@ def is_serial(connection: migration.Connection) -> bool:
     return any(w & SENDS for w in every) and any(w & RECEIVES for w in every) and bool(own & (SENDS | RECEIVES))
 
 
-def said(texts: Iterable[str]) -> set[str]:
+def significant_words(texts: Iterable[str]) -> set[str]:
     """The words of several names in lower case, without words that say nothing about the device."""
     vocabulary = known_roles().vocabulary
     return {word for text in texts for word in _words_of(text, vocabulary)}
@@ -78,7 +78,7 @@ def connector_words(texts: Iterable[str]) -> set[str]:
 
 
 def _words_of(name: str, vocabulary: Set[str]) -> set[str]:
-    """The words of one name (see `said`)."""
+    """The words of one name (see `significant_words`)."""
     pieces = [(w.start(), w.group().lower()) for w in _WORDS.finditer(name)]
     words = {word for _, word in pieces if not word.isdigit() and len(word) > 1}
     # a trade name may have a capital inside: NeoPixel, XBee

@@ -13,7 +13,7 @@ from robosmi.metamodels import hardware
 _POWERED = (hardware.ConnectorKind.supply, hardware.ConnectorKind.ground)
 
 
-def told_name(connector: hardware.Connector) -> str:
+def displayed_name(connector: hardware.Connector) -> str:
     """The displayed name of a connector, empty if it has none.
 
     If the component has another, unconnected connector of that name, the name is made unique: by the identity if that contains
@@ -30,14 +30,14 @@ def told_name(connector: hardware.Connector) -> str:
     return connector.connectorId if name in connector.connectorId else f"{name}@{connector.connectorId}"
 
 
-def told_names(connectors: Iterable[hardware.Connector]) -> list[str]:
+def displayed_names(connectors: Iterable[hardware.Connector]) -> list[str]:
     """The names of connectors as they are shown."""
-    return [told_name(connector) for connector in connectors]
+    return [displayed_name(connector) for connector in connectors]
 
 
 def wire_name(connectors: Iterable[hardware.Connector]) -> str:
     """What a person calls the wire to these connectors of a component: their names, or `a wire` where they have none."""
-    return " and ".join(filter(None, dict.fromkeys(told_names(connectors)))) or "a wire"
+    return " and ".join(filter(None, dict.fromkeys(displayed_names(connectors)))) or "a wire"
 
 
 def _is_another(one: hardware.Connector, other: hardware.Connector) -> bool:

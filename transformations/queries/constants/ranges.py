@@ -16,7 +16,7 @@ from robosmi.transformations.queries.macros.constant_text import calculate
 from robosmi.transformations.queries.numbers import COMPARISONS, Numbers
 from robosmi.transformations.queries.values import Values, passed_arguments
 
-DEEP = 40
+MAX_DEPTH = 40
 """Depth of names and operators to which the values of an expression are followed."""
 
 
@@ -59,7 +59,7 @@ class Ranges:
         key = id(expression)
         if key not in self._known:
             self._known[key] = None  # where it depends on itself
-            if self._depth >= DEEP:
+            if self._depth >= MAX_DEPTH:
                 return None
             self._depth += 1
             try:

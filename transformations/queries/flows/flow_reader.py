@@ -21,7 +21,7 @@ from robosmi.transformations.queries.flows.cores import handed_over
 from robosmi.transformations.queries.flows.pin_uses import pin_number
 from robosmi.transformations.queries.flows.pointers import gives_access, moved_pointer, pointed_functions, takes_number
 from robosmi.transformations.queries.flows.value_flows import Flows, PinArgument, PortPlace
-from robosmi.transformations.queries.initialisers import leaves, members_given, record_of, says_where
+from robosmi.transformations.queries.initialisers import is_designated, leaves, members_given, record_of
 from robosmi.transformations.queries.macros.argument_places import Holders, TokenText
 from robosmi.transformations.queries.member_records import record_key, record_of_member, records_of_cast, whole_of_member
 
@@ -111,7 +111,7 @@ class FlowReader:
             return self.value(expression.right)
         if isinstance(expression, ccode.Binary) and (array := moved_pointer(expression)) is not None:
             elements = self.value(array)
-            self.flows.keep(elements, f"line {expression.line} calculates where it is")
+            self.flows.freeze(elements, f"line {expression.line} calculates where it is")
             return elements
         if isinstance(expression, ccode.NameReference):
             return self._name(expression)
@@ -128,7 +128,7 @@ class FlowReader:
 
     def calculated(self, key: Hashable, expression: ccode.Located) -> None:
         """Record that computed values enter a flow, so that its numbers cannot be changed in the text."""
-        self.flows.keep(key, f"line {expression.line} calculates it")
+        self.flows.freeze(key, f"line {expression.line} calculates it")
         unit = ancestor_of_kind(expression, ccode.SourceUnit)
         if unit is not None and not (isinstance(expression, ccode.Unary) and gives_access(expression.operand)):
             self.flows.of(key).calculated.append((unit, expression))
@@ -165,7 +165,7 @@ class FlowReader:
         known = self._fields.setdefault(name, {})
         if key not in known:
             known[key] = None
-            self.flows.keep(key, f"'{name}' is a member of a structure")
+            self.flows.freeze(key, f"'{name}' is a member of a structure")
             if (unknown := ("field", name, None)) in known:
                 for other in known:
                     self.flows.join(unknown, other)
@@ -180,20 +180,20 @@ class FlowReader:
             self.flows.join(*keys)
 
     def _once(self, key: Hashable, why: str) -> Hashable:
-        self.flows.keep(key, why, computed=True)
+        self.flows.freeze(key, why, computed=True)
         return key
 
     def _literal(self, literal: ccode.IntegerLiteral) -> Hashable:
         key = self.key(literal)
         if key not in self._known:
             self._known.add(key)
-            name, within, holder = holder_of(literal)
+            name, within, holder = initialised_constant(literal)
             unit = ancestor_of_kind(literal, ccode.SourceUnit)
             assert unit is not None
             start, end = int(literal.startOffset), int(literal.endOffset)
             self.put(key, unit, start, end, pin_number(int(literal.value)), holder, name, within)
             if not _WRITTEN.match(self.sources[unit.path], start, end):
-                self.flows.keep(key, f"a macro makes it (line {literal.line})")
+                self.flows.freeze(key, f"a macro makes it (line {literal.line})")
         return key
 
     def put(
@@ -236,7 +236,7 @@ class FlowReader:
                 self._call(element, view)
             elif isinstance(element, ccode.For) and element.range is not None:
                 for declaration in element.declaration.declarations if element.declaration is not None else ():
-                    self.flows.keep(self.key(declaration), f"line {element.line} goes through a range with it", computed=True)
+                    self.flows.freeze(self.key(declaration), f"line {element.line} goes through a range with it", computed=True)
 
     def _give(self, taker: Hashable, expression: ccode.Expression | None) -> None:
         """Join the flow of a thing with that of an expression which it is given."""
@@ -255,13 +255,13 @@ class FlowReader:
         if code is function and code.parameters:
             parameter = self.key(code.parameters[0])
             self._give(parameter, handed)
-            self.flows.keep(parameter, f"it is handed to '{code.name}' on another core")
+            self.flows.freeze(parameter, f"it is handed to '{code.name}' on another core")
             return
         why = f"'{function.name}' is called through a pointer"
         for position, parameter in enumerate(function.parameters):
             self.flows.join(("through a pointer", position), self.key(parameter))
-            self.flows.keep(self.key(parameter), why, computed=True)
-        self.flows.keep(("result", self.key(function)), why)
+            self.flows.freeze(self.key(parameter), why, computed=True)
+        self.flows.freeze(("result", self.key(function)), why)
 
     def _variable(self, variable: ccode.Variable) -> None:
         key, use = self.key(variable), variable.valueType
@@ -270,7 +270,7 @@ class FlowReader:
                 for member, value in members_given(use, variable.initializer):
                     self._give(self._field(str(member.name), record_key(member.eContainer())), value)
             else:
-                self.flows.keep(self.value(variable.initializer), f"'{variable.name}' is a structure")
+                self.flows.freeze(self.value(variable.initializer), f"'{variable.name}' is a structure")
             return
         if variable.initializer is not None:
             given = list(leaves(variable.initializer))
@@ -281,14 +281,14 @@ class FlowReader:
             for size in sizes:
                 count *= size
             if sizes and len(given) < count and isinstance(variable.initializer, ccode.InitializerList):
-                self.flows.keep(key, f"elements of '{variable.name}' are 0 until they get a value")
+                self.flows.freeze(key, f"elements of '{variable.name}' are 0 until they get a value")
             return
         lasting = isinstance(variable.eContainer(), ccode.SourceUnit) or variable.storage is ccode.Storage.staticStorage
         if variable.storage is ccode.Storage.externStorage:
             if variable.name not in self._defined:
-                self.flows.keep(key, f"'{variable.name}' is defined elsewhere", computed=True)
+                self.flows.freeze(key, f"'{variable.name}' is defined elsewhere", computed=True)
         elif lasting:
-            self.flows.keep(key, f"'{variable.name}' is 0 until it gets a value")
+            self.flows.freeze(key, f"'{variable.name}' is 0 until it gets a value")
 
     def _assignment(self, assignment: ccode.Assignment) -> None:
         if isinstance(assignment.eContainer(), ccode.InitializerList):
@@ -299,7 +299,7 @@ class FlowReader:
             return
         self._give(left, assignment.right)
         if not isinstance(assignment.left, ccode.NameReference):
-            self.flows.keep(left, f"line {assignment.line} fills it at run time")
+            self.flows.freeze(left, f"line {assignment.line} fills it at run time")
 
     def _return(self, statement: ccode.Return) -> None:
         function = ancestor_of_kind(statement, ccode.Function)
@@ -320,7 +320,7 @@ class FlowReader:
                 self._give(("through a pointer", position), argument)
             for name, pin in self.pointed.values():
                 if pin.position < len(arguments) and takes_number(call, pin.position):
-                    self.flows.keep(self.value(arguments[pin.position]), f"it is given through a pointer (line {call.line})")
+                    self.flows.freeze(self.value(arguments[pin.position]), f"it is given through a pointer (line {call.line})")
                     self._pin(name, pin, call, view)
             return
         parameters = self.pins(str(call.calleeName or ""), view)
@@ -354,7 +354,7 @@ class FlowReader:
         """Record that a flow ends in an argument that is a pin."""
         self.flows.of(key).arguments.append(pin)
         if not pin.translated and not pin.unplaced:
-            self.flows.keep(key, f"it is the end of a range in '{pin.function}'")
+            self.flows.freeze(key, f"it is the end of a range in '{pin.function}'")
 
     def pins(self, name: str, view: CodeView) -> Sequence[PinParameter]:
         """The parameters of a function that are pins for the platform or for its adapter; none for any other function."""
@@ -412,7 +412,7 @@ def _written(reference: ccode.Expression) -> bool:
     return isinstance(outer, ccode.Unary) and str(outer.operator) in ("++", "--")
 
 
-def holder_of(literal: ccode.IntegerLiteral) -> tuple[str, str, ccode.Located]:
+def initialised_constant(literal: ccode.IntegerLiteral) -> tuple[str, str, ccode.Located]:
     """The constant that a literal initialises: its name, the function that declares it, the element that holds the value.
 
     The names are empty, and the element is the literal, where the literal initialises no constant.
@@ -421,7 +421,7 @@ def holder_of(literal: ccode.IntegerLiteral) -> tuple[str, str, ccode.Located]:
     index = None
     while isinstance(outer, (ccode.Cast, ccode.InitializerList)):
         if isinstance(outer, ccode.InitializerList):
-            if index is not None or any(says_where(each) for each in outer.elements):
+            if index is not None or any(is_designated(each) for each in outer.elements):
                 return "", "", literal
             index = list(outer.elements).index(inner)
         inner, outer = outer, outer.eContainer()  # type: ignore[assignment]

@@ -97,7 +97,7 @@ def pin_uses_of(view: CodeView, views: Iterable[CodeView]) -> list[PinUse]:
     return sorted(found.values(), key=lambda u: (u.line, int(u.call.startOffset)))
 
 
-def made_uses_of(view: CodeView) -> list[PinUse]:
+def macro_pin_uses(view: CodeView) -> list[PinUse]:
     """The pins used by calls that a unit's macro uses expand to, in text order.
 
     Args:
@@ -130,7 +130,7 @@ def negative_uses_of(view: CodeView) -> list[PinUse]:
     return sorted(found, key=lambda use: int(use.call.startOffset))
 
 
-def says_its_ports(call: ccode.Call, view: CodeView) -> bool:
+def names_its_ports(call: ccode.Call, view: CodeView) -> bool:
     """Whether the text gives the pins of a call, whatever other flows its arguments belong to.
 
     Args:

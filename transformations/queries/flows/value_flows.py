@@ -130,7 +130,7 @@ class Flows:
             into.calculated += taken.calculated
             into.given += taken.given
 
-    def keep(self, key: Hashable, why: str, *, computed: bool = False) -> None:
+    def freeze(self, key: Hashable, why: str, *, computed: bool = False) -> None:
         """Record why the numbers of a flow must not be changed; with `computed`, a value enters that the text does not show."""
         flow = self.of(key)
         if why not in flow.kept:

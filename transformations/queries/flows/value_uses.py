@@ -56,7 +56,7 @@ class ValueUses:
                 return  # of the macro's own body
         why = self._why_kept(expression, expression.eContainer(), view)
         if why:
-            self.reader.flows.keep(self.reader.value(expression), why, computed=gives_access(expression))
+            self.reader.flows.freeze(self.reader.value(expression), why, computed=gives_access(expression))
 
     def _why_kept(self, expression: ccode.Expression, parent: Element | None, view: CodeView) -> str:
         kind = type(parent).__name__

@@ -51,7 +51,7 @@ class TokenText:
         return None
 
 
-def bare(argument: Sequence[Token]) -> Sequence[Token]:
+def without_parentheses(argument: Sequence[Token]) -> Sequence[Token]:
     """An argument's tokens without parentheses that enclose all of it."""
     while len(argument) > 2 and argument[0][3] == "(" and argument[-1][3] == ")" and _closes_last(argument):
         argument = argument[1:-1]

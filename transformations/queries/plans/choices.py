@@ -75,7 +75,7 @@ class Option(NamedTuple):
     why: str
 
 
-class OfferedChoice(NamedTuple):
+class AvailableChoice(NamedTuple):
     """A choice as a person sees it.
 
     Attributes:
@@ -103,10 +103,10 @@ class OfferedChoice(NamedTuple):
         return {**self._asdict(), "options": [option._asdict() for option in self.options]}
 
 
-def offered_choices(plan: migration.MigrationPlan) -> list[OfferedChoice]:
+def available_choices(plan: migration.MigrationPlan) -> list[AvailableChoice]:
     """Every choice that a person may make: ports, then libraries, then roles of components whose role is unclear."""
     made = [
-        OfferedChoice(
+        AvailableChoice(
             id=choice.id,
             kind=choice.kind,
             subject=choice.subject,
@@ -128,7 +128,7 @@ def reason(decision: migration.Decision) -> str:
 
 def choices_json(plan: migration.MigrationPlan) -> list[dict[str, Json]]:
     """Every choice that a person may make in the contract's form."""
-    return [choice.to_json() for choice in offered_choices(plan)]
+    return [choice.to_json() for choice in available_choices(plan)]
 
 
 def unclear_components(plan: migration.MigrationPlan) -> list[hardware.Component]:
@@ -138,10 +138,10 @@ def unclear_components(plan: migration.MigrationPlan) -> list[hardware.Component
     return [*(c for c in reached.values() if c.role is hardware.Role.Unknown), *given]
 
 
-def _role(component: hardware.Component) -> OfferedChoice:
+def _role(component: hardware.Component) -> AvailableChoice:
     """The choice of a component's role: until a person says it, the component is taken for something that is read."""
     given = component.roleEvidence == GIVEN
-    return OfferedChoice(
+    return AvailableChoice(
         id=f"role:{component.elementId}",
         kind="role",
         subject=component.title,

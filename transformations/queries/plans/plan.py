@@ -51,7 +51,7 @@ RUN_IN_SETUP = "run-in-setup"
 """The rule of functions that run before main on the source: the generated setup calls them first."""
 
 
-def keeps_main(plan: migration.MigrationPlan) -> bool:
+def preserves_main(plan: migration.MigrationPlan) -> bool:
     """Whether programs of the plan's target begin with main, so that it stays as it is."""
     return target_of(plan).structure is platform.EntryStructure.mainFunction
 
@@ -100,12 +100,12 @@ def needs_own_types(adapter: migration.AdapterUse) -> bool:
     types = (adapter.result, *(p.valueType for p in adapter.parameters))
     return (
         adapter.adapter is None
-        and not beside_its_declaration(adapter)
+        and not is_at_declaration(adapter)
         and any(kind is not None and kind.declarations for kind in types)
     )
 
 
-def beside_its_declaration(adapter: migration.AdapterUse) -> bool:
+def is_at_declaration(adapter: migration.AdapterUse) -> bool:
     """Whether the placeholder of a function is put where the program itself declares that function."""
     return adapter.signatureSource is migration.SignatureSource.program and adapter.adapter is None
 
@@ -221,7 +221,7 @@ def ports_by_pin(plan: migration.MigrationPlan) -> dict[str, list[str]]:
     return found
 
 
-def said(entries: Q[migration.PlanTask], places: dict[str, str]) -> list[Finding]:
+def as_findings(entries: Q[migration.PlanTask], places: dict[str, str]) -> list[Finding]:
     """Plan tasks or plan findings as findings of a report.
 
     Args:

@@ -37,7 +37,7 @@ _UNKNOWN_HEADER = "unknown-include"
 _SHOWN = 48
 
 
-class Judged(NamedTuple):
+class ReasonedVerdict(NamedTuple):
     """A verdict with its reason and effort."""
 
     verdict: str
@@ -147,18 +147,18 @@ class _Judge:
         self.symbols = {str(use.name): use for use in plan.symbolUses}
         self.unserved = unserved_headers(plan)
         self.externals = {id(e) for e in (program.externals if program is not None else ())}
-        self.marks: dict[int, list[Judged]] = {}
+        self.marks: dict[int, list[ReasonedVerdict]] = {}
         spans = _Spans(plan, self.externals)
         for element, judged in self._said():
             if (key := spans.around(*element)) is not None:
                 self.marks.setdefault(key, []).append(judged)
 
-    def _said(self) -> Iterable[tuple[tuple[str, int, int], Judged]]:
+    def _said(self) -> Iterable[tuple[tuple[str, int, int], ReasonedVerdict]]:
         """The verdicts that findings and open ports imply for places (path, line, byte offset or negated column)."""
         for finding in self.plan.findings:
             if finding.path and finding.line and finding.severity is not migration.SeverityLevel.info:
                 broken = finding.severity is migration.SeverityLevel.error or finding.rule in _TO_DO
-                verdict = Judged(NEEDS_YOU if broken else CARE, str(finding.message), "small")
+                verdict = ReasonedVerdict(NEEDS_YOU if broken else CARE, str(finding.message), "small")
                 places = [e for e in finding.elements if isinstance(e, ccode.Located)]
                 if not places:
                     yield (str(finding.path), int(finding.line), -int(finding.column or 0)), verdict
@@ -169,31 +169,31 @@ class _Judge:
             unit = ancestor_of_kind(element, ccode.SourceUnit) if element is not None else None
             if binding.open and binding.conventionalPort is None and element is not None and unit is not None:
                 reason = f"the port '{binding.name}' is bound to no pin"
-                yield (str(unit.path), int(element.line), int(element.startOffset)), Judged(NEEDS_YOU, reason, "small")
+                yield (str(unit.path), int(element.line), int(element.startOffset)), ReasonedVerdict(NEEDS_YOU, reason, "small")
 
-    def judged(self, disposition: migration.Disposition) -> Judged:
+    def judged(self, disposition: migration.Disposition) -> ReasonedVerdict:
         """The verdict on the element of a disposition: the one of all that apply which asks most of a person."""
         first = self._elsewhere(disposition) if id(disposition.element) in self.externals else self._own(disposition)
         marks = self.marks.get(id(disposition.element), [])
         worst = max([first, *marks], key=lambda judged: VERDICTS.index(judged.verdict))
         said = [mark.reason for mark in marks if mark.verdict == worst.verdict]
         reasons = said if said and disposition.action in _AS_IT_IS else [first.reason, *said]
-        return Judged(worst.verdict, "; ".join(dict.fromkeys(filter(None, reasons))), worst.effort)
+        return ReasonedVerdict(worst.verdict, "; ".join(dict.fromkeys(filter(None, reasons))), worst.effort)
 
-    def _own(self, disposition: migration.Disposition) -> Judged:
+    def _own(self, disposition: migration.Disposition) -> ReasonedVerdict:
         reasons = [str(reason) for reason in disposition.reasons if reason]
         if disposition.action is _Action.rewrite and CARRIED_OVER.issuperset(disposition.rules):
             reasons.append("a port in it has another pin on the target")
         use = self.uses.get(name_of(disposition.element)) if IN_PLACE in disposition.rules else None
         if use is not None and use.status in (_Status.todo, _Status.unsupported):
-            return Judged(NEEDS_YOU, "; ".join(reasons), body_effort(use))
+            return ReasonedVerdict(NEEDS_YOU, "; ".join(reasons), body_effort(use))
         verdict = _OF_ACTION.get(disposition.action, ADAPTED)
         if _UNKNOWN_HEADER in disposition.rules or not UNDEFINED.isdisjoint(disposition.rules):
             verdict = NEEDS_YOU
         effort = {UNSUPPORTED: "medium", NEEDS_YOU: "small"}.get(verdict, "")
-        return Judged(verdict, "; ".join(reasons), effort)
+        return ReasonedVerdict(verdict, "; ".join(reasons), effort)
 
-    def _elsewhere(self, disposition: migration.Disposition) -> Judged:
+    def _elsewhere(self, disposition: migration.Disposition) -> ReasonedVerdict:
         """The verdict on an element that is declared outside the program: that of its adapter or symbol."""
         name = name_of(disposition.element)
         if isinstance(disposition.element, ccode.Function) and name in self.uses:
@@ -202,31 +202,31 @@ class _Judge:
             return self._symbol(self.symbols[name])
         return self._own(disposition)
 
-    def _use(self, use: migration.AdapterUse) -> Judged:
+    def _use(self, use: migration.AdapterUse) -> ReasonedVerdict:
         if use.status is _Status.unsupported:
-            return Judged(UNSUPPORTED, str(use.reason), "large")
+            return ReasonedVerdict(UNSUPPORTED, str(use.reason), "large")
         if use.status is _Status.todo:
-            return Judged(NEEDS_YOU, str(use.reason) or "its adapter has no body yet", body_effort(use))
+            return ReasonedVerdict(NEEDS_YOU, str(use.reason) or "its adapter has no body yet", body_effort(use))
         if waiting := open_conventions(self.plan, use):
-            return Judged(NEEDS_YOU, f"it uses {_listed(b.name for b in waiting)}, bound to no pin", "small")
+            return ReasonedVerdict(NEEDS_YOU, f"it uses {_listed(b.name for b in waiting)}, bound to no pin", "small")
         if use.adapter is None:
-            return Judged(ADAPTED, "its adapter was written by you")
+            return ReasonedVerdict(ADAPTED, "its adapter was written by you")
         if said := limits(use):
-            return Judged(CARE, "; ".join(said), "small")
-        return Judged(ADAPTED, str(use.adapter.fidelity) or "an adapter takes its place")
+            return ReasonedVerdict(CARE, "; ".join(said), "small")
+        return ReasonedVerdict(ADAPTED, str(use.adapter.fidelity) or "an adapter takes its place")
 
-    def _symbol(self, use: migration.SymbolUse) -> Judged:
+    def _symbol(self, use: migration.SymbolUse) -> ReasonedVerdict:
         header = use.symbol.header if use.symbol is not None else None
         if use.status is _Status.todo and header is not None and header.name in self.unserved:
-            return Judged(UNSUPPORTED, self.unserved[str(header.name)], "large")
+            return ReasonedVerdict(UNSUPPORTED, self.unserved[str(header.name)], "large")
         if use.status is _Status.unsupported:
-            return Judged(UNSUPPORTED, "the target has no such thing", "large")
+            return ReasonedVerdict(UNSUPPORTED, "the target has no such thing", "large")
         if use.status is _Status.todo:
-            return Judged(NEEDS_YOU, "a placeholder stands for it, without its meaning", "small")
+            return ReasonedVerdict(NEEDS_YOU, "a placeholder stands for it, without its meaning", "small")
         said = use.adapter.limits if use.adapter is not None else ()
         verdict = CARE if use.status is _Status.care else ADAPTED
         fidelity = str(use.adapter.fidelity) if use.adapter is not None else ""
-        return Judged(
+        return ReasonedVerdict(
             verdict,
             "; ".join(str(each) for each in said) or fidelity or "declared beside the adapters",
             "small" * (verdict == CARE),

@@ -50,7 +50,7 @@ def ports_of_runs_bound(plan: migration.MigrationPlan) -> bool:
     return any(b.origin == "runtime" and b.chosenBy is migration.ChosenBy.person for b in plan.portBindings)
 
 
-def kept_raw(flow: migration.PortFlow) -> bool:
+def lacks_pin(flow: migration.PortFlow) -> bool:
     """Whether the calls of a flow get no pin because no place in the source could look up their ports."""
     return bool(flow.anything and not flow.bindings and all(change.rule == NO_PIN for change in flow.changes))
 
@@ -68,7 +68,7 @@ class CallStates:
         self._nowhere = {id(e) for finding in plan.findings if finding.rule == NO_PORT for e in finding.elements}
         flows = [f for f in plan.portFlows if f.bindings]
         unknown = [f for f in plan.portFlows if f.anything and not f.bindings]
-        self._raw = {id(c) for f in plan.portFlows if kept_raw(f) for c in f.calls}
+        self._raw = {id(c) for f in plan.portFlows if lacks_pin(f) for c in f.calls}
         self._waiting = {id(c) for f in flows if any(b.open for b in f.bindings) for c in f.calls}
         if not ports_of_runs_bound(plan):
             self._waiting |= {id(c) for f in unknown for c in f.calls}

@@ -36,7 +36,7 @@ from robosmi.transformations.queries.flows.flow_reader import FlowReader, view_t
 from robosmi.transformations.queries.flows.pin_uses import pin_number
 from robosmi.transformations.queries.flows.value_flows import Flow, PinArgument
 from robosmi.transformations.queries.flows.value_uses import ValueUses
-from robosmi.transformations.queries.macros.argument_places import TokenText, bare
+from robosmi.transformations.queries.macros.argument_places import TokenText, without_parentheses
 from robosmi.transformations.queries.macros.constant_text import c_integer
 from robosmi.transformations.queries.macros.expansion import Expanded, expanded_unit
 from robosmi.transformations.queries.macros.macro_definitions import REST, Path, TextPlace, macros_of
@@ -57,7 +57,7 @@ def port_flows(views: Sequence[CodeView], sources: Mapping[str, bytes]) -> list[
     for view in views:
         uses.follow(view)
     follow_macros(reader)
-    follow_made(reader)
+    follow_expanded(reader)
     found = [flow for flow in reader.flows.all() if flow.arguments]
     count = next((view.api.ports for view in views), 0)
     for flow in found:
@@ -96,7 +96,7 @@ class _MadePin(Struct, frozen=True):
     use: tuple[int, int]
 
 
-def follow_made(reader: FlowReader) -> None:
+def follow_expanded(reader: FlowReader) -> None:
     """Find the pins in expanded calls that the bodies of macros do not show; `follow_macros` has to run before.
 
     Args:
@@ -182,7 +182,7 @@ class _MadePins:
     def _close(self, one: _MadePin, key: Hashable) -> None:
         """Join the sources of a pin's value with the flow of the pin, by whatever macros they were passed on."""
         reader, flows = self.reader, self.reader.flows
-        argument = bare(one.text.tokens.tokens[one.first : one.behind])
+        argument = without_parentheses(one.text.tokens.tokens[one.first : one.behind])
         way = one.text.expanded.path(argument[0][1])
         known = len(argument) == 1 and bool(way)
         others: list[Hashable] = []
@@ -201,7 +201,7 @@ class _MadePins:
             return
         for other in others:
             flows.join(key, other)
-        flows.keep(key, "macros pass it on", computed=not others)
+        flows.freeze(key, "macros pass it on", computed=not others)
 
     def _reach(self, place: TextPlace, function: str, pin: PinParameter, calls: Sequence[ccode.Call]) -> None:
         """Record that a source range is the pin argument of some calls."""
@@ -229,7 +229,7 @@ class _MadePins:
         if view_text(self.reader.sources[view.unit.path], start, end) in pin.none:
             return
         key = ("unplaced", view.unit.path, int(call.startOffset), function, pin.position)
-        self.reader.flows.keep(key, f"no text of its own says which port '{function}' is given", computed=True)
+        self.reader.flows.freeze(key, f"no text of its own says which port '{function}' is given", computed=True)
         self.reader.reach(key, PinArgument(view.unit, start, end, function, pin, call, argument, unplaced=True))
 
 
@@ -304,7 +304,7 @@ def follow_macros(reader: FlowReader) -> None:
             _MacroBody(reader, view, macro).follow()
     for name, different in bodies.items():
         if len(different) > 1:
-            reader.flows.keep(("macro", name), f"'{name}' is defined in more than one way")
+            reader.flows.freeze(("macro", name), f"'{name}' is defined in more than one way")
 
 
 def _directive(text: str, reader: FlowReader, bodies: dict[str, set[str]]) -> None:
@@ -322,7 +322,7 @@ def _directive(text: str, reader: FlowReader, bodies: dict[str, set[str]]) -> No
         return
     for name in sorted(names_in(re.sub(r"\bdefined\s*\(?\s*\w+\s*\)?", " ", match[2]))):
         if name in reader.macros:
-            reader.flows.keep(("macro", name), f"'{name}' is tested by #{match[1]}")
+            reader.flows.freeze(("macro", name), f"'{name}' is tested by #{match[1]}")
 
 
 def _plain_arguments(reader: FlowReader, view: CodeView, use: ccode.MacroUse) -> None:
@@ -332,7 +332,7 @@ def _plain_arguments(reader: FlowReader, view: CodeView, use: ccode.MacroUse) ->
         return
     text = reader.texts[view.unit.path]
     for i, argument in enumerate(text.arguments(text.at(int(use.startOffset))) or []):
-        tokens = bare(argument)
+        tokens = without_parentheses(argument)
         known = argument and (view.unit.path, argument[0][1], argument[-1][2]) in reader.followed
         if not known and tokens:
             follow_argument(reader, view.unit, argument, ("macro parameter", str(macro.name), i), [])
@@ -351,7 +351,7 @@ def follow_argument(
         own: parameters of the macro whose body contains the tokens, `__VA_ARGS__` last if it is variadic.
         macro: the name of that macro; empty for tokens in the program's text.
     """
-    tokens = bare(argument)
+    tokens = without_parentheses(argument)
     if len(tokens) == 1 and tokens[0][0] == "number" and (number := _INTEGER.match(tokens[0][3])):
         place = ("place", unit.path, tokens[0][1])
         if not reader.flows.has(taker, str(unit.path), tokens[0][1]):
@@ -365,14 +365,14 @@ def follow_argument(
         for key in keys:
             reader.flows.join(taker, key)
         if not keys:  # declared in the body itself, or nowhere
-            reader.flows.keep(taker, f"'{tokens[0][3]}' is not the program's own", computed=True)
+            reader.flows.freeze(taker, f"'{tokens[0][3]}' is not the program's own", computed=True)
         return
     for token in tokens:
         if token[0] == "name":
             for key in keys_of(reader, token[3], own, macro):
-                reader.flows.keep(key, f"'{token[3]}' is calculated with")
+                reader.flows.freeze(key, f"'{token[3]}' is calculated with")
     if tokens:
-        reader.flows.keep(taker, "a macro calculates it", computed=True)
+        reader.flows.freeze(taker, "a macro calculates it", computed=True)
 
 
 def _element(reader: FlowReader, unit: ccode.SourceUnit, token: Token) -> ccode.Located:
@@ -419,13 +419,13 @@ class _MacroBody:
     def follow(self) -> None:
         """Join the flows of what the body passes on; keep the numbers of what it uses in any other way."""
         flows, key = self.reader.flows, ("macro", self.name)
-        body = bare(self.text.tokens[self.begin :])
+        body = without_parentheses(self.text.tokens[self.begin :])
         if not self.macro.functionLike and len(body) == 1 and body[0][0] in ("number", "name"):
             self._single(body[0], key)
             return
         if not self.macro.functionLike:
             listed = bool(body) and body[0][3] == "{" and all(t[0] == "number" or t[3] in ("{", ",", "}") for t in body)
-            flows.keep(key, f"'{self.name}' is {'a list' if listed else 'calculated'}", computed=not listed)
+            flows.freeze(key, f"'{self.name}' is {'a list' if listed else 'calculated'}", computed=not listed)
             flows.of(key).given.append((self.view.unit, self.macro))
             for token in body if body and body[0][3] == "{" else ():
                 if token[0] == "number" and (number := _INTEGER.match(token[3])):
@@ -439,19 +439,19 @@ class _MacroBody:
             token = self.text.tokens[index]
             if token[0] == "name" and token[1] not in self.done:
                 for other in keys_of(self.reader, token[3], self.own, self.name):
-                    flows.keep(other, f"'{token[3]}' is used in the macro '{self.name}'")
+                    flows.freeze(other, f"'{token[3]}' is used in the macro '{self.name}'")
 
     def _single(self, token: Token, key: Hashable) -> None:
         if token[0] == "name":
             for other in self.reader.named(token[3]) or [("name", token[3])]:
                 if other[:1] == ("name",):  # type: ignore[index]
-                    self.reader.flows.keep(other, f"'{token[3]}' is not the program's own", computed=True)
+                    self.reader.flows.freeze(other, f"'{token[3]}' is not the program's own", computed=True)
                 self.reader.flows.join(key, other)
         elif number := _INTEGER.match(token[3]):
             value = pin_number(c_integer(number[1]))
             self.reader.put(key, self.view.unit, token[1], token[2], value, self.macro, self.name)
         else:
-            self.reader.flows.keep(key, f"'{self.name}' is no whole number", computed=True)
+            self.reader.flows.freeze(key, f"'{self.name}' is no whole number", computed=True)
 
     def _call(self, name: str, arguments: list[list[Token]]) -> None:
         """Follow the arguments of a call in the body."""
@@ -478,7 +478,7 @@ class _MacroBody:
                 self._pass_on(position, takers, name)
                 self.done.add(argument[-1][1])
             elif position in takers:
-                tokens = bare(argument)
+                tokens = without_parentheses(argument)
                 if len(tokens) == 1:
                     self.done.add(tokens[0][1])
                 follow_argument(reader, self.view.unit, argument, takers[position], self.own, self.name)
@@ -494,4 +494,4 @@ class _MacroBody:
             if position + behind in takers:
                 self.reader.flows.join(takers[position + behind], given)
             else:
-                self.reader.flows.keep(given, f"it goes to '{name}' in the macro '{self.name}'")
+                self.reader.flows.freeze(given, f"it goes to '{name}' in the macro '{self.name}'")

@@ -17,7 +17,7 @@ from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.queries.code import CodeView
 from robosmi.transformations.queries.flows.pin_uses import PinUse, pin_number, pin_uses, pin_values
 from robosmi.transformations.queries.flows.value_flows import Flow, PortPlace
-from robosmi.transformations.queries.ports.made_calls import MadeCalls
+from robosmi.transformations.queries.ports.expanded_calls import ExpandedCalls
 from robosmi.transformations.queries.ports.port_masks import PortMasks
 from robosmi.transformations.queries.ports.register_bits import register_bits
 from robosmi.transformations.queries.reached_values import ReachedValues
@@ -109,7 +109,7 @@ def program_ports(views: Sequence[CodeView], flows: Sequence[Flow]) -> ProgramPo
     values = {view.unit.path: view.values for view in views}
     reached = {view.unit.path: view.reached_values for view in views}
     count = next((view.api.ports for view in views), 0)
-    made = MadeCalls(views)
+    made = ExpandedCalls(views)
     through = [_flow_ports(flow, values, reached, count, made) for flow in flows]
     masks = PortMasks(views)
     bits = [use for view in views for use in register_bits(view, masks)]
@@ -138,7 +138,7 @@ def give_numbers(own: Sequence[Port], conventional: Sequence[Port]) -> list[Port
 
 
 def _flow_ports(
-    flow: Flow, values: Mapping[str, Values], reached: Mapping[str, ReachedValues], count: int, macros: MadeCalls
+    flow: Flow, values: Mapping[str, Values], reached: Mapping[str, ReachedValues], count: int, macros: ExpandedCalls
 ) -> FlowPorts:
     mine: list[list[Value]] = []
     made: dict[int, list[tuple[ccode.Call, set[int | None]]]] = {}

@@ -26,7 +26,7 @@ def wires_of(component: object, connections: Sequence[migration.Connection]) -> 
     return {"write": asked[0], "read": heard[0]}
 
 
-def asking_pin(binding: migration.PortBinding, connections: Sequence[migration.Connection]) -> platform.Pin | None:
+def written_pin(binding: migration.PortBinding, connections: Sequence[migration.Connection]) -> platform.Pin | None:
     """The pin that the board writes for a port whose component has a wire per direction; None for any other port."""
     wires = wires_of(binding.answer.component, connections) if binding.answer is not None else {}
     return wires["write"].pin if wires else None

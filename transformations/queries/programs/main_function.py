@@ -21,7 +21,7 @@ from robosmi.transformations.queries.programs.main_locals import (
     moved_declarations,
     outlives,
 )
-from robosmi.transformations.queries.programs.main_program import MainStructure, main_structure, ways_out
+from robosmi.transformations.queries.programs.main_program import MainStructure, loop_exits, main_structure
 
 
 class Division(Struct, frozen=True):
@@ -76,7 +76,7 @@ def divide(main: ccode.Function, reserved: Collection[str] = (), words: Collecti
     if unit is None or structure is None or structure.loop is None:
         return Division(main, None, statements, returns=returns, reason="main has no endless loop of its own")
     loop, before = structure.loop, structure.before
-    breaks = tuple(e for e in ways_out(loop) if isinstance(e, ccode.Break))
+    breaks = tuple(e for e in loop_exits(loop) if isinstance(e, ccode.Break))
     after = tuple(structure.after) if breaks else ()
     hoisted = [v for v in locals_of(before) if v in structure.hoisted or outlives(v) or _used_in(v, after)]
     around = Surroundings(main, unit, reserved, words, _runs_again(before))
@@ -119,7 +119,7 @@ def _obstacle(structure: MainStructure) -> str:
     if isinstance(loop.body, ccode.Block) and is_torn(loop.body):
         return f"a macro writes more than a brace of the loop in line {loop.line}"
     expanded = [(use.startOffset, use.endOffset) for use in unit.macroUses]
-    for leaving in (*ways_out(loop), *all_of_kind(main, ccode.Return), *all_of_kind(loop, ccode.Continue)):
+    for leaving in (*loop_exits(loop), *all_of_kind(main, ccode.Return), *all_of_kind(loop, ccode.Continue)):
         if any(start <= leaving.startOffset < end for start, end in expanded):
             return f"a macro leaves the loop in line {leaving.line}"
     if isinstance(loop, ccode.For) and loop.initial is not None:

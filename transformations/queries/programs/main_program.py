@@ -86,13 +86,13 @@ def _in_macro(unit: ccode.SourceUnit, loop: ccode.Loop, variable: ccode.Variable
 
 def exits(loop: ccode.Loop) -> list[LoopExit]:
     """The breaks, returns and gotos that leave a loop, in text order."""
-    return sorted((LoopExit(_KINDS[e.__class__], int(e.line)) for e in ways_out(loop)), key=lambda e: e.line)
+    return sorted((LoopExit(_KINDS[e.__class__], int(e.line)) for e in loop_exits(loop)), key=lambda e: e.line)
 
 
 _KINDS: dict[type, str] = {ccode.Break: "break", ccode.Return: "return", ccode.Goto: "goto"}
 
 
-def ways_out(loop: ccode.Loop) -> list[ccode.Statement]:
+def loop_exits(loop: ccode.Loop) -> list[ccode.Statement]:
     """The statements in a loop that leave it, in text order."""
     found: list[ccode.Statement] = []
     labels = {str(e.name) for e in all_contents(loop) if isinstance(e, ccode.Label)}

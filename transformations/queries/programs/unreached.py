@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 
 from robosmi.metamodels import ccode
 from robosmi.query import all_contents, all_of_kind
-from robosmi.transformations.queries.programs.main_program import ways_out
+from robosmi.transformations.queries.programs.main_program import loop_exits
 
 
 class Unreached:
@@ -70,7 +70,7 @@ class Unreached:
                 if _may_leave(each):
                     return False
         if isinstance(statement, ccode.Loop):
-            return bool(statement.endless) and not ways_out(statement)
+            return bool(statement.endless) and not loop_exits(statement)
         if isinstance(statement, ccode.If):
             return self._never_ends(statement.thenBranch) and self._never_ends(statement.elseBranch)
         called = statement.expression if isinstance(statement, ccode.ExpressionStatement) else None

@@ -15,7 +15,7 @@ from msgspec import Struct
 from robosmi.metamodels import ccode, migration, platform
 from robosmi.model.elements.strict import Element
 from robosmi.query import all_contents
-from robosmi.query.rules.deep import in_thread
+from robosmi.query.rules.deep_recursion import in_thread
 from robosmi.transformations.queries.flows.pointed_calls import is_pointed, pointed_calls
 from robosmi.transformations.queries.macros.constant_text import calculate
 from robosmi.transformations.queries.programs.main_program import main_structure

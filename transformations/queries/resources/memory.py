@@ -225,7 +225,7 @@ _COMPILER = frozenset(["asm", "__asm__", "volatile", "__attribute__", "alignas",
 
 def bytes_of_texts(code: CompiledCode, pieces: Sequence[platform.Adapter]) -> int:
     """Bytes of the strings in data memory; equal strings, and one that another ends with, are stored once."""
-    said = {text for piece in pieces for text in kept_texts(str(piece.text))}
+    said = {text for piece in pieces for text in data_memory_texts(str(piece.text))}
     for element in code.elements:
         if isinstance(element, ccode.StringLiteral) and not _elsewhere(element, code.ignored):
             said.add(text_of(element))
@@ -268,7 +268,7 @@ def _constant(initializer: ccode.Expression) -> bool:
 
 
 @lru_cache(maxsize=512)  # each report asks it of the same pieces
-def kept_texts(text: str) -> tuple[str, ...]:
+def data_memory_texts(text: str) -> tuple[str, ...]:
     """The string literals of a piece that occupy data memory: not those placed in flash or read only by the compiler."""
     return tuple(_kept_texts(text)) if '"' in text else ()
 

@@ -50,7 +50,7 @@ def expression(context: UnitContext, node: Node) -> ccode.Expression:
     if (waiting := context.later(ccode.UnknownExpression, expression, node)) is not None:
         return waiting
     if context.depth > MAX_DEPTH:
-        return too_deep(context, node)
+        return truncated_expression(context, node)
     context.depth += 1
     try:
         while True:
@@ -65,7 +65,7 @@ def expression(context: UnitContext, node: Node) -> ccode.Expression:
         context.depth -= 1
 
 
-def too_deep(context: UnitContext, node: Node) -> ccode.Expression:
+def truncated_expression(context: UnitContext, node: Node) -> ccode.Expression:
     """An expression below the deepest level that is built, kept as text."""
     context.parsed.cut.append((node.start, node.end))
     return unknown(context, node)

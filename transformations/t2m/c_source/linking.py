@@ -87,7 +87,7 @@ class Linker:
             if function is not None:
                 connect(call, "callee", function)
                 continue
-            declared = cursor is not None and not context.parsed.reader.made_up(cursor)
+            declared = cursor is not None and not context.parsed.reader.is_implicit(cursor)
             header = (header_of(context, cursor) if declared else None) or ""
             if header and name not in self._headers:
                 self._headers[name] = (header, self._declared_signature(context, cursor, name))

@@ -17,11 +17,11 @@ from pathlib import Path
 from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import ccode
 from robosmi.model.ecore.metamodel import Metamodel, TypedModel
+from robosmi.model.elements.compact_slots import collector_at_rest
 from robosmi.model.elements.driver import DynamicNode, Kind, ModelElement, Node
 from robosmi.model.elements.ecore import EReference, EStructuralFeature, Scalar
 from robosmi.model.elements.features import all_features
 from robosmi.model.elements.fragments import fragment_of, resolve
-from robosmi.model.elements.lean import collector_at_rest
 from robosmi.model.elements.pyecore_internals import key_of, read
 from robosmi.model.elements.strict import Element
 from robosmi.model.elements.structure import root_of

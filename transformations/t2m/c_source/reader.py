@@ -17,8 +17,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.errors import SourceError, UsageError
 from robosmi.metamodels import ccode
+from robosmi.model.elements.compact_slots import collector_at_rest
 from robosmi.model.elements.construct import connect
-from robosmi.model.elements.lean import collector_at_rest
 from robosmi.project import default_text
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.t2m.c_source import coverage, declarations, macros, preprocessor

@@ -37,7 +37,7 @@ class SideProject:
         self.findings: list[Finding] = []
 
 
-def project_beside(source: str) -> str:
+def adjacent_project(source: str) -> str:
     """The project file of the same name beside a source file, empty where there is none."""
     path = os.path.splitext(source)[0] + ENDING
     return path if os.path.isfile(path) else ""

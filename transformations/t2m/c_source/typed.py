@@ -14,7 +14,7 @@ from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.macros.expansion import Expanded, expanded_unit
 from robosmi.transformations.queries.macros.macro_definitions import Definition, TextPlace
 from robosmi.transformations.queries.numbers import Machine, Number
-from robosmi.transformations.queries.typed import NumberKind, TypedExpression, deep_calls
+from robosmi.transformations.queries.typed import NumberKind, TypedExpression, raised_recursion_limit
 from robosmi.transformations.t2m.c_source import type_kinds
 from robosmi.transformations.t2m.c_source.expressions import BINARY_OPERATORS, UNARY_OPERATORS
 from robosmi.transformations.t2m.c_source.literals import integer_value
@@ -122,7 +122,7 @@ def typed_unit(
     if parsed is None:
         return []
     try:
-        with deep_calls():
+        with raised_recursion_limit():
             return _Reader(parsed, expanded, machines, platform, wider).read()
     finally:
         parsed.close()
@@ -241,7 +241,7 @@ class _Reader:
         if made.name in self.platform:
             made.origin = "platform"
         elif referenced.kind == _FUNCTION:
-            implicit = self.parsed.reader.made_up(referenced)
+            implicit = self.parsed.reader.is_implicit(referenced)
             made.origin = "standard" if implicit or not name or name.startswith(VIRTUAL) else "program"
         else:
             made.origin = "platform" if name.startswith(VIRTUAL) else "program"

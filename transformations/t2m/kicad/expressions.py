@@ -194,7 +194,7 @@ def children(found: Listed, name: str) -> Iterator[Listed]:
     return (entry for entry in found if is_listed(entry, name))
 
 
-def told(found: Listed, name: str) -> str:
+def text_of(found: Listed, name: str) -> str:
     """The second word of the first list within `found` whose first word is `name`; empty if there is none."""
     entry = child(found, name)
     return word(entry[1]) if entry is not None and len(entry) > 1 else ""

@@ -18,7 +18,7 @@ from robosmi.transformations.t2m.kicad.expressions import (
     coordinate,
     head,
     numbers,
-    told,
+    text_of,
     word,
 )
 from robosmi.transformations.t2m.kicad.sheet import (
@@ -113,19 +113,19 @@ class _Modern:
         self.sheet.labels.append(Label(_LABELS[head(found)], word(found[1]) if len(found) > 1 else "", _at(found)))
 
     def _symbol(self, found: Listed, line: int) -> None:
-        identity = told(found, "lib_id")
+        identity = text_of(found, "lib_id")
         angle = round(numbers(found, "at", 3)[2]) % 360
         references, units = {}, {}
         for project in children(child(found, "instances") or [], "project"):
             for path in children(project, "path"):
                 where = word(path[1]) if len(path) > 1 else ""
-                references[where] = told(path, "reference")
-                units[where] = _whole(told(path, "unit"))
+                references[where] = text_of(path, "reference")
+                units[where] = _whole(text_of(path, "unit"))
         self.sheet.symbols.append(
             SheetSymbol(
-                uuid=told(found, "uuid"), identity=identity, library=told(found, "lib_name") or identity, at=_at(found),
-                matrix=_matrix(angle, told(found, "mirror")), unit=_whole(told(found, "unit")),
-                style=_whole(told(found, "convert") or told(found, "body_style")), properties=_properties(found),
+                uuid=text_of(found, "uuid"), identity=identity, library=text_of(found, "lib_name") or identity, at=_at(found),
+                matrix=_matrix(angle, text_of(found, "mirror")), unit=_whole(text_of(found, "unit")),
+                style=_whole(text_of(found, "convert") or text_of(found, "body_style")), properties=_properties(found),
                 references=references, units=units, line=line,
             )
         )  # fmt: skip
@@ -134,11 +134,11 @@ class _Modern:
         named = {key.replace(" ", "").lower(): value for key, value in _properties(found).items()}
         pins = tuple(Label(UPWARD, word(pin[1]), _at(pin)) for pin in children(found, "pin") if len(pin) > 1)
         name, file = named.get("sheetname", ""), named.get("sheetfile", "")
-        self.sheet.sheets.append(SubSheet(told(found, "uuid"), name, file, pins, line))
+        self.sheet.sheets.append(SubSheet(text_of(found, "uuid"), name, file, pins, line))
 
     def _instances(self, found: Listed, line: int) -> None:
         for path in children(found, "path"):
-            self.sheet.instances[word(path[1])] = (told(path, "reference"), _whole(told(path, "unit")))
+            self.sheet.instances[word(path[1])] = (text_of(path, "reference"), _whole(text_of(path, "unit")))
 
     def _library(self, entry: Expression) -> None:
         raw = {}
@@ -147,7 +147,7 @@ class _Modern:
                 found = self.listed.parsed(symbol)
                 raw[word(found[1]) if len(found) > 1 else ""] = found
         for name, found in raw.items():
-            base = raw.get(told(found, "extends")) or raw.get(f"{name.partition(':')[0]}:{told(found, 'extends')}")
+            base = raw.get(text_of(found, "extends")) or raw.get(f"{name.partition(':')[0]}:{text_of(found, 'extends')}")
             properties = _properties(found)
             self.sheet.library[name] = LibrarySymbol(
                 identity=name,
@@ -173,11 +173,11 @@ def _pins(found: Listed) -> list[LibraryPin]:
         for pin in children(part, "pin"):
             hide = child(pin, "hide")
             hidden = any(word(entry) == "hide" for entry in pin) or (hide is not None and word(hide[-1]) != "no")
-            name = told(pin, "name")
+            name = text_of(pin, "name")
             x, y = numbers(pin, "at", 2)
             pins.append(
                 LibraryPin(
-                    told(pin, "number"), "" if name == "~" else name, word(pin[1]) if len(pin) > 1 else "",
+                    text_of(pin, "number"), "" if name == "~" else name, word(pin[1]) if len(pin) > 1 else "",
                     _point(x, -y), unit, style, hidden,
                 )
             )  # fmt: skip

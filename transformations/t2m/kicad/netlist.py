@@ -5,7 +5,7 @@ from __future__ import annotations
 from robosmi.diagnostics import Location, Severity
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m.drawing import CircuitBuilder, End, free_identity
-from robosmi.transformations.t2m.kicad.expressions import Expression, Expressions, Listed, child, children, told, word
+from robosmi.transformations.t2m.kicad.expressions import Expression, Expressions, Listed, child, children, text_of, word
 from robosmi.transformations.t2m.kicad.sheet import net_name, of_library
 from robosmi.transformations.t2m.schematic import Schematic, SchematicNet, SchematicPart
 
@@ -49,29 +49,31 @@ class _Netlist:
         self._nets(sections["nets"])
 
     def _told(self, listed: Expression, name: str) -> str:
-        return next((told([self.listed.parsed(entry)], name) for entry in self.listed.members(listed) if entry.head == name), "")
+        return next(
+            (text_of([self.listed.parsed(entry)], name) for entry in self.listed.members(listed) if entry.head == name), ""
+        )
 
     def _library(self, section: Expression | None) -> dict[str, tuple[str, dict[str, str]]]:
         """`LIBRARY:NAME` of each symbol, aliases included -> its description and pins."""
         found: dict[str, tuple[str, dict[str, str]]] = {}
         for entry in self.listed.members(section) if section is not None else ():
             part = self.listed.parsed(entry)
-            pins = {_number(pin, "num", "name"): told(pin, "name") for pin in children(child(part, "pins") or [], "pin")}
+            pins = {_number(pin, "num", "name"): text_of(pin, "name") for pin in children(child(part, "pins") or [], "pin")}
             named = {number: name if name not in ("", "~") else number for number, name in pins.items()}
             aliases = [word(alias[1]) for alias in children(child(part, "aliases") or [], "alias") if len(alias) > 1]
-            for name in (told(part, "part"), *aliases):
-                found[f"{told(part, 'lib')}:{name}"] = (told(part, "description"), named)
+            for name in (text_of(part, "part"), *aliases):
+                found[f"{text_of(part, 'lib')}:{name}"] = (text_of(part, "description"), named)
         return found
 
     def _component(self, entry: Expression, library: dict[str, tuple[str, dict[str, str]]]) -> None:
         part, line = self.listed.parsed(entry), self.listed.line(entry.start)
-        reference, value = told(part, "ref"), told(part, "value")
+        reference, value = text_of(part, "ref"), text_of(part, "value")
         source = child(part, "libsource") or []
-        family, name = told(source, "lib"), told(source, "part")
+        family, name = text_of(source, "lib"), text_of(source, "part")
         identity, path = _identity(part)
         known = library.get(f"{family}:{name}")
         family, name = of_library(family, name)
-        fields = {told(f, "name"): word(f[-1]) for f in children(child(part, "fields") or [], "field") if len(f) > 2}
+        fields = {text_of(f, "name"): word(f[-1]) for f in children(child(part, "fields") or [], "field") if len(f) > 2}
         if reference in self.by_reference:
             cause = f"the reference '{reference}' stands twice; its pins are left out"
             self.report("RS206", Severity.warning, cause, line, "annotate the schematic and export it again")
@@ -83,7 +85,7 @@ class _Netlist:
         made = SchematicPart(
             identity=identity, title="/".join((*path, reference)), symbol=name or value,
             listed_as=f"{family}:{name}" if family else name or value, family=family, value="" if value in (name, "~") else value,
-            description=told(source, "description") or (known[0] if known is not None else ""),
+            description=text_of(source, "description") or (known[0] if known is not None else ""),
             pins=known[1] if known is not None else {}, properties=fields, line=line, defined=known is not None,
         )  # fmt: skip
         self.by_reference.setdefault(reference, made)
@@ -93,14 +95,14 @@ class _Netlist:
         taken: dict[End, SchematicNet] = {}
         for entry in self.listed.members(section):
             net = self.listed.parsed(entry)
-            made = SchematicNet(net_name(told(net, "name")))
+            made = SchematicNet(net_name(text_of(net, "name")))
             for node in children(net, "node"):
                 number = _number(node, "pin", "pinfunction")
-                end = self._end(told(node, "ref"), number, self.listed.line(entry.start))
+                end = self._end(text_of(node, "ref"), number, self.listed.line(entry.start))
                 if end is None or taken.get(end) is made:
                     continue
                 if end in taken:
-                    cause = f"'{number}' of '{told(node, 'ref')}' is on two nets; it was left out of '{made.name}'"
+                    cause = f"'{number}' of '{text_of(node, 'ref')}' is on two nets; it was left out of '{made.name}'"
                     self.report(
                         "RS208", Severity.warning, cause, self.listed.line(entry.start), "export the netlist again from KiCad"
                     )
@@ -127,14 +129,14 @@ class _Netlist:
 
 def _number(pin: Listed, number: str, name: str) -> str:
     """The number of a pin, or its name if it has no number."""
-    found = told(pin, number)
-    return found if found not in ("", "~") else told(pin, name)
+    found = text_of(pin, number)
+    return found if found not in ("", "~") else text_of(pin, name)
 
 
 def _identity(part: Listed) -> tuple[str, tuple[str, ...]]:
     """KiCad's id of a component with those of its sheets, and the names of these sheets."""
     sheets = child(part, "sheetpath") or []
-    names = tuple(name for name in told(sheets, "names").split("/") if name)
-    stamps = told(sheets, "tstamps").strip("/")
-    own = told(part, "tstamps").split(" ")[0] or told(part, "tstamp")
+    names = tuple(name for name in text_of(sheets, "names").split("/") if name)
+    stamps = text_of(sheets, "tstamps").strip("/")
+    own = text_of(part, "tstamps").split(" ")[0] or text_of(part, "tstamp")
     return f"{stamps}/{own}".strip("/") if own else "", names

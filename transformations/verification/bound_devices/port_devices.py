@@ -38,7 +38,7 @@ from robosmi.transformations.queries.place_names import named, names_within
 from robosmi.transformations.queries.plans.plan_adapters import OwnFunctionPins, rest_levels
 from robosmi.transformations.queries.ports.port_flows import port_flows
 from robosmi.transformations.queries.ports.ports import program_ports
-from robosmi.transformations.queries.ports.split_wires import answering_pin, asking_pin
+from robosmi.transformations.queries.ports.split_wires import answering_pin, written_pin
 from robosmi.transformations.queries.values import Values
 from robosmi.transformations.verification.bound_devices.simulated_kinds import device_facts
 from robosmi.transformations.verification.bound_devices.wired_devices import WiredDevice, wired_devices
@@ -215,7 +215,7 @@ def _asked_by_convention(plan: migration.MigrationPlan) -> list[str]:
 
 def _split(plan: migration.MigrationPlan, binding: migration.PortBinding) -> tuple[str, ...]:
     """The pins of a component with a wire for each direction: the one that triggers it, and the one that answers."""
-    pins = (asking_pin(binding, list(plan.connections)), answering_pin(binding))
+    pins = (written_pin(binding, list(plan.connections)), answering_pin(binding))
     return tuple(str(pin.label) for pin in pins if pin is not None)
 
 

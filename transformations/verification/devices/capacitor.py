@@ -25,7 +25,7 @@ class Capacitor(Device):
         """Start without charge."""
         points: list[list[float]] = self.settings["points"]
         decays = [(1000 * at_ms, lasts_us) for at_ms, lasts_us in points]
-        self.is_played = self.bench.keeps_charge(self.pins["pin"], decays)
+        self.is_played = self.bench.emulates_capacitor(self.pins["pin"], decays)
         self._charged = False
         self._falls_us = inf
         self.bench.set_level(self.pins["pin"], 0)

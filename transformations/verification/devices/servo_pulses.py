@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from math import sqrt
 
-from robosmi.transformations.verification.devices.places_of_rest import PlacesOfRest
-from robosmi.transformations.verification.devices.way_marks import WayMarks
+from robosmi.transformations.verification.devices.rest_positions import RestPositions
+from robosmi.transformations.verification.devices.waypoints import Waypoints
 from robosmi.verify.bench import FOR_A_TIME, TO_A_PLACE, Device, Level
 from robosmi.verify.traces.goals_of_motions import FRAME_S
 
@@ -20,7 +20,7 @@ class PulseDriven(Device):
 
     Attributes:
         mark: the distance between two noted marks of its way, in the device's own unit.
-        rest_us: the times in microseconds after which the device rests, and surely rests (see `places_of_rest`).
+        rest_us: the times in microseconds after which the device rests, and surely rests (see `rest_positions`).
         least_motion: the shortest path that counts as a motion.
     """
 
@@ -34,9 +34,9 @@ class PulseDriven(Device):
         """Start without a pulse."""
         self._begun: float | None = None
         self._last_pulse = 0.0
-        self._marks = WayMarks(self.mark, self.note)
-        self._leeway = Leeway(bool(self.settings["timed"]))
-        self._rests = PlacesOfRest(*self.rest_us, self.least_motion, self.note)
+        self._marks = Waypoints(self.mark, self.note)
+        self._leeway = MotionTolerance(bool(self.settings["timed"]))
+        self._rests = RestPositions(*self.rest_us, self.least_motion, self.note)
 
     def pin_changed(self, pin: str, level: Level) -> None:
         """Measure a pulse of the program when it ends."""
@@ -52,9 +52,9 @@ class PulseDriven(Device):
         """React to a pulse of that width."""
 
     def moved_to(self, position: float) -> None:
-        """Note each mark of the way that is passed as `at`, and one that is only just reached as `barely` (see `way_marks`).
+        """Note each mark of the way that is passed as `at`, and one that is only just reached as `barely` (see `waypoints`).
 
-        Places of rest are noted as well (see `places_of_rest`).
+        Places of rest are noted as well (see `rest_positions`).
 
         Args:
             position: where the device is now, in its own unit.
@@ -106,7 +106,7 @@ _SURE = 3 / sqrt(2)
 side: in the worst case each of the first and the last has a probability of a quarter, so the variance is half a frame squared."""
 
 
-class Leeway:
+class MotionTolerance:
     """The distance between two correct programs, which each motion for a time can increase by what the device covers in a frame.
 
     Args:

@@ -16,14 +16,14 @@ from collections.abc import Callable, Mapping, Sequence
 
 from msgspec import Struct
 
-from robosmi.base.doing import doing
+from robosmi.base.progress_events import announce
 from robosmi.errors import VerificationError
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.judgement.after_the_end import simulated_longer
-from robosmi.transformations.verification.judgement.judging import SAME_MS, ended_badly, judged, without_target
-from robosmi.transformations.verification.judgement.seen_beside import NO_LEVELS
+from robosmi.transformations.verification.judgement.side_effects import NO_LEVELS
+from robosmi.transformations.verification.judgement.verdict import SAME_MS, ended_badly, verdict_of, without_target
 from robosmi.transformations.verification.original_side import CONSOLE_CHANNEL, SourceRuns, channel_events, run_further
-from robosmi.transformations.verification.target_side import LIMIT_S, NOTHING_SEEN, TargetSide
+from robosmi.transformations.verification.target_side import EMPTY_TRACE, LIMIT_S, TargetSide
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.scenario import Scenario
 from robosmi.verify.simulation import PinTrace
@@ -81,21 +81,21 @@ def compare_scenarios(
     """
 
     def further(scenario: Scenario, runs: SourceRuns) -> SourceRuns:
-        doing(f"look whether the source differs from itself in '{scenario.name}'")
+        announce(f"look whether the source differs from itself in '{scenario.name}'")
         return run_further(program, ports, scenario, runs, LIMIT_S)
 
     found = ComparedScenarios()
     number = 0
     for (scenario, runs), trace in zip(cases, side.run([simulated_longer(*case) for case in cases]), strict=True):
         number += 1
-        doing(f"compare what both do: {number} of {len(cases)}")
+        announce(f"compare what both do: {number} of {len(cases)}")
         if not side.shows_console:
             runs.channels.pop(CONSOLE_CHANNEL, None)
         if isinstance(trace, VerificationError):
-            told, seen = without_target(scenario, runs, trace), NOTHING_SEEN
+            told, seen = without_target(scenario, runs, trace), EMPTY_TRACE
             found.undecided += [] if ended_badly(runs) else [trace]
         else:
-            first, seen = judged(scenario, runs, trace, ports, one_thread, at_rest), trace
+            first, seen = verdict_of(scenario, runs, trace, ports, one_thread, at_rest), trace
             told = looked_at_again(first, scenario, trace, ports, one_thread, runs, further, at_rest)
             if told is not first and told.verdict == NOT_DECIDABLE and scenario.origin == "generated":
                 found.racy.append((scenario, runs))
@@ -131,7 +131,7 @@ def looked_at_again(
     if told.verdict != DIFFERENT_VERDICT or first is None or told.crash is not None:
         return told
     more = further(scenario, runs)
-    again = judged(scenario, more, trace, ports, one_thread, at_rest)
+    again = verdict_of(scenario, more, trace, ports, one_thread, at_rest)
     selves = [each.itself for each in again.channels if each.channel == first.channel]
     itself = selves[0] if selves else None
     if itself is None or again.verdict == DIFFERENT_VERDICT:

@@ -12,7 +12,7 @@ from robosmi.transformations.queries.reports.written_bodies import AS_BYTES, ope
 from robosmi.transformations.verification.bound_devices.played_devices import played
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.original_side import SourceRuns
-from robosmi.verify.missed_places import line_ranges
+from robosmi.verify.missed_lines import line_ranges
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_coverage import SourceCoverage, coverage
 from robosmi.verify.original_run import run_original

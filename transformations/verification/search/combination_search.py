@@ -11,6 +11,7 @@ import random
 from collections.abc import Iterator, Sequence
 
 from robosmi.base.data_text import Json
+from robosmi.transformations.verification.search.branch_thresholds import Compared
 from robosmi.transformations.verification.search.scenario_inputs import (
     FIRST_TEXT_MS,
     LONGEST_MS,
@@ -20,7 +21,6 @@ from robosmi.transformations.verification.search.scenario_inputs import (
     is_steady,
 )
 from robosmi.transformations.verification.search.scenario_trials import Trials
-from robosmi.transformations.verification.search.turning_points import Compared
 from robosmi.verify.scenario import Points
 
 Event = tuple[ScenarioInput, Json]

@@ -15,7 +15,7 @@ from collections.abc import Mapping
 from itertools import pairwise
 from typing import Any
 
-from robosmi.transformations.verification.original_side import Place, Seen
+from robosmi.transformations.verification.original_side import ChannelEvents, Place
 from robosmi.verify.traces.activity import BURST, HELD, LEVEL, LINE, PULSES, READING, WAVE, ActivityEvent
 
 THEN, BESIDE, ENDS, SERIES, NEGATIVE, LARGE = "then", "beside", "ends", "series", "negative", "large"
@@ -31,7 +31,7 @@ _MOST_ON_A_CHANNEL = 24
 """Most goals of a kind on one channel: a program that always prints something new would keep the search busy forever."""
 
 
-def behaviour(seen: Seen) -> frozenset[Place]:
+def behaviour(seen: ChannelEvents) -> frozenset[Place]:
     """Each two or three successive events of a channel, and each text in which a number is negative or beyond 16 bits.
 
     As ("then", channel, event, event, event), ("negative", channel, text) and ("large", channel, text).
@@ -53,7 +53,7 @@ def behaviour(seen: Seen) -> frozenset[Place]:
     return frozenset(found)
 
 
-def values_told(seen: Seen) -> frozenset[Place]:
+def shown_values(seen: ChannelEvents) -> frozenset[Place]:
     """The levels of each channel, and its texts in which all numbers other than 0 and 1 are alike.
 
     As ("value", channel, text). They show the result of a comparison that is no branch; other numbers are made alike because a
@@ -70,7 +70,7 @@ def values_told(seen: Seen) -> frozenset[Place]:
     )
 
 
-def last_told(seen: Seen) -> dict[str, str]:
+def final_values(seen: ChannelEvents) -> dict[str, str]:
     """What each channel does at the end, with measured numbers made alike: the state that an input has left the program in."""
     return {name: _short(events[-1]) if events else "" for name, (events, *_) in seen.items()}
 
@@ -79,7 +79,7 @@ def _yes_or_no(number: re.Match[str]) -> str:
     return number[0] if number[0] in ("0", "1") else "2"
 
 
-def shown(seen: Seen) -> dict[str, list[str]]:
+def shown(seen: ChannelEvents) -> dict[str, list[str]]:
     """What a program does on each channel, without times: this shows whether it reacts to an input."""
     return {name: [str(event) for event in events] for name, (events, *_) in seen.items()}
 
@@ -106,7 +106,7 @@ def _short(event: ActivityEvent) -> str:
     return f"{event.kind} {value}" if event.kind in (LEVEL, HELD) else str(event)
 
 
-def beside(border: float, facts: Mapping[str, Any], near: tuple[float, float] | None = None) -> tuple[float, float]:
+def near_threshold(border: float, facts: Mapping[str, Any], near: tuple[float, float] | None = None) -> tuple[float, float]:
     """Values at both sides of a border, as near to it as boards that measure differently allow.
 
     Args:

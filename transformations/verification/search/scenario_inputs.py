@@ -184,7 +184,7 @@ def is_steady(signals: Signals) -> bool:
     return all(len(points) == 1 and points[0][0] == 0 for settings in signals.values() for points in settings.values())
 
 
-def held(each: ScenarioInput, ms: float, begin_ms: float) -> Signals:
+def press(each: ScenarioInput, ms: float, begin_ms: float) -> Signals:
     """Signals of a button that is pressed once, for some time."""
     return {each.name: {each.setting: ((begin_ms, each.pressed), (begin_ms + ms, each.rest))}}
 

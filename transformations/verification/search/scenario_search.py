@@ -14,7 +14,6 @@ from itertools import pairwise
 
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.original_side import LIMITS, Place, places_reached, run_source
-from robosmi.transformations.verification.search.border_search import try_durations, try_in_series, try_numbers, with_borders
 from robosmi.transformations.verification.search.combination_search import try_sequences, try_settings
 from robosmi.transformations.verification.search.scenario_goals import ENDS, SERIES
 from robosmi.transformations.verification.search.scenario_inputs import (
@@ -27,6 +26,12 @@ from robosmi.transformations.verification.search.scenario_inputs import (
 )
 from robosmi.transformations.verification.search.scenario_trials import FoundScenarios, Trials
 from robosmi.transformations.verification.search.search_effort import SearchEffort
+from robosmi.transformations.verification.search.threshold_search import (
+    try_durations,
+    try_in_series,
+    try_numbers,
+    with_thresholds,
+)
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.scenario import Scenario
 
@@ -85,7 +90,7 @@ def search(
             try_numbers(made, each, numbers)
     chance = random.Random(seed)
     try_sequences(made, inputs, chance)
-    inputs = [with_borders(made, each.with_ends()) for each in inputs]
+    inputs = [with_thresholds(made, each.with_ends()) for each in inputs]
     while inputs and made.found.tried < _MOST and made.fruitless < _PATIENCE and not effort.is_over():
         made.try_signals(random_signals(inputs, made.horizon, chance))
     return _fewest(made.found, made.reached_by, known)

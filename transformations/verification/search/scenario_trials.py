@@ -7,13 +7,13 @@ from collections.abc import Iterable, Sequence
 
 from msgspec import Struct
 
-from robosmi.base.doing import doing
+from robosmi.base.progress_events import announce
 from robosmi.transformations.verification.bound_devices.played_devices import brief_pins, played
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
 from robosmi.transformations.verification.bound_devices.varied_devices import moved_devices
 from robosmi.transformations.verification.original_side import (
+    ChannelEvents,
     Place,
-    Seen,
     SourceRuns,
     channel_events,
     compared,
@@ -21,18 +21,18 @@ from robosmi.transformations.verification.original_side import (
     run_source,
     run_varied,
 )
+from robosmi.transformations.verification.search.branch_thresholds import Look, look_of
 from robosmi.transformations.verification.search.scenario_goals import (
     ENDS,
     GOALS,
     SERIES,
     behaviour,
-    last_told,
+    final_values,
     shown,
-    values_told,
+    shown_values,
 )
 from robosmi.transformations.verification.search.scenario_inputs import Signals
 from robosmi.transformations.verification.search.search_effort import SearchEffort
-from robosmi.transformations.verification.search.turning_points import Look, look_of
 from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.original_coverage import reached
 from robosmi.verify.original_run import OriginalRun, run_original
@@ -102,7 +102,7 @@ class Trials:
             What it reaches, and `also`.
         """
         found = self.found
-        doing(f"look for scenarios: {found.tried} tried, {len(found.scenarios)} kept")
+        announce(f"look for scenarios: {found.tried} tried, {len(found.scenarios)} kept")
         if found.tried and self.effort.is_over():
             return frozenset()
         found.tried += 1
@@ -128,7 +128,7 @@ class Trials:
             return places
         if runs.given_up:  # other scenarios would be given up as well
             self.effort.given_up = True
-        elif runs.racy_channels or runs.unsteady or (at_any_phase and self._hangs_on_phase(scenario, runs)):
+        elif runs.nondeterministic_channels or runs.unsteady or (at_any_phase and self._hangs_on_phase(scenario, runs)):
             found.least_racy = found.least_racy or (scenario, run)
             found.racy += 1
             found.racy_counts.append(run.counts)
@@ -176,7 +176,7 @@ class Trials:
     def left_in(self, signals: Signals, horizon_ms: float) -> dict[str, str] | None:
         """What each channel does at the end of a short run; None when the search is over."""
         run = self._looked_at(signals, horizon_ms)
-        return None if run is None else last_told(channel_events(run.trace, self.ports, target=False))
+        return None if run is None else final_values(channel_events(run.trace, self.ports, target=False))
 
     def _looked_at(self, signals: Signals, horizon_ms: float) -> OriginalRun | None:
         if self.effort.is_over():
@@ -193,6 +193,6 @@ class Trials:
         """Whether a run has taken an edge of the flow that no scenario has taken yet."""
         return any(len(place) == 1 for place in look.told - self.ways)
 
-    def _look_of(self, run: OriginalRun, seen: Seen) -> Look:
+    def _look_of(self, run: OriginalRun, seen: ChannelEvents) -> Look:
         edges = reached(self.program, run.counts) if run.counts else frozenset()
-        return look_of(values_told(seen), edges, run.compared)
+        return look_of(shown_values(seen), edges, run.compared)

@@ -6,7 +6,7 @@ import pytest
 
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.t2m.c_source.parsing.bounds import MOST_DECLARED, repeats
-from robosmi.transformations.t2m.c_source.parsing.mending import Scratch
+from robosmi.transformations.t2m.c_source.parsing.error_recovery import Scratch
 
 
 def left(text: str) -> str:

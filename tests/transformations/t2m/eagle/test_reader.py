@@ -10,7 +10,7 @@ import pytest
 from robosmi.diagnostics import Severity
 from robosmi.errors import SourceError
 from robosmi.metamodels import hardware as hw
-from robosmi.transformations.queries.circuits.connector_names import told_name
+from robosmi.transformations.queries.circuits.connector_names import displayed_name
 from robosmi.transformations.t2m.eagle import read_circuit
 from robosmi.transformations.t2m.eagle.library import connectors_of
 from robosmi.transformations.t2m.eagle.reader import MOST_PARTS, recognises
@@ -278,7 +278,7 @@ def test_pins_are_told_apart_by_gate_and_name_whatever_the_names_have_in_them(tm
     assert said(findings, "RS208") == []
     assert pins(path) == {f"D{number}": "IC1" for number in range(2, 8)}
     on = {
-        next(other.pin for other in c.net.connectors if other.pin): told_name(c)
+        next(other.pin for other in c.net.connectors if other.pin): displayed_name(c)
         for c in circuit.components[1].connectors if c.net is not None
     }  # fmt: skip
     assert on == {"D2": "B.OUT", "D3": "A.X", "D4": "OUT of A.B", "D5": "A.B.X", "D6": "OUT of B", "D7": "A.B.OUT"}

@@ -2,7 +2,7 @@
 
 libclang crashes on deep nesting, and takes the process with it; its own limit on brackets does not count operators, casts,
 branches and `else if`. So what nests too deep is found in the tokens, cut out of the copy that is parsed, and reported; the
-rest of the file is read. Real programs are far below the limits. `mending` applies the edits to the copy.
+rest of the file is read. Real programs are far below the limits. `error_recovery` applies the edits to the copy.
 
 Limits how often one name is declared in one scope: libclang compares each declaration with all before it.
 

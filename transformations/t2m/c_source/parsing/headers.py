@@ -20,7 +20,7 @@ from robosmi import inputs
 from robosmi.errors import SourceError
 from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.t2m.c_source.parsing.bounds import LARGEST, cuts, shallow
-from robosmi.transformations.t2m.c_source.parsing.mending import Scratch
+from robosmi.transformations.t2m.c_source.parsing.error_recovery import Scratch
 
 MOST = 1000
 """Number of headers of one file that are read at most."""

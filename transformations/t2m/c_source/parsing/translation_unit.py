@@ -2,7 +2,7 @@
 
 The result holds raw cursors as a tree of `Node`s with plain offsets (`tree`). There are up to three parses: the second with
 declarations for undeclared names (`prelude`), the third for names that only then came to light. Where the text is damaged, some
-more of a copy that is mended step by step (`mending`); the complaints stay, offsets are those of the file.
+more of a copy that is mended step by step (`error_recovery`); the complaints stay, offsets are those of the file.
 
 Calls libclang for one text, and keeps what stays the same from one parse of it to the next.
 
@@ -25,6 +25,15 @@ from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.t2m.c_source.parsing import clang, tree
 from robosmi.transformations.t2m.c_source.parsing.bounds import cuts
+from robosmi.transformations.t2m.c_source.parsing.error_recovery import (
+    MAX_ROUNDS,
+    NESTED,
+    Scratch,
+    closed_strings,
+    declared_only,
+    guess,
+    opening,
+)
 from robosmi.transformations.t2m.c_source.parsing.headers import Folders, Reached, reached
 from robosmi.transformations.t2m.c_source.parsing.invocation import (
     PRELUDE,
@@ -35,15 +44,6 @@ from robosmi.transformations.t2m.c_source.parsing.invocation import (
     predefined,
     standard_headers,
     unsaved,
-)
-from robosmi.transformations.t2m.c_source.parsing.mending import (
-    MAX_ROUNDS,
-    NESTED,
-    Scratch,
-    closed_strings,
-    declared_only,
-    guess,
-    opening,
 )
 from robosmi.transformations.t2m.c_source.parsing.precompiled import beginning, forget
 from robosmi.transformations.t2m.c_source.parsing.prelude import Prelude

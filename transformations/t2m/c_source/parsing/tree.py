@@ -11,7 +11,7 @@ import os
 
 from robosmi.transformations.t2m.c_source.parsing import clang, cursor_kinds
 from robosmi.transformations.t2m.c_source.parsing.clang import INCLUSION, MACRO_DEFINITION, MACRO_EXPANSION, Cursor
-from robosmi.transformations.t2m.c_source.parsing.mending import Scratch
+from robosmi.transformations.t2m.c_source.parsing.error_recovery import Scratch
 
 MACRO_ID = 1 << 31
 MAX_TREE_DEPTH = 700
@@ -129,7 +129,7 @@ class TreeReader:
             stop = self._back(stop) if stop >= 0 else stop
         return start, stop if stop >= start else start, begin >= MACRO_ID
 
-    def made_up(self, function: Cursor) -> bool:
+    def is_implicit(self, function: Cursor) -> bool:
         """Whether libclang made up the declaration of an undeclared function at its first call.
 
         Such a declaration has no text; that of a compiler's built-in function is the name alone.

@@ -1,0 +1,94 @@
+"""What is odd in .ecore files that can be read all the same: bounds and opposites that no model can fulfil, misspelt attributes.
+
+EMF's validation reports the same of bounds and opposites, and its loader refuses unknown attributes; here they would be read
+over, and the model would be blamed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.errors import did_you_mean
+from robosmi.model.ecore.ecore_description import Class, Feature, Package
+from robosmi.model.ecore.ecore_files import EcoreFiles
+from robosmi.model.ecore.ecore_xml import EcoreNode
+
+RULE = "RS607"
+_NAMED = ("name",)
+_CLASSIFIER = (*_NAMED, "instanceClassName", "instanceTypeName", "defaultValue")
+_TYPED = (*_NAMED, "ordered", "unique", "lowerBound", "upperBound", "many", "required", "eType")
+_FEATURE = (
+    *_TYPED, "changeable", "volatile", "transient", "defaultValueLiteral", "defaultValue", "unsettable", "derived",
+)  # fmt: skip
+_ATTRIBUTES = {
+    "EPackage": (*_NAMED, "nsURI", "nsPrefix"),
+    "EClass": (*_CLASSIFIER, "abstract", "interface", "eSuperTypes"),
+    "EDataType": (*_CLASSIFIER, "serializable"),
+    "EEnum": (*_CLASSIFIER, "serializable"),
+    "EEnumLiteral": (*_NAMED, "value", "literal", "instance"),
+    "EAttribute": (*_FEATURE, "iD"),
+    "EReference": (*_FEATURE, "containment", "container", "resolveProxies", "eOpposite", "eKeys"),
+    "EOperation": (*_TYPED, "eExceptions"),
+    "EParameter": _TYPED,
+}
+"""Class of Ecore -> the features that an .ecore file may write as attributes."""
+_KINDS = {
+    "EPackage": "EPackage", "eSubpackages": "EPackage", "eLiterals": "EEnumLiteral", "eOperations": "EOperation",
+    "eParameters": "EParameter",
+}  # fmt: skip
+"""Tag of an element without `xsi:type` -> its class."""
+
+
+def lint(path: Path, packages: Sequence[Package]) -> list[Finding]:
+    """What is odd in a metamodel.
+
+    Args:
+        path: an .ecore file.
+        packages: the outermost packages of it and of those that it refers to.
+
+    Raises:
+        SourceError: the file cannot be read.
+    """
+    return [*_unknown_attributes(path, EcoreFiles().load(path).roots), *_contradictions(packages)]
+
+
+def _unknown_attributes(path: Path, nodes: Iterable[EcoreNode]) -> Iterator[Finding]:
+    for node in nodes:
+        kind = node.kind or _KINDS.get(node.tag, "")
+        known = _ATTRIBUTES.get(kind, ())
+        for name in node.attributes if known else ():
+            if name not in known and name != "href":
+                message = f"'{name}' is no attribute of an {kind}{did_you_mean(name, known)}: it is read over"
+                yield _finding(message, Location(str(path), node.line), "correct its name, or take it out")
+        yield from _unknown_attributes(path, node.children)
+
+
+def _contradictions(packages: Sequence[Package]) -> Iterator[Finding]:
+    for root in packages:
+        for package in root.walk():
+            for classifier in package.classifiers:
+                for feature in classifier.features if isinstance(classifier, Class) else ():
+                    yield from _of_feature(feature)
+
+
+def _of_feature(feature: Feature) -> Iterator[Finding]:
+    if 0 <= feature.upper < feature.lower:
+        message = f"'{feature.path}' has at least {feature.lower} values and at most {feature.upper}: no model has both"
+        yield _finding(message, feature.location, "correct lowerBound or upperBound", feature)
+    opposite = feature.opposite
+    if opposite is None:
+        return
+    if opposite.opposite is not feature:
+        names = f"names '{opposite.opposite.path}'" if opposite.opposite is not None else "names none"
+        message = f"'{feature.path}' names '{opposite.path}' as its opposite, which {names}"
+        yield _finding(message, feature.location, "let each name the other as its eOpposite", feature)
+    elif opposite.owner is not feature.classifier:
+        kind = feature.classifier.path if feature.classifier is not None else "nothing"
+        message = f"'{feature.path}' has the type '{kind}', and its opposite '{opposite.path}' is a feature of another class"
+        yield _finding(message, feature.location, "let the type be the class that has the opposite", feature)
+
+
+def _finding(message: str, location: Location, fix: str, feature: Feature | None = None) -> Finding:
+    return Finding(RULE, Severity.warning, message, location, feature.path if feature is not None else None, fix)

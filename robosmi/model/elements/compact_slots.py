@@ -1,0 +1,346 @@
+"""Compact elements: how feature values are stored inside a pyecore EObject, and how to store them without its setters.
+
+pyecore keeps a holder for every value and four containers for every element, most of them empty. Here, attributes store plain
+values without a holder until they are changed, holders share their constant fields in their class, and descriptors create the
+four containers on demand. Elements remain pyecore EObjects: its own setters, collections and `delete` work on them. Only the
+XMI reader and writer, `construct`, `on_demand` and `strict` use this module.
+"""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from robosmi.model.elements import datatypes
+from robosmi.model.elements.ecore import (
+    EAttribute,
+    ECollection,
+    EDataType,
+    EEnum,
+    EEnumLiteral,
+    EObject,
+    EReference,
+    EStructuralFeature,
+    EValue,
+)
+from robosmi.model.elements.feature_errors import not_computed
+from robosmi.model.elements.feature_values import FeatureCollection, FeatureList, FeatureOrderedSet, kind_of
+from robosmi.model.elements.pyecore_internals import (
+    CONTAINER,
+    CONTAINING_FEATURE,
+    FIRST_LISTENERS,
+    IDENTITY,
+    INVERSE_REFERENCES,
+    IS_STATIC,
+    RESOURCE,
+    SET_FEATURES,
+    FeatureSet,
+    empty_ordered_set,
+    inverse_references_of,
+    key_of,
+    set_slot,
+    target_in,
+    value_in,
+)
+from robosmi.model.elements.structure import resource_of
+
+if TYPE_CHECKING:
+    from robosmi.model.elements.ecore import Value
+
+
+def _holder_class(name: str, is_ref: bool, is_cont: bool) -> type[EValue]:
+    shared = {
+        "is_ref": is_ref,
+        "is_cont": is_cont,
+        "generic_type": None,
+        "__doc__": "An EValue with what all share in its class.",
+    }
+    return type(name, (EValue,), shared)
+
+
+AttributeValue = _holder_class("AttributeValue", False, False)
+"""Holder of one attribute value; `owner`, `feature` and the value are its own, as in EValue."""
+ReferenceValue = _holder_class("ReferenceValue", True, False)
+"""Holder of one reference."""
+ContainedValue = _holder_class("ContainedValue", True, True)
+"""Holder of one contained element."""
+HOLDERS = (AttributeValue, ReferenceValue, ContainedValue)
+
+_new = object.__new__
+_NOTHING: Any = object()
+
+REFUSAL = "_refusal"
+"""Key in the `__dict__` of a read-only element: a function of the element and a feature's name that makes the error."""
+UNBOXED_TYPES: frozenset[type[int | str | float | EEnumLiteral]] = frozenset([int, str, bool, float, EEnumLiteral])
+"""Exact classes of the values that are stored in an element without a holder."""
+
+
+_HOLDS_ONE = frozenset({EValue, AttributeValue, ReferenceValue, ContainedValue})
+"""Exact classes of holders whose value can be read without side effects."""
+_HOLDS_MANY = frozenset({FeatureOrderedSet, FeatureList})
+"""Exact classes of collections that are returned as they are when a feature is read."""
+
+
+def _value_of(self: EAttribute, instance: EObject, owner: type | None = None) -> Any:
+    if instance is None:
+        return self
+    value = instance.__dict__.get(key_of(self), _NOTHING)
+    if value.__class__ in UNBOXED_TYPES:
+        return value
+    if value.__class__ in _HOLDS_ONE:
+        return value_in(value)
+    if value is _NOTHING and REFUSAL in instance.__dict__:
+        return self.get_default_value()  # an element that nobody can change needs no holder for what it has not
+    return EAttribute.__get__(self, instance, owner)
+
+
+def _change(self: EAttribute, instance: EObject, value: Any) -> None:
+    slots = instance.__dict__
+    if REFUSAL in slots:
+        raise slots[REFUSAL](instance, key_of(self))
+    present = slots.get(key_of(self), _NOTHING)
+    if present.__class__ in UNBOXED_TYPES:
+        slots[key_of(self)] = new_slot(AttributeValue, instance, self, present)
+    EAttribute.__set__(self, instance, value)
+
+
+_Quiet: Any = type("_Quiet", (type(EAttribute),), {"__init__": type.__init__})  # what it makes becomes part of no metamodel
+_BareAttribute: Any = _Quiet(EAttribute.__name__, (EAttribute,), {"__get__": _value_of, "__set__": _change})
+"""An attribute of one value that may lie bare in the element: without a holder, which is made when it is changed."""
+
+
+def _target_of(self: EReference, instance: EObject, owner: type | None = None) -> object:
+    if instance is None:
+        return self
+    slot: object = instance.__dict__.get(key_of(self))
+    if slot.__class__ in _HOLDS_MANY:
+        return slot
+    if slot.__class__ in _HOLDS_ONE:
+        return target_in(slot)  # type: ignore[arg-type]
+    found: object = EReference.__get__(self, instance, owner)  # type: ignore[attr-defined]
+    return found
+
+
+def _computed_value(self: EAttribute, instance: EObject, owner: type | None = None) -> object:
+    if instance is not None and key_of(self) not in instance.__dict__ and self.defaultValueLiteral is None:
+        raise not_computed(instance, str(self.name))
+    found: object = EAttribute.__get__(self, instance, owner)
+    return found
+
+
+def _computed_target(self: EReference, instance: EObject, owner: type | None = None) -> object:
+    if instance is not None and key_of(self) not in instance.__dict__:
+        raise not_computed(instance, str(self.name))
+    found: object = EReference.__get__(self, instance, owner)  # type: ignore[attr-defined]
+    return found
+
+
+_COMPUTED: Mapping[type, type] = {
+    EAttribute: _Quiet(EAttribute.__name__, (EAttribute,), {"__get__": _computed_value}),
+    EReference: _Quiet(EReference.__name__, (EReference,), {"__get__": _computed_target}),
+}
+"""Features of one value that code would have to compute, and whose metamodel alone does not have that code."""
+
+
+def computed(feature: EStructuralFeature) -> None:
+    """Let a feature that is derived and volatile say that nothing computes it, instead of its type's default or nothing.
+
+    One of several values says so by its collection (`FeatureCollection`). A value that was given, or a default, is returned.
+    """
+    if feature.derived and feature.volatile and not feature.many:
+        feature.__class__ = _COMPUTED.get(feature.__class__, feature.__class__)
+
+
+_QuickReference: type = _Quiet(EReference.__name__, (EReference,), {"__get__": _target_of})
+"""A reference that is read without the two calls that pyecore makes for it."""
+
+
+def quick(feature: EStructuralFeature) -> None:
+    """Let a reference be read without pyecore's extra calls, unless it is derived."""
+    if feature.__class__ is EReference and not (feature.derived or feature.volatile):
+        feature.__class__ = _QuickReference
+
+
+def store_unboxed(feature: EStructuralFeature) -> bool:
+    """Let values of a feature be stored without a holder from now on; returns whether it is a single-valued attribute."""
+    if feature.__class__ is EAttribute and not (feature.many or feature.derived or feature.volatile):
+        feature.__class__ = _BareAttribute
+    return feature.__class__ is _BareAttribute
+
+
+def features_fixed(cls: type) -> bool:
+    """Whether a class says that its features never change once it is made, as those of `strict` do."""
+    return getattr(cls, "_fixed_features", False) is True
+
+
+def new_slot(cls: type[EValue], owner: EObject, feature: EStructuralFeature, value: Value) -> EValue:
+    """A holder of one of the classes above."""
+    made = _new(cls)
+    made.owner = owner
+    made.feature = feature
+    set_slot(made, value)
+    return made
+
+
+def collection(owner: EObject, feature: EStructuralFeature) -> Any:
+    """An empty collection for that feature, which is not derived."""
+    form = feature.__dict__.get("_robosmi_form", _NOTHING)
+    if form is _NOTHING:
+        if feature.unique and not feature.ordered:
+            form = None
+        else:
+            is_ref = feature.is_reference
+            is_cont = is_ref and feature.containment
+            kind = kind_of(feature)
+            form = kind, is_ref, is_cont, is_cont and feature.eOpposite is None
+        if features_fixed(owner.__class__):  # those of other classes may change yet
+            feature.__dict__["_robosmi_form"] = form
+    if form is None:
+        made = FeatureCollection.create(owner, feature)
+        made.birth = None
+        return made
+    made = form[0].__new__(form[0])
+    made.owner = owner
+    made.feature = feature
+    _, made.is_ref, made.is_cont, is_born = form
+    made.generic_type = None
+    if form[0] is FeatureOrderedSet:
+        empty_ordered_set(made)
+    made.birth = (owner, feature) if is_born and form[0] is FeatureOrderedSet else None
+    return made
+
+
+def plain_value(slot: Any) -> Any:
+    """The value in a slot of an attribute of one value, bare or in a holder."""
+    return slot if slot.__class__ in UNBOXED_TYPES else value_in(slot)
+
+
+class _Made:
+    """Descriptor of a container that is created on first access and then is an ordinary attribute."""
+
+    def __init__(self, name: str, make: Callable[[EObject], Any]) -> None:
+        self.name = name
+        self.make = make
+
+    def __get__(self, element: EObject, owner: type | None = None) -> Any:
+        if element is None:
+            raise AttributeError(self.name)  # pyecore asks classes too, when one becomes the type of a reference
+        made = element.__dict__[self.name] = self.make(element)
+        return made
+
+
+def _set_features(element: EObject) -> Any:
+    """The features that have been set, determined from the slots."""
+    found = FeatureSet()
+    cls = element.__class__
+    for name, value in element.__dict__.items():
+        if value.__class__ in UNBOXED_TYPES:
+            feature = getattr(cls, name, None)
+            if feature.__class__ is _BareAttribute:
+                found[feature] = None
+        elif isinstance(value, EValue):
+            if value.__class__ is not EValue and (value_in(value) is not None or isinstance(value, HOLDERS)):
+                found[value.feature] = None
+        elif isinstance(value, ECollection) and ("birth" in value.__dict__ or len(value)):
+            found[value.feature] = None
+    return found
+
+
+def _back_links(element: EObject) -> Any:
+    """The elements that refer to this one by references without opposite, as recorded by `note_link` and containers."""
+    slots = element.__dict__
+    found = set(slots.pop("_linked", ()))
+    if (birth := slots.pop("_birth", None)) is not None:
+        found.add(birth)
+    return found
+
+
+def note_link(target: EObject, link: tuple[EObject, EStructuralFeature]) -> None:
+    """Record on an element that another one refers to it by a reference without opposite.
+
+    Args:
+        target: the element.
+        link: the referring element and its feature.
+    """
+    slots = target.__dict__
+    if INVERSE_REFERENCES in slots:
+        slots[INVERSE_REFERENCES].add(link)
+    elif "_linked" in slots:
+        slots["_linked"].append(link)
+    elif hasattr(type(target), INVERSE_REFERENCES):
+        slots["_linked"] = [link]
+    else:
+        inverse_references_of(target).add(link)
+
+
+class _Own:
+    """Descriptor with one value for the class and another for its elements, like pyecore's fields of the same name in both."""
+
+    def __init__(self, of_class: Any, of_element: Any) -> None:
+        self.of_class = of_class
+        self.of_element = of_element
+
+    def __get__(self, element: EObject, owner: type | None = None) -> Any:
+        return self.of_class if element is None else self.of_element(element)
+
+
+LAZY: dict[str, Any] = {
+    SET_FEATURES: _Made(SET_FEATURES, _set_features),
+    INVERSE_REFERENCES: _Made(INVERSE_REFERENCES, _back_links),
+    "listeners": _Made("listeners", lambda element: []),
+    FIRST_LISTENERS: _Made(FIRST_LISTENERS, lambda element: []),
+    "eResource": property(resource_of),
+    IDENTITY: None,
+    CONTAINER: None,
+    CONTAINING_FEATURE: None,
+    RESOURCE: None,
+}
+
+
+def is_prepared(cls: type) -> bool:
+    """Whether `prepare` was called for a class itself, not only for one of its bases."""
+    return INVERSE_REFERENCES in cls.__dict__
+
+
+def prepare(cls: type) -> None:
+    """Make a class ready for compact elements: what pyecore would put into each is found in the class."""
+    if is_prepared(cls):
+        return
+    for name, value in LAZY.items():
+        if not isinstance(getattr(type(cls), name, None), property):  # a metaclass may keep the name for itself
+            setattr(cls, name, value)
+    for name, of_element in (("dyn_inst", lambda element: element), (IS_STATIC, lambda element: False)):
+        setattr(cls, name, _Own(getattr(cls, name, None), of_element))
+
+
+def repair_default(feature: EStructuralFeature, datatype: EDataType) -> None:
+    """Make pyecore give an attribute EMF's default, where its own is wrong: literals by their text, zero of small types."""
+    literal = feature.defaultValueLiteral
+    if isinstance(datatype, EEnum):
+        if literal is not None and datatype.from_string(literal) is None:
+            datatype.from_string = _literal_of(datatype)
+    elif literal is None and feature.default_value is None and not feature.many:
+        wanted = datatypes.default(feature, datatype)
+        if wanted is not None and datatype.default_value is None:
+            feature.default_value = wanted
+
+
+def _literal_of(enum: EEnum) -> Callable[[str], EEnumLiteral | None]:
+    def find(text: str) -> EEnumLiteral | None:
+        return next((x for x in enum.eLiterals if text in (datatypes.literal_text(x), x.name)), None)
+
+    return find
+
+
+@contextmanager
+def collector_at_rest() -> Iterator[None]:
+    """Context manager: suspends cyclic garbage collection, since elements form many cycles that are no garbage yet."""
+    was_on = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_on:
+            gc.enable()

@@ -1,0 +1,52 @@
+"""What a compiler of the target refuses is a task of the plan before anybody compiles, with the line of the source."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import robosmi
+from robosmi.transformations.m2t.first_screen import written
+from robosmi.transformations.queries.reports.work import Work
+from robosmi.transformations.t2m.c_source.parsing.compiler_complaints import compiler_complaints
+from tests.tools import require_tools
+
+PROGRAM = Path(__file__).parent / "refused_text" / "robot.c"
+
+
+def test_each_line_that_a_compiler_refuses_is_a_task_with_its_place_in_the_source(tmp_path: Path) -> None:
+    made = robosmi.migrate([PROGRAM], tmp_path / "out")
+    plan = made.models.plan
+    wanted = {
+        (path.name, number)
+        for path in PROGRAM.parent.iterdir()
+        for number, line in enumerate(path.read_text().splitlines(), 1)
+        if line.endswith("// told")
+    }
+    assert {(Path(f.path).name, f.line) for f in plan.findings if f.rule == "RS337"} == wanted
+    assert {(Path(t.path).name, t.line) for t in plan.tasks if t.rule == "RS504"} == wanted
+    assert not written(Work(plan)).startswith("nothing")
+    again = robosmi.generate_sketch(tmp_path / "out" / "models" / "plan.xmi", tmp_path / "again")
+    assert again.contents == made.contents
+
+
+def test_a_compiler_refuses_what_is_told(tmp_path: Path) -> None:
+    require_tools("avr-gcc", "arduino-core-avr")
+    made = robosmi.migrate([PROGRAM], tmp_path / "out")
+    said = [f for f in robosmi.compile_sketch(made.sketch).diagnostics if f.rule == "RS801" and f.location is not None]
+    lines = {f"line {f.location.line} of {Path(f.location.path).name}" for f in said if f.location is not None}
+    assert {f.message.partition(":")[0] for f in made.models.plan.findings if f.rule == "RS337"} == lines
+
+
+def test_names_of_headers_that_are_not_there_are_not_told() -> None:
+    sketch = b"""#include <Arduino.h>
+#include <Other.h>
+Thing thing = thing_of(LED_BUILTIN);
+void setup() { clock_t start = clock(), now; now = start; Serial.begin(9600); thing.turn((Kind *)start, F("a")); }
+void loop() { PORTB |= _BV(3); digitalWrite(3, HIGH); int32_t x = (FILE *)0 == stdout; }
+"""
+    assert compiler_complaints({"robot.ino": sketch}, "Arduino.h") == []
+
+
+def test_a_function_that_the_program_defines_below_its_use_is_told() -> None:
+    sketch = b"void setup() {\n  later(3);\n}\nvoid later(int x) { (void)x; }\nvoid loop() {}\n"
+    assert [(each.file, each.line) for each in compiler_complaints({"robot.ino": sketch}, "Arduino.h")] == [("robot.ino", 2)]

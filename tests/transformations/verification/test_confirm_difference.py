@@ -1,0 +1,62 @@
+"""A second look at a difference: one that further runs of the source show as well is none, one that they do not is."""
+
+from __future__ import annotations
+
+import pytest
+from msgspec.structs import replace
+
+from robosmi.transformations.verification.judgement.scenario_verdicts import looked_at_again
+from robosmi.transformations.verification.judgement.verdict import verdict_of
+from robosmi.transformations.verification.original_side import SourceRuns, channel_events
+from robosmi.verify.scenario import Scenario
+from robosmi.verify.simulation import PinTrace
+from tests.transformations.verification.test_verdict import SCENARIO, original, printed
+
+SOURCE = ((100.0, "far"), (300.0, "near"), (500.0, "far"))
+
+
+@pytest.mark.parametrize(
+    ("again", "target", "verdict"),
+    [
+        (((100.0, "far"), (300.0, "far"), (500.0, "far")), ((100.0, "far"), (300.0, "far"), (500.0, "far")), "not-decidable"),
+        (SOURCE, ((100.0, "far"), (300.0, "far"), (500.0, "far")), "different"),
+        (((100.0, "far"), (300.0, "near"), (500.0, "near")), ((100.0, "far"), (300.0, "none"), (500.0, "far")), "different"),
+        (((100.0, "far"), (300.0, "near"), (500.0, "near")), ((100.0, "none"), (300.0, "near"), (500.0, "far")), "different"),
+        (
+            ((100.0, "far"), (390.0, "near"), (500.0, "far")),
+            ((100.0, "far"), (420.0, "near"), (500.0, "far")),
+            "no-difference-found",
+        ),
+    ],
+    ids=["it does so itself", "it never does so", "it does something else later", "the difference comes before", "later by luck"],
+)  # fmt: skip
+def test_what_the_source_does_as_well_is_no_difference(
+    again: tuple[tuple[float, str], ...], target: tuple[tuple[float, str], ...], verdict: str
+) -> None:
+    runs = original(printed(*SOURCE))
+    trace = printed(*target)
+    told = verdict_of(SCENARIO, runs, trace, [], one_thread=True)
+    assert told.verdict == "different"
+
+    def further(scenario: Scenario, before: SourceRuns) -> SourceRuns:
+        return with_run(before, printed(*again))
+
+    assert looked_at_again(told, SCENARIO, trace, [], True, runs, further).verdict == verdict
+
+
+def test_no_further_runs_are_made_where_nothing_differs() -> None:
+    runs = original(printed(*SOURCE))
+    told = verdict_of(SCENARIO, runs, printed(*SOURCE), [], one_thread=True)
+
+    def further(scenario: Scenario, before: SourceRuns) -> SourceRuns:
+        raise AssertionError("there was nothing to look at")
+
+    assert looked_at_again(told, SCENARIO, printed(*SOURCE), [], True, runs, further) is told
+
+
+def with_run(runs: SourceRuns, trace: PinTrace) -> SourceRuns:
+    """The runs with a further one."""
+    seen = channel_events(trace, [], target=False)
+    return replace(
+        runs, channels={name: [[*each, seen[name][at]] for at, each in enumerate(its)] for name, its in runs.channels.items()}
+    )
