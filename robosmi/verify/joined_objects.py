@@ -53,7 +53,7 @@ class JoinedObjects(Struct, frozen=True):
     counters: tuple[Counters, ...]
 
 
-def made_by_tools(path: Path) -> bytes:
+def read_tool_file(path: Path) -> bytes:
     """The content of a file that a tool has made of the program.
 
     Raises:
@@ -73,7 +73,7 @@ def elf_at(path: Path) -> ElfFile:
     Raises:
         VerificationError: it cannot be read.
     """
-    return read_elf(made_by_tools(path))
+    return read_elf(read_tool_file(path))
 
 
 def joined(objects: Sequence[Path], folder: Path, model: HostModel, known: frozenset[str], run: RunTool) -> JoinedObjects:

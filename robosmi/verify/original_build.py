@@ -21,7 +21,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, VerificationError
 from robosmi.verify.assembler_text import check_directives
 from robosmi.verify.host_model import HostModel
-from robosmi.verify.joined_objects import Counters, elf_at, joined, made_by_tools, rename
+from robosmi.verify.joined_objects import Counters, elf_at, joined, read_tool_file, rename
 from robosmi.verify.linked_names import PROGRAM_DATA, AllowedNames, check_linked, library_names, names_of
 from robosmi.verify.sandbox import FLAGS, SOURCE, Launcher, launcher
 from robosmi.verify.toolchains import archives
@@ -158,9 +158,9 @@ class _Build(Struct, dict=True):
         prefix = f"-fmacro-prefix-map={source.parent}/="  # of __FILE__
         self._run("command", *flags, prefix, "-MD", "-MF", str(used), "-S", *_language(source), "-o", str(text))
         if self.only is not None:
-            rule = made_by_tools(used).decode("utf-8", "surrogateescape")
+            rule = read_tool_file(used).decode("utf-8", "surrogateescape")
             check_used(used_files(rule, self.folder), self.only, (self.folder, *self.model.headers))
-        check_directives(made_by_tools(text).decode("latin-1"))
+        check_directives(read_tool_file(text).decode("latin-1"))
         self._run("command", *self._flags("machine"), "-c", str(text), "-o", str(target))
 
     # ---- the model, compiled once

@@ -198,7 +198,7 @@ def holders_hold_what_is_read() -> None:
     assert inside.is_value(slot)
     assert not inside.is_value(made.children)
     assert inside.value_in(slot) == inside.read(slot) == "a"
-    inside.hold(slot, "b")
+    inside.set_slot(slot, "b")
     assert made.label == "b"
     assert inside.read(made.children) is made.children
 
