@@ -292,7 +292,7 @@ def test_a_compiler_without_the_word_size_is_told(tmp_path: Path, monkeypatch: p
     source.write_text(BLINK)
     folder.mkdir()
     monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(MissingToolError, match=r"gcc 99.1 cannot make programs of this kind here \(-m32\)"):
+    with pytest.raises(MissingToolError, match=r"gcc 99.1 cannot build such programs here \(-m32\)"):
         build_original([source], model(), folder)
 
 
