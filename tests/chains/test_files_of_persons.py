@@ -274,7 +274,7 @@ def test_a_sketch_that_gives_way_to_another_program_s_is_said(migrated: Path, li
     outcome = again(other, migrated)
     said = [finding for finding in outcome.document["findings"] if finding["rule"] == "RS526"]
     assert [finding["message"] for finding in said] == [
-        "the sketch 'line_follower' of an earlier run is removed: this run makes 'other' here"
+        "the sketch 'line_follower' of an earlier run is removed: this run generates 'other' here"
     ]
     assert not (migrated / SKETCH).exists()
     assert not [f for f in again(other, migrated).document["findings"] if f["rule"] == "RS526"]

@@ -147,5 +147,5 @@ def test_a_prompt_does_not_offer_what_cannot_be_kept(robot: Path) -> None:
     replies = iter(["D9"])
     answers = Answers(answer=lambda _: next(replies), out=out)
     content("chain", "migrate")([robot / "blink.c"], robot / "out", ask_ports=answers.ports, outside=lambda: answers.offer(robot))
-    assert "kept in the plan alone" in out.getvalue()
+    assert "saved only in the plan" in out.getvalue()
     assert in_plan(robot) == ("D9", "person")

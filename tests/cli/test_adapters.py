@@ -192,7 +192,7 @@ def test_what_was_written_for_a_call_that_goes_stays_with_a_word(project: Path) 
     source.write_text(SOURCE.read_text().replace("s3_ping(5)", "1"))
     outcome = migrated(project)
     said = [finding["message"] for finding in outcome.document["findings"] if finding["rule"] == "RS527"]
-    assert said == ["'s3_ping', which you wrote, is called no more or has another body: yours stands at the end, switched off"]
+    assert said == ["'s3_ping' is no longer called or has another body; your body is disabled at the end of the file"]
     text = (project / "out" / "tilt" / "adapters.h").read_text()
     assert "<<<<<<<" not in text
     assert text.endswith("int32_t s3_ping(int32_t Pin) {\n  return pulseIn(Pin, HIGH) - 5000;\n}\n#endif\n")
@@ -293,7 +293,7 @@ def test_a_body_for_a_function_of_no_known_header_is_told_alone(project: Path) -
     adapters.write_text(text.replace("// TODO: complete method", "pinMode(argument1, OUTPUT);"))
     outcome = run("adapters", "save", project / "out", "--as", "project", "--json")
     assert [f["message"] for f in outcome.document["findings"]] == [
-        "'beep_twice' has a body of yours, and is no function of a known header: it cannot be saved"
+        "'beep_twice' is not a function of a known header, so its body cannot be saved"
     ]
 
 

@@ -320,7 +320,7 @@ def test_links_that_lead_to_each_other_are_no_output_folder_and_no_sketch(line_f
     check_refused(run("migrate", line_follower, "-o", tmp_path / "one"), 3, "one", "a link that leads nowhere")
     outcome = run("compile", tmp_path / "one")
     assert outcome.code == 3
-    assert "a link that leads nowhere is there" in outcome.err
+    assert "the path is a broken link" in outcome.err
     assert "robosmi migrate" in outcome.err
 
 
