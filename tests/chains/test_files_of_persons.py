@@ -264,7 +264,7 @@ def test_a_program_whose_sketch_has_the_name_of_another_program_s_is_said(tmp_pa
     assert again(first, folder).code == 0
     assert not [f for f in again(first, folder).document["findings"] if f["rule"] == "RS526"]
     (said,) = (f for f in again(second, folder).document["findings"] if f["rule"] == "RS526")
-    assert said["message"].startswith("the sketch 'two_words' was that of 'two words.c': this program takes its place")
+    assert said["message"].startswith("this program replaces 'two words.c' in the sketch 'two_words'")
     assert not [f for f in again(second, folder).document["findings"] if f["rule"] == "RS526"]
 
 

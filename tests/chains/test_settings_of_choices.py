@@ -79,7 +79,7 @@ def test_where_it_is_read_only_the_choice_stays_in_the_plan_and_that_is_said(
     page.document(live=True, nonce="x")
     told = page.act("choose", {"id": "port:eye", "value": "D10", "plan": page.plan})
     assert told["state"] == "saved"
-    assert "in the plan alone" in told["message"]
+    assert "only in the plan" in told["message"]
     assert in_plan(robot) == ("D10", "person")
     assert project.read_text() == f'{SETTINGS}[bind]\neye = "D4"\n'
 

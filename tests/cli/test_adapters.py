@@ -142,7 +142,7 @@ def test_a_body_that_a_person_wrote_counts_as_filled(project: Path) -> None:
     assert sites(outcome) == (2, 1)
     assert [task["message"] for task in outcome.document["tasks"] if "s3_ping" in task["message"]] == []
     report = (project / "out" / "tilt" / "MIGRATION.md").read_text()
-    assert "waiting: 1 for a pin, 1 for a body" in report
+    assert "1 needs a pin, 1 needs a body" in report
     assert "written by you" in report
     first = {path: path.read_bytes() for path in (project / "out").rglob("*") if path.is_file()}
     assert sites(migrated(project)) == (2, 1)

@@ -156,12 +156,12 @@ def test_a_plan_that_is_gone_or_damaged_is_said_with_its_place(migrated: Migrate
     plan.unlink()
     page.wait(lambda: "plan is missing" in page.told())
     plan.write_bytes(text)
-    page.wait(lambda: page.state() == "saved" and "shown again" in page.told())
+    page.wait(lambda: page.state() == "saved" and "matches this page again" in page.told())
     plan.write_text("<x")
     page.press("port:leftQTI", "D4")
     page.wait(lambda: page.state() == "refused")
     assert f"(in {plan}:1)" in page.told()
-    assert "put the file back as it was" in page.told()
+    assert "restore the file" in page.told()
     time.sleep(2.5)  # the page looks every two seconds
     assert page.state() == "refused", "what was refused stays in sight"
     plan.write_bytes(text)

@@ -206,7 +206,7 @@ def test_a_full_folder_for_temporary_files_is_no_fault_of_the_program(size_k: in
     assert done.returncode == 3, done.stdout + done.stderr
     assert f"error: {out / 'small' / 'tmp'}: " in done.stderr
     assert "No space left on device" in done.stderr
-    assert "let TMPDIR name a folder with more" in done.stderr
+    assert "set TMPDIR to a folder with more" in done.stderr
     assert "variant" not in done.stderr
 
 

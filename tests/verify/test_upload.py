@@ -261,7 +261,7 @@ def _unknown_board(sketch: Path) -> None:
         (_edited, "the file was changed since the sketch was compiled"),
         (_new, "the file is new since the sketch was compiled"),
         (_gone, "the file was changed since the sketch was compiled, and 1 more"),
-        (_another_program, "not the one that was compiled last"),
+        (_another_program, "has changed since it was compiled"),
         (_damaged_record, "the record of the program is damaged"),
         (_unknown_board, "unknown board 'nuo'"),
     ],
@@ -385,7 +385,7 @@ def test_a_tool_that_does_not_end_is_ended(
     with pytest.raises(RobosmiError, match="exceeded") as ended:
         upload_sketch(out, "/dev/null")
     assert time.monotonic() - started < 20
-    assert "half a program" in (ended.value.fix or "")
+    assert "incomplete program" in (ended.value.fix or "")
 
 
 def test_the_sketch_s_own_folder_and_another_build_folder(blink: Callable[[str], Path], stand_in: StandIn) -> None:
