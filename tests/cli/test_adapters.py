@@ -323,7 +323,7 @@ def test_nothing_to_save_and_no_project_say_so(project: Path) -> None:
     write_body(project)
     outcome = run("adapters", "save", project / "out", "--as", "project")
     assert outcome.code == 3
-    assert "make an empty robosmi.toml beside the source" in outcome.err
+    assert "create an empty robosmi.toml next to the source" in outcome.err
 
 
 def test_adapters_are_listed_with_what_they_do_not_do(project: Path) -> None:

@@ -380,7 +380,7 @@ def test_a_started_server_goes_on_after_lines_that_are_no_messages(root: Path, t
     told = {answer["id"]: answer for answer in answers}
     assert set(told) == {1, 2, None, 3}
     assert [answer["id"] for answer in answers].count(None) == 6
-    assert "halves of characters" in told[2]["error"]["message"]
+    assert "surrogates" in told[2]["error"]["message"]
     assert len(told[3]["result"]["tools"]) == 10
 
 

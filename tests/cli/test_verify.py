@@ -173,7 +173,7 @@ def test_a_scenario_that_names_nothing_is_wrong_usage_before_anything_is_built(o
 def test_a_folder_without_a_plan_is_refused(tmp_path: Path) -> None:
     outcome = run("verify", tmp_path)
     assert outcome.code == 3
-    assert "there is no stored plan" in outcome.err
+    assert "has no plan" in outcome.err
 
 
 @pytest.mark.parametrize("command", ["verify", "simulate"])
