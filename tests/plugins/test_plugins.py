@@ -69,12 +69,12 @@ def test_a_constraint_whose_id_is_taken_is_refused_with_its_plug_in(tmp_path: Pa
     path = installed(tmp_path, "checks")
     plan, _ = stored_plan(tmp_path, path)
     (finding,) = command("check", plan, path=path, code=3, CHECKS_PLUGIN="taken")["findings"]
-    assert finding["message"] == "the id 'RS702' of the constraint has_our_id of checks 2.1 is taken by a rule of robosmi"
-    assert finding["fix"] == "give it an id that no other has"
+    assert finding["message"] == "the id 'RS702' of the constraint has_our_id of checks 2.1 is taken by a built-in rule"
+    assert finding["fix"] == "give it a unique id"
 
 
 @pytest.mark.parametrize(("offer", "said"), [
-    ("rule", "the id 'RS203' of the constraint has_the_id_of_a_reader of checks 2.1 is taken by a rule of robosmi"),
+    ("rule", "the id 'RS203' of the constraint has_the_id_of_a_reader of checks 2.1 is taken by a built-in rule"),
     ("twice", "the id 'CH001' of the constraint is_not_called_beacon of checks 2.1 is taken by one of checks 2.1"),
 ])  # fmt: skip
 def test_an_id_of_a_rule_or_of_another_metamodel_is_taken(offer: str, said: str, tmp_path: Path) -> None:

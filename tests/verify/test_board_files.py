@@ -149,7 +149,7 @@ def test_a_board_has_its_pins_in_order_and_its_platform_its_names() -> None:
 
 
 def test_an_unknown_board() -> None:
-    with pytest.raises(UsageError, match=r"no board is called 'unno' \(did you mean 'uno'\?\)"):
+    with pytest.raises(UsageError, match=r"unknown board 'unno' \(did you mean 'uno'\?\)"):
         load_board("unno")
 
 
