@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import tempfile
 from pathlib import Path
 
@@ -11,6 +12,8 @@ import pytest
 from tests import tiers, written_models_judge
 
 ROOT = Path(__file__).resolve().parents[1]
+BYTECODE = ROOT / ".pytest_cache" / "bytecode"
+"""It lasts: to compile the tests takes longer than to collect them."""
 _HOME = pytest.StashKey["tempfile.TemporaryDirectory[str]"]()
 
 
@@ -24,9 +27,9 @@ def pytest_configure(config: pytest.Config) -> None:
     folder = config.stash[_HOME] = tempfile.TemporaryDirectory(prefix="robosmi-tests-")
     os.environ["ROBOSMI_HOME"] = folder.name
     os.environ["ROBOSMI_HISTORY"] = str(Path(folder.name) / "history.sqlite")
-    if not hasattr(config, "workerinput"):  # hundreds of tests start a Python of their own: one set of bytecode for all of them
+    if not hasattr(config, "workerinput"):  # one set of bytecode for the processes of this run, hundreds of which are a test's
         os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
-        os.environ.setdefault("PYTHONPYCACHEPREFIX", str(Path(folder.name) / "bytecode"))
+        os.environ.setdefault("PYTHONPYCACHEPREFIX", str(BYTECODE))
     for mark, meaning in written_models_judge.MARKS.items():
         config.addinivalue_line("markers", f"{mark}(reason): {meaning}")
     tiers.join(config)
@@ -37,6 +40,8 @@ def pytest_configure(config: pytest.Config) -> None:
 def pytest_unconfigure(config: pytest.Config) -> None:
     """Remove what fixtures of modules have written."""
     config.stash[_HOME].cleanup()
+    if not hasattr(config, "workerinput"):  # bytecode of modules in temporary folders
+        shutil.rmtree(BYTECODE.joinpath(*Path(tempfile.gettempdir()).parts[1:]), ignore_errors=True)
 
 
 @pytest.fixture(autouse=True)

@@ -22,7 +22,9 @@ from hypothesis import settings
 from robosmi.verify.original_build import build_original, missing_tools
 from robosmi.verify.original_run import run_original
 from robosmi.verify.simulation import simulate
+from robosmi.verify.toolchains.processes import ending_with_us
 from robosmi.verify.toolchains.toolchain import compile_sketch
+from robosmi.verify.toolchains.tools import run
 
 T = TypeVar("T")
 
@@ -39,7 +41,7 @@ EVENTS = frozenset(
 """Audit events of Python that a process is started or killed."""
 _chosen = "all"  # the tier of this run
 _MODULES = ("subprocess", "multiprocessing", "tests.tools")
-_STARTING = {each.__name__: each for each in (compile_sketch, simulate, build_original, missing_tools, run_original)}
+_STARTING = (compile_sketch, simulate, build_original, missing_tools, run_original, run, ending_with_us)
 """Functions of the product that build or run programs."""
 _OF_OS = frozenset(["execv", "execve", "fork", "forkpty", "kill", "killpg", "popen", "posix_spawn", "system"])
 
@@ -170,9 +172,10 @@ def _used(function: FunctionType) -> list[FunctionType] | None:
     for value in (function.__globals__[name] for name in names if name in function.__globals__):
         parts = [value]
         if isinstance(value, ModuleType):
-            if value.__name__ in _MODULES or (_package(value) == "robosmi" and names & _STARTING.keys()):
+            if value.__name__ in _MODULES:
                 return None
-            parts = [vars(value)[name] for name in names if name in vars(value)]
+            there = names & ({*vars(value)} | {*getattr(value, "__all__", ())})  # functions of the interface are loaded when used
+            parts = [getattr(value, name) for name in there]
         if any(map(_starts, parts)):
             return None
         found += [plain for part in parts for plain in _inside(part, function.__module__.partition(".")[0])]
@@ -181,7 +184,7 @@ def _used(function: FunctionType) -> list[FunctionType] | None:
 
 def _starts(value: object) -> bool:
     """Whether it is a part of a module that starts processes, or a function of the product that builds or runs programs."""
-    return any(value is each for each in _STARTING.values()) or getattr(value, "__module__", None) in _MODULES
+    return any(value is each for each in _STARTING) or getattr(value, "__module__", None) in _MODULES
 
 
 def _package(module: ModuleType) -> str:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import sys
 from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_context
 
 from tests.bench.figures import Figure, measured, not_measured, table
@@ -30,7 +31,10 @@ def main() -> int:
     for name in ["ratios"] if given.ratios else given.names or NAMES:
         print(f"{name} ...", flush=True)
         with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
-            found, error = pool.submit(measured, name).result()
+            try:
+                found, error = pool.submit(measured, name).result()
+            except BrokenProcessPool as broken:  # killed, or out of memory
+                found, error = [], str(broken)
         figures += found
         if error:
             failed = True

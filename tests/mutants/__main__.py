@@ -1,11 +1,9 @@
-"""The mutation score of the tests: `python -m tests.mutants [--tier check] [--count 60] [--seed 1] [--jobs 2] [--only TEXT]
-[TEST...]`.
+"""The mutation score of the tests: `python -m tests.mutants [--tier check] [--count 60] [--seed 1] [--jobs 2] [TEST...]`.
 
-The tests of the tier, or those of them that are named, run once and have to pass; so it is known which lines of the product
-which tests execute. Then one small change at a time is made in these lines (`changes`), in memory, and the tests run until one
-fails: first those that execute the line, then those that execute anything of the module, then the whole tier. What no test
-notices is listed, and is a gap of the tests, unless `equivalent.toml` says why nothing can tell the change. An interrupted
-campaign goes on where it was.
+The tests of the tier, or those of them that are named, run once and have to pass; so it is known which lines of the product which
+tests execute. Then one small change at a time is made in these lines (`changes`), in memory, and the tests run until one fails:
+first those that execute the line, then those that execute anything of the module, then all. What no test notices is listed, and
+is a gap of the tests, unless `equivalent.toml` says why nothing can tell the change. An interrupted campaign goes on.
 """
 
 from __future__ import annotations
