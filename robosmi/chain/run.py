@@ -4,7 +4,7 @@ A step is up to date if the digest of its inputs equals that of its last run and
 made only when a step needs it. A run may be kept: ask it for a value, set another one (`give`), ask again; then only what
 depends on it is done again. A recomputed value that equals the old one counts as unchanged.
 
-Checks whether a value has the type that a function's annotation promises, for functions that replace a step.
+Also: checks whether a value has the type that a function's annotation promises, for functions that replace a step.
 
 Only the type itself and the members of tuples and unions are checked, not the contents of lists and mappings.
 """

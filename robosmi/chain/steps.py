@@ -3,7 +3,7 @@
 `languages` implements the kinds, `run` decides when a step has to be done. Nothing slow is imported here: a chain of plain
 functions costs no more than the functions.
 
-The .ecore files that metamodels consist of: those that are named, and those that these refer to, however far.
+Also: the .ecore files that metamodels consist of: those that are named, and those that these refer to, however far.
 """
 
 from __future__ import annotations

@@ -3,9 +3,9 @@
 Each command is a module of this package with `configure(parser)` and `run(arguments) -> Report`; only the one that is
 asked for is imported. With `--json`, stdout is exactly one document, also when the command failed.
 
-An example of each command, as its `--help` shows it at the end.
+Also: an example of each command, as its `--help` shows it at the end.
 
-Turns system failures that end a command into errors with a cause and advice.
+Also: turns system failures that end a command into errors with a cause and advice.
 
 Examples are a full disk, no memory, too deeply nested text, an incomplete installation, and a removed folder. Any other
 unexpected exception is a bug of ours.

@@ -3,7 +3,7 @@
 Each tool's arguments are the command's, its answer is the command's JSON document with `exit_code`. How commands are run and
 confined is in `mcp_commands`.
 
-The MCP server's standard streams: a line that the protocol's package cannot read is answered, too.
+Also: the MCP server's standard streams: a line that the protocol's package cannot read is answered, too.
 
 The package drops such a line without a word, so that its sender waits for ever: text with half of a character (an escape such as
 \ud800 alone), a request of another form, no JSON at all. Here it is answered with an error of JSON-RPC. What the tools are is

@@ -4,7 +4,7 @@ The template's syntax tree is walked once, when it is read: the text between the
 (`languages`), and a quoting filter is wrapped around values from outside. Literal texts of the template are not quoted, nor is
 what `| safe` or a function of `robosmi.quoting` marks. A template without the declaration is unchanged and prints as EGL does.
 
-Detects template text that could combine with a printed value into something else: the end of a comment, an escape, a URL.
+Also: detects template text that could combine with a printed value into something else: the end of a comment, an escape, a URL.
 
 The functions of `robosmi.quoting` quote a value for its place, independently of the text beside it. This module checks the
 template's text directly before and after a value, which become adjacent if the value is empty. Dangerous places are refused

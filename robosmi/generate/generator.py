@@ -10,7 +10,7 @@
 
 Rules are `rules`', texts `templates`', files `staging`'s. docs/reference/egl.md sets EGL and EGX beside this.
 
-The generation rules of EGX: for which elements which template makes which file, and with which values.
+Also: the generation rules of EGX: for which elements which template makes which file, and with which values.
 
 A rule is a function: its name is the rule's, its parameter the name by which the template knows the element, its result the
 template's further values. The order of evaluation is the engine's: guard, pre, the flags, template, the function, target, then

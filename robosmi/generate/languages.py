@@ -3,7 +3,7 @@
 A language reads the template's own text piece by piece; the values printed between the pieces are quoted and so do not change
 the state. `contexts` adds the quoting to a template; `quoting_filters` maps a place to its function of `robosmi.quoting`.
 
-Where a value may be printed in YAML, TOML or CSV: only as a whole value at a place where one is expected.
+Also: where a value may be printed in YAML, TOML or CSV: only as a whole value at a place where one is expected.
 
 A value next to other characters of its line would become part of a longer value with quotation marks inside, and one in a
 multi-line string could end it. Such places are refused; in a YAML block scalar (`|`, `>`) a value is a line.

@@ -2,7 +2,7 @@
 
 tomlkit preserves comments, order and layout. The result is read back before it is used; if it does not have the intended
 meaning, it is discarded. Nothing is written here: the change is part of the commit of the run that makes the choice
-(`model.commit`). `robosmi.project` defines the content of a project file.
+(`files.commit`). `robosmi.project` defines the content of a project file.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ template.
 Templates come from folders or from a mapping of texts. Undefined names, features included, are errors; lines with nothing but a
 tag are dropped; values print as in EOL. `gen` decides which template is used for which element and file.
 
-What a template may read and call: Jinja's sandbox, restricted to reading where parts of models are concerned.
+Also: what a template may read and call: Jinja's sandbox, restricted to reading where parts of models are concerned.
 
 `robosmi.model.elements.reachable` lists the readable attributes of elements, collections, models and types, for queries as
 well. The environment of `templates` calls this module for every access, so results are cached by class and name. Values that a
@@ -15,7 +15,7 @@ Caches compiled templates in the user's cache folder between runs, since compili
 The cache contains the code that Jinja made of a template's text; the key consists of the text, Jinja's version and our own
 modules.
 
-Ids of regions, derived from the model so that a person's text stays with its element.
+Also: ids of regions, derived from the model so that a person's text stays with its element.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ asking again costs nothing and no answer is old. Roots that belong to no resourc
 pyecore's own notifications reach the model; nothing is shared between two models. XMI itself is read and written by `xmi_reader`
 and `xmi_writer`, ids are `fragments`'.
 
-Replaces pyecore's resource for the roots of a model, so that pyecore's notifications reach the model.
+Also: replaces pyecore's resource for the roots of a model, so that pyecore's notifications reach the model.
 
 pyecore asks `Home` for listeners and roots; `Watch` is a listener, also in pyecore's own resources. Neither knows the model.
 """

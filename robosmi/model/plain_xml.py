@@ -6,9 +6,9 @@ attribute refers to (`bind`); also `text`, `tagName`, `namespaceURI`, `children`
 their local names. Source: the PlainXML driver of Epsilon. Different on purpose: a number that is missing is None and a text that
 is no number an error, where Epsilon gives 0. Entities are never expanded; a file that declares some is refused.
 
-Texts of XML attributes as the values that the driver of plain XML gives for its prefixes (`i_x`, `b_x`), and back.
+Also: texts of XML attributes as the values that the driver of plain XML gives for its prefixes (`i_x`, `b_x`), and back.
 
-Protects lxml from XML files that expand entities without limit.
+Also: protects lxml from XML files that expand entities without limit.
 
 Entities can expand to any size, even inside attributes, where lxml expands them regardless of its options; so the beginning of
 a file is examined first. Nothing here interprets elements.

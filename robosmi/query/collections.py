@@ -6,7 +6,7 @@ eager. Here are the classes, which make one another, and the operations whose re
 those that take a function are in `first_order`, the rest in `items`, those on numbers in `totals`, those of maps in `maps`.
 Source: Kolovos et al., The Epsilon Object Language, section 3.2; measured against Epsilon (docs/reference/eol.md).
 
-What collections say of the numbers in them: sum, product, least and greatest. Other items are passed over.
+Also: what collections say of the numbers in them: sum, product, least and greatest. Other items are passed over.
 
 Integers have 32 bits, and 64 as soon as a Long takes part, so a sum wraps around as the engine's does.
 Source: IterableOperationContributor and NumberUtil of Epsilon.

@@ -5,7 +5,7 @@ builtins. No attribute starts with an underscore, and attributes are read from v
 texts, numbers, models (to look, not to change or store). No type is called. So no frame, module, class or file
 is within reach; what may be read and called is `reachable`'s business, and how a value is shown is `answers`'.
 
-What a query given as text may read, call and compute: checked by `expression` at each `a.b`, `f(x)`, `a ** b`.
+Also: what a query given as text may read, call and compute: checked by `expression` at each `a.b`, `f(x)`, `a ** b`.
 
 It may read values of queries only, and of parts of models what `robosmi.model.elements.reachable` lists. It may call functions
 of the expression, of `robosmi.query`, and readable methods, but never a type, nor anything else contained in a value.

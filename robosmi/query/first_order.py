@@ -5,7 +5,7 @@ Written once for the four kinds of collection. Eager as EOL's are; `exists`, `fo
 kinds are left out first. Operations whose result is of another kind (`collect`, `map_by`) are in `collections`, their loops here.
 Source: Kolovos et al., The Epsilon Object Language, section 3.2.2; measured against Epsilon (docs/reference/eol.md).
 
-The order that `sort_by` goes by.
+Also: the order that `sort_by` goes by.
 
 Numbers are compared by value, texts with texts, Booleans with Booleans; as soon as a None, an element or a collection takes part
 in a comparison, both sides are compared as texts. Source: SortByOperation of Epsilon. Nothing here is called by users.

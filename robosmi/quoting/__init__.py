@@ -1,6 +1,6 @@
 """Quoting: writes untrusted text so that it remains text, with one function for each syntactic place.
 
-`code` covers C and names, `markdown_text` Markdown, `markup` HTML, SVG and diagrams, `data` TOML, YAML, CSV and JSON, `text`
+`code` covers C and names, `markup` Markdown, HTML, SVG and diagrams, `data` TOML, YAML, CSV and JSON, `text`
 the terminal and common parts. Each function leaves harmless texts unchanged. `generate.languages` determines the place of each
 template expression.
 """

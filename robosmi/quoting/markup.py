@@ -1,6 +1,6 @@
-"""Texts in HTML, XML and SVG, in Graphviz and in PlantUML. Markdown is `markdown_text`'s.
+"""Texts in HTML, XML and SVG, in Graphviz and in PlantUML.
 
-Texts in Markdown as CommonMark and GitHub read it: shown letter by letter, never a link, an image, a tag or a heading.
+Also: texts in Markdown as CommonMark and GitHub read it: shown letter by letter, never a link, an image, a tag or a heading.
 
 A text that is shown as it is stays as it is: a `*` that ends no emphasis, the `<` of `<stdio.h>`, an underscore inside a word.
 """

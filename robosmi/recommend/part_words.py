@@ -3,7 +3,7 @@
 The title counts most, tags and properties less, the description least, since it also mentions other things. Recognised devices
 add the words that libraries use if the part has a trade name only. `evidence` scores libraries with these terms.
 
-Finds the devices of the lexicon that a part names in its title, family, tags, properties or description, and how surely.
+Also: finds the devices of the lexicon that a part names in its title, family, tags, properties or description, and how surely.
 
 A model number or trade name is stronger than a kind of device, a title stronger than a tag, several words stronger than one.
 The part's interface (two pins SDA and SCL, "IIC" in its name) selects the variant of a device with that interface. `evidence`

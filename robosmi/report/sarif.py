@@ -1,10 +1,11 @@
 """A report's findings and tasks in SARIF 2.1.0, the form that code scanning services, editors and viewers read.
 
 https://docs.oasis-open.org/sarif/sarif/v2.1.0/sarif-v2.1.0.html; section numbers below are of that text. Columns, which findings
-count in bytes, are counted in characters here, for which the files are read again; `sarif_places` does both. Same findings and
+count in bytes, are counted in characters here, for which the files are read again; `sarif` does both. Same findings and
 same files give the same bytes.
 
-Places of findings as SARIF has them: addresses relative to a base, regions counted in characters, the text that stands there.
+Also: places of findings as SARIF has them: addresses relative to a base, regions counted in characters, the text that stands
+there.
 
 Findings count columns in bytes, as compilers do. A column of a file that cannot be read, or that is no text, is left out rather
 than told wrong. What is in a file that is no text, such as an archive, has the whole file for its region, in bytes, and so has

@@ -3,7 +3,7 @@
 It contains rules, pre and post blocks and included modules, runs them on models, and looks up the equivalents of elements.
 Targets are made in the target models; nothing is written to a file here.
 
-The two schedules of ETL: `Match` (all targets first, then the bodies) and `Demand` (each target with its body).
+Also: the two schedules of ETL: `Match` (all targets first, then the bodies) and `Demand` (each target with its body).
 
 `etl` selects one of them. Both follow Epsilon's engine as measured; docs/reference/etl.md lists the differences.
 """

@@ -1,9 +1,9 @@
 """`Flock`: the migration of models whose metamodel has changed, corresponding to a Flock script.
 
 It makes three passes over the original model in containment order: targets, conservative copy, rules. Types are given as texts,
-since either metamodel may lack them, or as types of the models. `conservative_copy` implements the copy.
+since either metamodel may lack them, or as types of the models. `flock` implements the copy.
 
-Flock's conservative copy: copies the features of an element that the newer metamodel still accepts.
+Also: flock's conservative copy: copies the features of an element that the newer metamodel still accepts.
 
 A feature is copied if the new class has one of that name and the value conforms to it; all others are dropped, and only lost
 enumeration literals are reported. For EMF models only. Source: Rose et al., Model Migration with Epsilon Flock (ICMT 2010), and

@@ -5,7 +5,7 @@ reaches the time of a device's action or changes a pin that a device is connecte
 is reproducible, however fast this machine is. A `Variation` changes the costs of the program's steps, to find out whether its
 behaviour depends on them.
 
-The bench of a program that runs in a host model: it takes the records that come from its process, and makes the answers.
+Also: the bench of a program that runs in a host model: it takes the records that come from its process, and makes the answers.
 
 `original_run` starts the process, and carries both.
 """

@@ -2,7 +2,7 @@
 
 The form of a file is that of its ending: .xmi (a model), .csv or .json.
 
-Converts the history of choices to a model (`migration.EarlierChoices`) for exchange with other tools, and back.
+Also: converts the history of choices to a model (`migration.EarlierChoices`) for exchange with other tools, and back.
 
 The database stays authoritative; the model is a copy of one moment. `robosmi.recommend.history_exchange` defines what a damaged
 entry is.

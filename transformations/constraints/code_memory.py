@@ -1,6 +1,6 @@
 """Constraints on memory that is scarcer or laid out differently on the target: the heap, and members of structures.
 
-The amount of memory that a program needs is not a constraint: it is reported against the board's (`queries.memory`).
+The amount of memory that a program needs is not a constraint: it is reported against the board's (`queries.resources.memory`).
 """
 
 from __future__ import annotations

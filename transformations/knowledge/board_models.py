@@ -4,7 +4,7 @@ A board is hardware: `boards/<name>.toml` has its pins, `mcus/<name>.toml` the m
 its pins is a mapping, `<platform>/boards/<name>.toml`; a mapping that has pins of its own is hardware and mapping in one file.
 How drawing tools draw a board is read in `boards`; targets are put together in `target_platform`.
 
-Checks that the ports which a board's file gives its pins exist on its microcontroller (key `ports` of that file).
+Also: checks that the ports which a board's file gives its pins exist on its microcontroller (key `ports` of that file).
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Converts the boards of `board_models` to the form that the compile check uses (`robosmi.verify.toolchains.boards`).
 
-The statements of a board's file about its pins, as claims to check against a core's headers
+Also: the statements of a board's file about its pins, as claims to check against a core's headers
 (`robosmi.verify.toolchains.board_check`).
 
 The kinds of claims, and the expressions to evaluate, are data of the platform's toolchain (`[[board_check.claims]]`); here they

@@ -1,9 +1,9 @@
 """Determines a part's role for the software: by a curated entry for its id, else by the first matching rule, with the reason.
 
-The entries and rules are those of `role_rules`, the user's files first. The built-in catalogue was made with them; a drawing
+The entries and rules are those of `part_roles`, the user's files first. The built-in catalogue was made with them; a drawing
 needs them only for parts that the catalogue lacks.
 
-Reads the files that assign roles to parts: `parts/roles.toml` (rules) and `parts/curated.toml` (entries for single ids).
+Also: reads the files that assign roles to parts: `parts/roles.toml` (rules) and `parts/curated.toml` (entries for single ids).
 
 The files of all folders of the platform repository are used, the user's before the built-in one, so an own file extends and
 precedes the built-in rules. Keys are checked here; `part_roles` finds the rule that matches.

@@ -3,7 +3,7 @@
 Each decision is made by a module of its own; here they get a common trace and become one model. The digests of the inputs are
 recorded, so that a stored plan can tell whether it still belongs to its sources.
 
-Closes open choices of libraries that would change nothing, because the adapters handle the component without a library.
+Also: closes open choices of libraries that would change nothing, because the adapters handle the component without a library.
 """
 
 from __future__ import annotations

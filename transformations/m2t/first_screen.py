@@ -1,7 +1,7 @@
 """The first screen of a report: what works, what to decide, to write and to check on the bench, each with its total.
 
-The report (`task_list`) and the terminal show the same lines; the numbers come from `queries.work`. A task is in one list only,
-and lines that do not fit on the first screen follow after it.
+The report (`task_list`) and the terminal show the same lines; the numbers come from `queries.reports.work`. A task is in one
+list only, and lines that do not fit on the first screen follow after it.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 These are values for templates, from the same queries as the report and the terminal. `page_code` makes the program beside its
 sketch; `chains.page` composes the page and answers its requests.
 
-Lines of the source that elements of the code model are in.
+Also: lines of the source that elements of the code model are in.
 """
 
 from __future__ import annotations

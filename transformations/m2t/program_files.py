@@ -4,9 +4,9 @@ A generator names its templates and gives the values for its project file. Each 
 template needs beyond the plan are prepared by the module of that file. Templates name their parts, so that every generated line
 is traced to its elements and to the step of the method that made it.
 
-The table in which a program looks up the pin of a port of the source that it has as a number.
+Also: the table in which a program looks up the pin of a port of the source that it has as a number.
 
-The values for the sketch that tests the hardware on the bench, one component at a time.
+Also: the values for the sketch that tests the hardware on the bench, one component at a time.
 
 The user chooses a component over the serial line, and it is moved or read within safe limits. How a component is tested is data
 of its kind (`bench` in parts/electrical.toml), else follows from its role. The sketch needs no library beyond the core, and

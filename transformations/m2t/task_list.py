@@ -1,7 +1,7 @@
 """The values for `MIGRATION.md`: what is left to do, what became of each construct, how the new hardware is wired.
 
 The report covers all of the plan; the counts per file add up to the number of its constructs. `first_screen` makes the first
-screen, `queries.verdicts` the verdicts.
+screen, `queries.plans.verdicts` the verdicts.
 """
 
 from __future__ import annotations

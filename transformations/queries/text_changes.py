@@ -1,6 +1,6 @@
 """Changes of text in a plan: which decision each belongs to, and which take effect where several overlap.
 
-The changes are made when planning (`m2m.text_changes`) and applied by `source_text`.
+The changes are made when planning (`m2m.partition.text_changes`) and applied by `source_text`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Expressions with their types on the source platform, and the places of a program's text where each can be changed.
 
 `t2m.c_source.typed` makes the trees from the text with the program's own macros expanded, so that the contents of a macro's
-body or argument are expressions like any other. `m2m.width_rules` uses them.
+body or argument are expressions like any other. `m2m.widths.width_rules` uses them.
 """
 
 from __future__ import annotations

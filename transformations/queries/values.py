@@ -3,7 +3,7 @@
 An abstract interpretation without execution: a name has a value when the text gives it one and never another. The value of a
 parameter is looked up at the callers. A value that the text does not decide is None, with the origin `runtime`.
 
-Memoised evaluation of names that may be defined by each other, with bounds on recursion and on repetition.
+Also: memoised evaluation of names that may be defined by each other, with bounds on recursion and on repetition.
 
 What a name stands for is computed in `values`; this module decides only in which order names are evaluated and when one is
 given up as unknown.

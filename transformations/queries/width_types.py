@@ -2,7 +2,7 @@
 
 Only `int` and `unsigned` alone are concerned; short, char, long and long long have the same width on all supported platforms,
 or are wider on the target. Words in comments, strings and names of headers are left alone. Expressions are handled in
-`m2m.width_rules`.
+`m2m.widths.width_rules`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """What readers of drawings share about connections: disjoint sets of connectors, buses inside parts, natural sort order.
 
 This is a union-find and not a graph library, because importing one takes longer than reading a drawing; a test compares the
-two. Each tool's reader decides which connectors a drawing joins, `knowledge/rails` what a net is for.
+two. Each tool's reader decides which connectors a drawing joins, `t2m/drawing` what a net is for.
 """
 
 from __future__ import annotations

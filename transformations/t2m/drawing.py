@@ -4,13 +4,13 @@ A reader tells, in its tool's own words, which parts are placed (`Placed`), whic
 are; `CircuitBuilder` adds what is known of parts and boards, roles with their evidence, pins, rails and findings about parts.
 Files, identities and the joining of connectors are left to the readers (docs/how-to/add-a-drawing-reader.md).
 
-Which nets distribute a supply or ground, why, and at what voltage.
+Also: which nets distribute a supply or ground, why, and at what voltage.
 
 A net is a rail if it holds a supply or ground pin of a board, a terminal of a supply or of a power symbol, or the connectors
 of at least two components that are named like a supply or ground: supplies are not always drawn, and a single name may lie.
 The rules are those measured as V2 and V3 on public sketches (docs/method/connector-mapping.md).
 
-The records by which a reader describes a drawing: connectors (`End`), placed parts (`Placed`), known parts (`KnownPart`).
+Also: the records by which a reader describes a drawing: connectors (`End`), placed parts (`Placed`), known parts (`KnownPart`).
 
 `drawing.CircuitBuilder` makes the hardware model of them.
 """

@@ -5,7 +5,7 @@ count (only the first, where a branch holds a piece of a declaration): so an ins
 lies, of the same kind as the facts that ship. Bodies are skipped; what is not understood is skipped up to the next
 declaration. Nothing here nests: open brackets and scopes are kept in lists.
 
-Tokenizes C++ headers for reading declarations, and skips what is no declaration.
+Also: tokenizes C++ headers for reading declarations, and skips what is no declaration.
 
 Comments and directives are dropped and no macro is expanded. All branches of a condition are used; if one contains an
 incomplete declaration, only the first non-empty branch. `library_declarations` reads the declarations.

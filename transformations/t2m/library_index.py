@@ -3,10 +3,10 @@
     python -m robosmi.transformations.t2m.library_index index.jsonl.gz platform_repo/arduino/libraries/index.sqlite api.jsonl.gz
 
 Kept are declared metadata, header names, how often each word occurs in a header (the 700 commonest words of each: the
-source has no more), and from a second file what the headers declare (`library_api_facts`). All other text is left out. The
-file format is in `robosmi.recommend.index`, the ranking in `transformations.knowledge.library_ranking`.
+source has no more), and from a second file what the headers declare (`library_index`). All other text is left out. The
+file format is in `robosmi.recommend.index`, the ranking in `transformations.knowledge.libraries.library_ranking`.
 
-Text to model: facts about what libraries declare, one header a row, become values of `robosmi.recommend.library_api`.
+Also: text to model: facts about what libraries declare, one header a row, become values of `robosmi.recommend.library_api`.
 
 Rows come from a file of facts (JSON lines) or from `library_declarations`. Both are brought to one spelling, and what only
 looks like a declaration (a macro call, which has no type) is left out. `installed_libraries` finds installed headers.

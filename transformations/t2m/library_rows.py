@@ -21,7 +21,7 @@ class LibraryRow(TypedDict, total=False):
     """One library.
 
     `meta_terms` and `keyword_terms` are words with how often they come, `api` is what its headers declare, a row each
-    (`library_api_facts`).
+    (`library_index`).
     """
 
     name: Required[str]

@@ -4,7 +4,8 @@ A reader of such a tool fills a `Schematic`: parts with the pins of their symbol
 decides what the symbols stand for: boards by their names, bare microcontrollers by their ports, headers whose other side is not
 drawn, solder bridges, power symbols. Files and the joining of pins are left to the readers.
 
-Boards in drawings of tools whose libraries anyone writes: which board a symbol stands for, by what it is called and its pins.
+Also: boards in drawings of tools whose libraries anyone writes: which board a symbol stands for, by what it is called and its
+pins.
 
 A board's file says under `drawn_symbols` what such symbols are called (shields too: a shield is drawn as the board that it is
 put on); their pins bear the labels that are printed on the board, in many spellings. Catalogues with ids of their own are the

@@ -2,7 +2,7 @@
 
 The differences between these runs of one scenario show how exact a comparison can be, and whether the scenario is racy.
 
-Which numbers of printed text are measured: those that change if the devices show a little more or less.
+Also: which numbers of printed text are measured: those that change if the devices show a little more or less.
 
 Two boards never measure exactly alike, so a measured number may differ. All other numbers of the same text, such as a counter
 or the number of a channel, do not depend on measurements and must be equal on every board. Two further runs of the source with

@@ -1,6 +1,6 @@
 """The places at which the simulated devices of a program rest in a run, and their comparison with the target's.
 
-Comparing the places at which driven devices, such as wheels, rest between two motions.
+Also: comparing the places at which driven devices, such as wheels, rest between two motions.
 
 A robot that turns by 69 degrees instead of 90 makes the same motions at nearly the same times, so the places at which its wheels
 rest are compared. If the program drives to a place by what its encoders report, all correct runs rest within a known distance

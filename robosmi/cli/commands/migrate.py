@@ -1,6 +1,6 @@
 """`robosmi migrate FILE... --hardware SKETCH -o OUT`: the whole way from a program and a drawing to a sketch.
 
-The prompts for choices that flags, project file, history and rules have left open. Asked only at a terminal.
+Also: the prompts for choices that flags, project file, history and rules have left open. Asked only at a terminal.
 
 What is shown is the ranked list with its reasons; what is answered counts as a person's choice. An empty answer leaves the
 choice open. Nothing is known here of how candidates were ranked. Answers may be kept in the project file.

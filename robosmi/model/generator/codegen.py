@@ -5,7 +5,7 @@ file, `<package>/__init__.py`, whose classes derive from `robosmi.model.strict.E
 generated code is never edited. `robosmi.generate.packages` writes packages where a person's files may lie; run as a module,
 this one generates our own packages again, and a test compares.
 
-The reasons why no Python package can be made of a valid metamodel, each with place and remedy.
+Also: the reasons why no Python package can be made of a valid metamodel, each with place and remedy.
 
 What can be made differently (an escaped name, a feature left out) is no reason but a note of the generator.
 """

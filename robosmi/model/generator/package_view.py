@@ -3,7 +3,7 @@
 One `PackageView` for one EPackage. Names come from `package_names`, types from `package_types`, who waits for whom from
 `package_cycles`; here they become the lines of a module. No file is read or written.
 
-The statements of a generated package that run when its classes are defined: types of references, opposites, operations.
+Also: the statements of a generated package that run when its classes are defined: types of references, opposites, operations.
 
 They are for pyecore alone; type checkers read the annotations. Whether they run at once or wait for other packages is
 `package_cycles`' decision.

@@ -1,6 +1,6 @@
 """The open model files of a session: a reference to one of them resolves to the elements that are loaded already.
 
-EMF's resource set has the same effect by loading each file once. `opening` selects drivers, and `xmi_links` resolves
+EMF's resource set has the same effect by loading each file once. `opening` selects drivers, and `xmi_reader` resolves
 references.
 """
 

@@ -1,10 +1,10 @@
 """Parses one XMI file into elements in a single pass with expat, using a stack of its own and none of pyecore's setters.
 
-Contained elements are built at once; references are recorded for `xmi_links`. Problems are recorded with their lines, and the
+Contained elements are built at once; references are recorded for `xmi_reader`. Problems are recorded with their lines, and the
 rest of the file is read. A DOCTYPE, and with it every entity, is refused; comments and processing instructions are skipped. The
 caller looks up packages.
 
-The rarer cases of reading an XMI file: named types, ids, values in elements, and errors in these.
+Also: the rarer cases of reading an XMI file: named types, ids, values in elements, and errors in these.
 
 `xmi_parser` calls `Builder` for everything off its fast path; it uses plans and documents, and of the parser only the current
 line.

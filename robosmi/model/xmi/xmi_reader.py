@@ -1,9 +1,9 @@
 """XMI files to models: a file and everything it refers to, as plain elements with no proxies left.
 
 The way in to the reader. Opens files, finds metamodels (also by xsi:schemaLocation), collects the problems of all files and
-reports them together. One file is `xmi_parser`'s part, references `xmi_links`', and what a class demands is in its plan.
+reports them together. One file is `xmi_parser`'s part, references `xmi_reader`', and what a class demands is in its plan.
 
-References of files that were just read: URIs to elements, both sides of opposites, parts that lie in other files.
+Also: references of files that were just read: URIs to elements, both sides of opposites, parts that lie in other files.
 
 Works on documents of `xmi_parser` when all elements exist. Values go straight into pyecore's slots; where a file gives only
 one side of an opposite, the other is completed, and where its two sides contradict each other that is a problem. Opening

@@ -4,12 +4,12 @@ The sketch's own folder is only read; the tools run in it, so that their message
 there are is data (`toolchain_data`); libraries are found by `libraries`, messages read by `messages`, archives kept
 by `archives`. Which sketch and board: `toolchain`.
 
-Removes the relocations from linked ELF programs (System V ABI 4.1) before they are handed out.
+Also: removes the relocations from linked ELF programs (System V ABI 4.1) before they are handed out.
 
 The linker is asked to keep relocations, because the stack depth is computed from them (`build`). But other tools then take the
 file for one that is still to be linked: `addr2line` of binutils 2.26 reports wrong lines.
 
-The entries of a compilation database (as Clang defines it) for the files of a sketch, for tools that read sources.
+Also: the entries of a compilation database (as Clang defines it) for the files of a sketch, for tools that read sources.
 
 `build` compiles one text made of the sketch's files; here each file has an entry of its own, with arguments that make Clang
 read it as the compiler does. The toolchain's table `[database]` adds to these. Nothing is compiled or written here.

@@ -4,7 +4,7 @@ A sketch is a folder `<name>` with `<name><suffix>` in it; the suffix and everyt
 the toolchain's data. What a run has made is read only where no link leads out of its output folder; a person's own sketch may
 have links to anywhere.
 
-The project file beside a sketch: which board and which libraries it was generated for.
+Also: the project file beside a sketch: which board and which libraries it was generated for.
 
 The file is YAML; its name and its keys come from the toolchain's data. Read here is the part of YAML that such files are written
 in: block mappings and lists, comments, quoted texts. Anything else is refused with its line, not guessed. Lines are kept, because

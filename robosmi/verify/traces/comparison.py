@@ -4,19 +4,19 @@ This is the (tau, eps)-closeness of conformance testing, extended by durations. 
 the kind of channel, plus twice the differences between runs of the source whose steps cost more or less and whose inputs come a
 little earlier or later. If even the values of these runs differ, the channel is racy and nothing can be decided with it.
 
-Compares servo widths that are shown for so few frames that the alignment of two runs may skip them.
+Also: compares servo widths that are shown for so few frames that the alignment of two runs may skip them.
 
 Such a width may be missing, since it depends on when frames begin: a program may set a width and another one before the next
 frame. But if the target shows a width beyond all that the source ever shows, the servo twitches. Marginal widths of a slow
 change are not judged: the source may pass the same width in a single frame.
 
-Where runs of the source differ from each other on a channel, and what can still be compared there.
+Also: where runs of the source differ from each other on a channel, and what can still be compared there.
 
 Before the first such place the source is as reliable as on any other channel. After it, lines of text are that all of its runs
 print identically, as long as all runs print lines of the same shape (the text without its numbers) in the same order. Their
 times are not compared, since these vary, too. Reliable channels are compared by `comparison`.
 
-Describes the first events of two programs that do not correspond: late, early, missing, repeated, or different.
+Also: describes the first events of two programs that do not correspond: late, early, missing, repeated, or different.
 
 `comparison` finds that they differ and `alignment` which events correspond. The description has to be true for the whole runs:
 an event that only comes late is not one that the other program lacks.

@@ -1,6 +1,7 @@
 """Determines whether a person has edited only choices in the stored plan, which the next run adopts, or more.
 
-The texts are compared, so that this also works for a plan that cannot be loaded. The choices are read by `m2m.stored_choices`.
+The texts are compared, so that this also works for a plan that cannot be loaded. The choices are read by
+`m2m.choices.stored_choices`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The steps of `migrate` about ports: finds the program's ports and the flow of their numbers, and binds them to pins.
 
-Finds the ports that libraries use by convention, without the program naming them.
+Also: finds the ports that libraries use by convention, without the program naming them.
 
 An adapter declares the ports it uses on the target. These may be fewer than its function used on the source, such as no
 encoders for a drive that is steered without them. A function without an adapter keeps the conventions of the platform's API.

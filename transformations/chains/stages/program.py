@@ -1,6 +1,6 @@
 """The program's side of a migration: its files, its stored code model, and the findings in the sources alone.
 
-Finds the program's own headers, which are read, stored and carried over with it.
+Also: finds the program's own headers, which are read, stored and carried over with it.
 
 They are the headers, and included `.c` files, that a source file or another such header includes and that no platform provides.
 They are searched like by a C compiler: beside the including file, then in the given folders. A header with the name of a

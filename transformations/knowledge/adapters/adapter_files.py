@@ -2,7 +2,7 @@
 
 A piece begins with a line `//# KIND NAME` and goes on with lines `//#   KEY: VALUE`; behind them stands its text, up to the
 next piece. Kinds and keys are described in docs/reference/adapter-files.md. Here they are read and checked one by one; whether
-what they declare is what the text uses, and which of them a program needs, is told elsewhere (`queries.adapter_needs`, the
+what they declare is what the text uses, and which of them a program needs, is told elsewhere (`queries.plans.adapter_needs`, the
 tests).
 """
 

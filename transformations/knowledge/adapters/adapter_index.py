@@ -2,7 +2,7 @@
 
 They are in `<target platform>/adapters/<source platform>/` of the platform repository, one for each header, with its name
 (`sys/time.cpp` is for `sys/time.h`); files of a project, of a person and of plug-ins precede the built-in ones, piece by piece.
-`queries.adapter_needs` determines which pieces a program needs.
+`queries.plans.adapter_needs` determines which pieces a program needs.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ Here are the rankers that the registry offers, and the look-up of a library by n
 it depends on and offers. How libraries are ranked is in `robosmi.recommend`; which recommendation becomes an include is decided
 by the migration plan (flag, project file, history), never here.
 
-The default ranker's knowledge besides the index: device tables, usual libraries, insignificant words, coefficients.
+Also: the default ranker's knowledge besides the index: device tables, usual libraries, insignificant words, coefficients.
 
 The tables of devices and of usual libraries of all data folders are used, a user's before the shipped ones, so an own entry is
 one line in an own file. Of the other files only the first one found is used, as with all data.

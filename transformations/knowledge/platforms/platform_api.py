@@ -1,9 +1,9 @@
 """The API of a source platform: which header declares a name, as what, and what it means.
 
-`ApiIndex` is a view on the repository's facts (`platform_folder`) or on a stored platform model (`stored_platform`). No
+`ApiIndex` is a view on the repository's facts (`platform_folder`) or on a stored platform model (`platform_api`). No
 platform is known by name here, and no program is read; the queries in `queries.code` combine both.
 
-A stored platform model as `ApiFacts`, so that a stored plan is checked with the facts of the time when it was made.
+Also: a stored platform model as `ApiFacts`, so that a stored plan is checked with the facts of the time when it was made.
 """
 
 from __future__ import annotations

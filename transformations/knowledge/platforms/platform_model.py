@@ -1,6 +1,6 @@
 """Builds elements of the platform metamodel from an `ApiIndex`, for the names that one program needs.
 
-Only facts of the repository get in. Look-ups are in `platform_api`, the way back in `stored_platform`; decisions about the names
+Only facts of the repository get in. Look-ups and the way back are in `platform_api`; decisions about the names
 are the plan's.
 """
 

@@ -1,7 +1,7 @@
 """The names that a target's core declares, which a program's own names must not clash with.
 
 Those of a platform are in `<platform>/names.json` of the platform repository, those of boards with a certain microcontroller in
-`<platform>/names/<microcontroller>.json`. `m2m.renaming` renames the program's names.
+`<platform>/names/<microcontroller>.json`. `m2m.partition.renaming` renames the program's names.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ Each placeholder lets the retained code compile and comes with a task that says 
 their uses: members, pointers and arithmetic tell a record from a number. A name that the target already has is hidden for the
 program only (see `target_names`).
 
-Infers from its uses what a type that nothing declares must support: pointers, initializer lists, arithmetic.
+Also: infers from its uses what a type that nothing declares must support: pointers, initializer lists, arithmetic.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Takes over a person's choices from a stored plan into the plan made anew, and decides which of several choices counts.
 
 The order is: flag, project file, stored plan, history, rule. A stored choice for something that no longer exists is dropped
-with a finding; differences between flag, project file and stored plan are reported as well. `chains.adopted` reads the stored
-plan.
+with a finding; differences between flag, project file and stored plan are reported as well. `chains.stages.import_choices`
+reads the stored plan.
 """
 
 from __future__ import annotations

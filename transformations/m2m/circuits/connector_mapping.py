@@ -5,7 +5,7 @@ row by row, paths continue only through two-terminal passive parts, and drivers 
 `algorithm_1_as_printed` is the printed version, kept for comparison. docs/method/connector-mapping.md gives the reasons and the
 figures. Nothing here knows a drawing tool.
 
-Which component short-circuits a pin to a supply by its own internal contact, as a button wired across one contact does.
+Also: which component short-circuits a pin to a supply by its own internal contact, as a button wired across one contact does.
 
 It is judged by the wires as they are drawn; a drawing whose wires are not known gives no answer. Nets are computed by the
 readers.

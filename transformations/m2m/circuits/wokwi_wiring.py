@@ -2,12 +2,12 @@
 
 A net is drawn as wires from one pin, the board's if it has one; breadboards are left out. A passive part that Wokwi lacks and
 that carries a signal is replaced by a wire and listed; any other such part is listed and not drawn. Types and pins of parts are
-in `knowledge/wokwi_types`; the file is written by `m2t/wokwi_project`.
+in `m2m/circuits/wokwi_wiring`; the file is written by `m2t/circuits/wokwi_project`.
 
-Maps components of any drawing to Wokwi part types, and their connectors to the type's pins.
+Also: maps components of any drawing to Wokwi part types, and their connectors to the type's pins.
 
 The types are those of `parts/wokwi_types.toml`. A component without a matching type, or a connector that is no pin of the type,
-is left to the caller to list. Wokwi's parts and pins are in the catalogue; `m2m/wokwi_wiring` assembles the diagram.
+is left to the caller to list. Wokwi's parts and pins are in the catalogue; `m2m/circuits/wokwi_wiring` assembles the diagram.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """Rewrites designated initializers (C11 6.7.9) as positional ones, the only kind that C++11 has.
 
 Only what has to change does: designators are removed, and `{}` is inserted for elements left out. A list whose values are not
-in the order of their places is written anew (`reordered_lists`); one with unknown indices stays, and `cpp_incompatibilities`
+in the order of their places is written anew (`designated_lists`); one with unknown indices stays, and `cpp_incompatibilities`
 reports it. Lists of structures whose members all come in order stay, too: the target's compilers accept them.
 
-Writes designated initializers as positional ones if the designators are not in the order of their places.
+Also: writes designated initializers as positional ones if the designators are not in the order of their places.
 
 Such a list is written anew as a whole, with nested designators (`.at.x`, `[1][0]`), places initialized twice (the last counts),
 and comments beside values. Lists with computations or calls are refused, because changes within them would be lost, and so are

@@ -1,6 +1,6 @@
 """Parses initializer lists in braces into values and designators.
 
-How a list is written by position is decided in `designated_lists` and `reordered_lists`.
+How a list is written by position is decided in `designated_lists`.
 """
 
 from __future__ import annotations

@@ -2,11 +2,12 @@
 
 A program that starts no such code, or only through functions without an adapter, has no such decision. The only changes of its
 text are calls of `yield` in loops that would otherwise starve the others (`yielding`). Which loops have to yield, and how much
-stack is needed, is computed by `queries.cooperation`.
+stack is needed, is computed by `queries.resources.cooperation`.
 
-Inserts calls of `yield` so that coroutines let each other run: in loops, at backward jumps, in macros that are loops.
+Also: inserts calls of `yield` so that coroutines let each other run: in loops, at backward jumps, in macros that are loops.
 
-`queries.cooperation` determines which loops need one; `concurrency` decides whether a program runs as coroutines at all.
+`queries.resources.cooperation` determines which loops need one; `concurrency` decides whether a program runs as coroutines at
+all.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 Platform-agnostic constructs are retained, platform-dependent ones are adapted or dropped, and `main` is divided. Each rule
 states for which elements it holds, what happens to them and why; every element gets exactly one verdict. What a name means is
-data of the platforms; how main is divided is a query on the code model (`queries.main_function`).
+data of the platforms; how main is divided is a query on the code model (`queries.programs.main_function`).
 """
 
 from __future__ import annotations

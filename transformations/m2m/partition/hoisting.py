@@ -1,7 +1,7 @@
 """Text changes that move locals of main to file scope because main's loop needs them.
 
-Which locals these are is decided in `queries.main_locals`. A declaration moves with its line if nothing but a comment is on it
-besides. If an initial value is not constant, the declaration is copied without it and an assignment stays in main.
+Which locals these are is decided in `queries.programs.main_locals`. A declaration moves with its line if nothing but a comment
+is on it besides. If an initial value is not constant, the declaration is copied without it and an assignment stays in main.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ Platform-agnostic constructs are retained, platform-dependent ones are adapted o
 gets a disposition with the rule that decided and the reason. What a name means is data of the platforms; no rule knows a
 function by its name.
 
-The names that adapter pieces and their libraries declare at file scope, which a program therefore cannot declare too.
+Also: the names that adapter pieces and their libraries declare at file scope, which a program therefore cannot declare too.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """Binds each port of the source program to a connection of the target (paper Listing 4: `leftQTI` becomes 10).
 
 A person's choice counts first, then the place of ports wired on the source board itself (console, EEPROM), then the evidence
-that `port_assignment` weighs. What none of these decides stays open with its options. The drawing alone never tells which of
+that `port_binding` weighs. What none of these decides stays open with its options. The drawing alone never tells which of
 two like components is left and which is right.
 
-Assigns open ports to free connections, by the similarity of their names and by what the program uses the port for.
+Also: assigns open ports to free connections, by the similarity of their names and by what the program uses the port for.
 
 This is an assignment, not a list of guesses: a port is bound to a connection only if each is the other's single best match, so
 that two ports never share a pin and one of two like components is never picked at random. Without evidence by name or library,

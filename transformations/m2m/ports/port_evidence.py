@@ -1,6 +1,6 @@
 """Evidence for and against a port being on a connection: directions, kinds of components, names, connectors.
 
-Words and kinds are those of `queries.component_kinds`. Which port gets which connection is decided in `port_assignment`.
+Words and kinds are those of `queries.circuits.component_kinds`. Which port gets which connection is decided in `port_binding`.
 """
 
 from __future__ import annotations

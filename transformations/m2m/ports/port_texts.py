@@ -1,9 +1,9 @@
 """Text changes that bind ports: a port's number is replaced by its pin, or calls look up the pin at run time; never both.
 
-Which of the two is decided by the program's data flow (`queries.port_flows`). A replaced number is a change of the port's
+Which of the two is decided by the program's data flow (`queries.ports.port_flows`). A replaced number is a change of the port's
 binding, a look-up one of the flow. A number that is on no pin of the target becomes an invalid pin, never another port's.
 
-Redirects calls inside macros to an invalid pin if their ports cannot be looked up: they would drive other pins of the
+Also: redirects calls inside macros to an invalid pin if their ports cannot be looked up: they would drive other pins of the
 target.
 
 Neither the macro's text nor its use belongs to the port alone. So around the use a macro with the function's name passes no

@@ -1,4 +1,4 @@
-"""The kinds of changes that keep the widths of numbers: found by `width_rules`, written by `width_changes`."""
+"""The kinds of changes that keep the widths of numbers: found by `width_rules`, written by `widths`."""
 
 from __future__ import annotations
 

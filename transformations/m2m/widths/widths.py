@@ -1,9 +1,9 @@
 """The text changes that keep the source's widths of numbers, as decisions of a plan.
 
-A decision is about one declaration or macro and contains all its changes. `width_rules` finds the expressions, `width_changes`
+A decision is about one declaration or macro and contains all its changes. `width_rules` finds the expressions, `widths`
 places the changes, and `queries.width_types` has the types of declarations.
 
-Turns the wants of `width_rules` into text changes: where each is written, and how several at one place combine.
+Also: turns the wants of `width_rules` into text changes: where each is written, and how several at one place combine.
 
 A place in a macro's body belongs to every use of the macro, so a cast is written there only if all uses need the same one; else
 it is written in the argument. Wants without a possible place are returned, to be reported.

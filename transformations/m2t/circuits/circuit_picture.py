@@ -7,11 +7,11 @@ between two boxes stands for all their wires, and each row names what it is wire
 ports of the source are shown at the pins that they became. This module decides what is drawn, `circuit_layout` arranges it, the
 template writes it.
 
-Names and colours of a circuit's nets in a picture; no two nets have the same.
+Also: names and colours of a circuit's nets in a picture; no two nets have the same.
 
 A rail has the name that the drawing gives to its net, else that of its supply; further nets of that name get a number.
 
-Where findings about a circuit belong in its picture: to a component, to pins of a board, to a net.
+Also: where findings about a circuit belong in its picture: to a component, to pins of a board, to a net.
 
 A finding is located by its element, by `model_index`, `pins` and `net` in its evidence, or by its message: quoted titles and
 labels of pins. One without any of these is about the drawing as a whole. Nothing is drawn here.

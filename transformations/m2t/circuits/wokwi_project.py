@@ -1,6 +1,6 @@
 """The files of a Wokwi simulator project: `diagram.json`, the sketch under the name that Wokwi expects, `libraries.txt`.
 
-`m2m/wokwi_wiring` decides what is drawn and wired. The formats are those of https://docs.wokwi.com: diagram-format,
+`m2m/circuits/wokwi_wiring` decides what is drawn and wired. The formats are those of https://docs.wokwi.com: diagram-format,
 guides/libraries. Positions are in pixels: parts are in columns at the right of the board, and Wokwi routes the wires.
 """
 

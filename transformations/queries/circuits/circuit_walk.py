@@ -1,6 +1,6 @@
 """How signals run through a circuit: from nets across passive parts to components, behind a driver, from the pins of a board.
 
-Rules, constraints and pictures use this; pins are mapped to components elsewhere (`m2m/connector_mapping`).
+Rules, constraints and pictures use this; pins are mapped to components elsewhere (`m2m/circuits/connector_mapping`).
 """
 
 from __future__ import annotations

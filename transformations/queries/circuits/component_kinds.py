@@ -1,6 +1,6 @@
 """What a component is, by what it and its connectors are called: kinds such as servo, ranger or infrared receiver.
 
-The words are data (`parts/port_roles.toml`). Which port goes to which component is decided in `m2m.port_assignment`.
+The words are data (`parts/port_roles.toml`). Which port goes to which component is decided in `m2m.ports.port_binding`.
 """
 
 from __future__ import annotations

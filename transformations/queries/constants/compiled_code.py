@@ -2,14 +2,14 @@
 
 In the first round, functions whose body is still to be written return 0, and values of local variables are known. In the
 second, global variables that nothing changes count as numbers, and variables that nothing reads are left out with the
-expressions stored in them. `memory` counts the result; values within the code are computed by `folded_code`.
+expressions stored in them. `memory` counts the result; values within the code are computed by `compiled_code`.
 
-Calls of platform functions that have no effect in the current plan, and the value that each of them returns.
+Also: calls of platform functions that have no effect in the current plan, and the value that each of them returns.
 
 A placeholder, whose body is still to be written, returns 0. An adapter that is called for a port without a pin does nothing and
 returns 0, or the number that its text returns early with. An adapter whose text does anything else first is left out.
 
-Constant propagation through a program: which code stays reachable where values of its variables are known.
+Also: constant propagation through a program: which code stays reachable where values of its variables are known.
 
 The program is traversed once, statement by statement, with the values that variables surely have: a function whose body is
 still to be written returns 0, a counter that starts at 0 and never changes stays 0. Loops are iterated to a fixed point. What a

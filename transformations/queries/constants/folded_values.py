@@ -1,7 +1,7 @@
 """Constant folding of expressions where values of a program's variables are partly known.
 
 What a called function of the program does to a variable is not followed: its value is unknown afterwards. The reachable
-elements are collected on the way. Statements, and what a compiler keeps of a program, are handled in `folded_code`.
+elements are collected on the way. Statements, and what a compiler keeps of a program, are handled in `compiled_code`.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Collects which declarations, parameters, results, array elements and members of a program can exchange values.
 
-It fills `value_flows`. Other uses of a value are collected by `value_uses`, bodies of macros are read by `port_macros`.
+It fills `value_flows`. Other uses of a value are collected by `value_uses`, bodies of macros are read by `port_flows`.
 
-The name under which a program keeps a number: the constant, array element or member whose initial value it is.
+Also: the name under which a program keeps a number: the constant, array element or member whose initial value it is.
 
 A name counts only while nothing writes to it. What the number means is judged elsewhere.
 """

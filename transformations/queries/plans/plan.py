@@ -1,6 +1,6 @@
 """EOL-style operations on the migration plan: counts, open choices, and the plan's part of the JSON contract.
 
-The steps by which a program arrives at the situation of a finding, and the edit of its text that corrects it.
+Also: the steps by which a program arrives at the situation of a finding, and the edit of its text that corrects it.
 
 Both are derived from the elements of the finding, since a plan stores no more, and only for rules where these suffice. The
 constraints decide what is found.

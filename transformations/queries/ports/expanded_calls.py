@@ -3,7 +3,7 @@
 A macro's body is not parsed, so a pin in it is known as a range of text only. Which numbers it receives is read from the calls
 that the parser makes of the macro's uses, in the program's text or in bodies of further macros.
 
-The macros of a program by name, and the names in their bodies; macros are expanded by the parser.
+Also: the macros of a program by name, and the names in their bodies; macros are expanded by the parser.
 """
 
 from __future__ import annotations

@@ -6,14 +6,14 @@ is filled at run time, comes from a function of the platform, is the end of a ra
 followed here. Numbers of such a flow stay as they are: an assumption in the other direction could move a wrong wire. Names and
 pins of ports are decided elsewhere.
 
-Pins of calls that come out of macro expansion: where each is written in the source, found through the expanded text.
+Also: pins of calls that come out of macro expansion: where each is written in the source, found through the expanded text.
 
-`port_macros` reads the bodies of macros and finds the pins that they name plainly. This module finds the others: arguments for
+The bodies of macros name pins plainly (below). This part finds the others: arguments for
 `...`, arguments of functions whose name is pasted together, numbers behind such a name. A place in the source counts only if
 everything that it expands to is a pin, so that no other argument is changed. A pin without such a place cannot be looked up:
 its call stays without a pin.
 
-Flows of port numbers through macros: bodies that hold a number, a call of a platform function, or pass a parameter on.
+Also: flows of port numbers through macros: bodies that hold a number, a call of a platform function, or pass a parameter on.
 
 Bodies are no syntax, so their tokens are read: a single number, name or parameter is followed, anything else is a calculation
 that keeps its numbers.
@@ -471,7 +471,7 @@ class _MacroBody:
                     key: Hashable = ("pin", self.view.unit.path, first[1])
                     takers[parameter.position] = key
                     reader.reach(key, PinArgument(self.view.unit, first[1], last[2], name, parameter))
-                elif listed < len(arguments):  # its place is found where the macro is used (`made_pins`)
+                elif listed < len(arguments):  # its place is found where the macro is used (`port_flows`)
                     takers[parameter.position] = ("pin for dots", self.name, listed, name, parameter.position)
         for position, argument in enumerate(arguments):
             if self._is_rest(argument):

@@ -1,6 +1,6 @@
 """Locals of `main` that have to become globals when its loop becomes a function of its own, and whether they can.
 
-A declaration moves with all the names in it. What in the text changes for that is `m2m.hoisting`.
+A declaration moves with all the names in it. What in the text changes for that is `m2m.partition.hoisting`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Function pointers declared without parameter types (`void (*go)();`): what is stored in them, and how they are called.
 
 In C such a pointer takes any function; in C++ only one without parameters. Pointers that are assigned to each other form one
-group, over all files of the program. Named types (`typedef void go();`) are handled in `m2m.empty_types`.
+group, over all files of the program. Named types (`typedef void go();`) are handled in `m2m.language.empty_types`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """How much stack nested interrupt handlers take together, given the bytes that each takes.
 
-A handler's bytes are measured (adapter files) or read off machine code (`verification.machine_stack`).
+A handler's bytes are measured (adapter files) or read off machine code (`verification.stack.machine_stack`).
 """
 
 from __future__ import annotations

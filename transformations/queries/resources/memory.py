@@ -4,11 +4,11 @@ Counted are variables that last as long as the program, texts, the buffers that 
 the stacks of what ran on other cores. What a compiler takes out is left out as far as the model tells: what nothing that runs
 refers to, numbers that never change, variables that nothing reads. What is on the stack is `stack_depth`'s.
 
-The string literals of a plan's program and adapters that occupy data memory, and the initial values of local arrays.
+Also: the string literals of a plan's program and adapters that occupy data memory, and the initial values of local arrays.
 
 On a processor with separate memories, a string that is read like a variable is copied into data memory before main begins.
 
-The variables of a plan's program that occupy data memory as long as it runs.
+Also: the variables of a plan's program that occupy data memory as long as it runs.
 
 A compiler keeps variables that change and are read; it puts numbers that never change into the code and leaves out what nothing
 reads (`compiled_code`). Sizes of types are computed by `type_sizes`.

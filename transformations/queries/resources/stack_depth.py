@@ -2,7 +2,7 @@
 
 The stack of adapter calls and of their interrupts is measured and stored in the adapter files; that of the program's own
 functions is estimated. Code that a compiler leaves out does not count. Once the program is compiled, its stack is read off its
-code (`verification.machine_stack`). Stacks of code that ran on other cores are memory of their own (`memory`).
+code (`verification.stack.machine_stack`). Stacks of code that ran on other cores are memory of their own (`memory`).
 """
 
 from __future__ import annotations

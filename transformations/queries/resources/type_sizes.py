@@ -3,7 +3,7 @@
 Sizes follow from the platforms' models: widths of int, long, double and pointers, types that keep the width of the source. On a
 processor that reads bytes, members of structures have no gaps between them. Sizes of expressions are not computed here.
 
-How many bytes the types take that pieces of adapters and placeholders declare: structures of numbers, pointers and arrays.
+Also: how many bytes the types take that pieces of adapters and placeholders declare: structures of numbers, pointers and arrays.
 
 A text that has more in it (base classes, members of a class that is not in the texts) gives no size. Methods take no room.
 """

@@ -1,6 +1,6 @@
 """The builders of C and of what C++ adds, put together; programs of both are read with one set.
 
-Builders of what C++ has beyond C, as far as the metamodel `ccode` can say it; programs of both are read with one set.
+Also: builders of what C++ has beyond C, as far as the metamodel `ccode` can say it; programs of both are read with one set.
 
 Classes become records with methods, templates what they are a template of, `extern "C"` blocks their declarations, `try` a block
 with its handlers, `new`, `delete` and `throw` unary operators, a call of an overloaded operator the operation that the text has.

@@ -4,7 +4,7 @@ A name of the program's own is linked to its element: by the parser's declaratio
 before it is declared or stands in another unit. Any other name becomes one external a program. Signatures of functions
 that no header declares are inferred in `inference`.
 
-The signature of a function that nothing declares, inferred from its calls.
+Also: the signature of a function that nothing declares, inferred from its calls.
 
 Rules as measured on real programs (research note on libclang, section 4): the number of arguments, an argument's class
 (integer, real, pointer, record), a first argument with a percent sign for a variadic function, a value that is used for a

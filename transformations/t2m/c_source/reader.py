@@ -1,10 +1,10 @@
 """Reads C programs: files in, a code model and findings out.
 
 The order of the steps is here, the steps are in the other modules of this package: bytes and tokens (`source`, `lexer`),
-parsing (`parsing`, `call`, `prelude`, `tree`), elements (`declarations`, `statements`, `expressions`, `types`, `preprocessor`,
+parsing (`parsing`), elements (`declarations`, `statements`, `expressions`, `types`, `preprocessor`,
 `macros`), links (`linking`), coverage and findings (`coverage`, `checks`).
 
-Cycles of includes in a program without an include guard that would end them.
+Also: cycles of includes in a program without an include guard that would end them.
 
 The reader breaks such cycles (`headers`); a compiler gives up. Includes under a condition may end and are not judged.
 """

@@ -1,7 +1,7 @@
 """Expressions of a unit with their types, for the work on integer widths: libclang's tree of the expanded text.
 
 Types are libclang's own for the source platform; the target's version of a declared type follows its typedefs down to those
-that the target's own headers define (`size_t`). `m2m.width_rules` decides what to do about widths.
+that the target's own headers define (`size_t`). `m2m.widths.width_rules` decides what to do about widths.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 Parts have the names that EAGLE gives them, which are also their identities. A pin on an unknown part, an unknown pin, or a name
 that stands twice, is left out and reported. `document` reads the file, `schematic` decides what symbols stand for.
 
-An EAGLE schematic as records: parts with their devices, nets with the pins on them over all sheets and module instances.
+Also: an EAGLE schematic as records: parts with their devices, nets with the pins on them over all sheets and module instances.
 
 Nets of one name are one net, whatever sheet they are on. Parts and nets of a module instance are prefixed with its name
 (`M1:R1`); a net of the instance that has the name of one of the module's ports is joined with that port's net outside. Supply

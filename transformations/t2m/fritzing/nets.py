@@ -1,7 +1,7 @@
 """Which connectors of a drawing are one electrical node: plain records in, sets of nodes out.
 
 A node is a connector with all that its part joins to it (a bus); a wire is one node from end to end. Stripboards, net labels
-and power symbols join connectors as their properties say. `knowledge/rails` decides what a net is for (rails).
+and power symbols join connectors as their properties say. `t2m/drawing` decides what a net is for (rails).
 """
 
 from __future__ import annotations

@@ -3,9 +3,9 @@
 The rules are those of KiCad's own netlist. A wire joins what is at its ends; a junction or a label joins the wires that pass
 its position; pins at one position are joined. Labels of a sheet join by their text on that sheet; global labels and power
 symbols join everywhere, and include what bears their name on the same sheet. A pin of a sheet symbol is joined with the label
-of its name inside the sheet. Each member of a bus is joined by its name (`buses`).
+of its name inside the sheet. Each member of a bus is joined by its name.
 
-Buses of a KiCad sheet: the names of their members, and which members are joined where a bus enters a sheet.
+Also: buses of a KiCad sheet: the names of their members, and which members are joined where a bus enters a sheet.
 
 A bus is named by the labels on its lines: a vector (`D[0..7]`), a group (`{SCL SDA}`, `USB{DP DM}` with the member `USB.DP`),
 or one of these with an alias for several members (`bus_alias`). Nets join a bus by the names of its members. Where a bus has

@@ -2,7 +2,7 @@
 
 `port_devices` says which device is at a port. Nothing is run here.
 
-Check the values of a scenario's signals: only what the device can show, as `platform_repo/simulation` says.
+Also: check the values of a scenario's signals: only what the device can show, as `platform_repo/simulation` says.
 
 Otherwise the models of the two boards might play an impossible value differently.
 """

@@ -1,6 +1,6 @@
 """The common part of devices on a servo's line: they measure its pulses, and stop when no more pulses come.
 
-How far apart two correct programs may take a device that they drive for a time.
+Also: how far apart two correct programs may take a device that they drive for a time.
 """
 
 from __future__ import annotations

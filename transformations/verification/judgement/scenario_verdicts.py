@@ -3,7 +3,7 @@
 Of each run of the migrated program only the events of the channels are kept, since a trace may have some hundred thousand
 edges: only the traces of the runs in progress are in memory.
 
-A second look at a scenario in which the migrated program differs: does the source differ from itself there as well?
+Also: a second look at a scenario in which the migrated program differs: does the source differ from itself there as well?
 
 The few varied runs of a scenario are a sample. If an input changes just beside the instant at which the program reads it, only
 some of them, by chance, see it at the next read; the same holds for the servo frame in which a new speed takes effect. So if

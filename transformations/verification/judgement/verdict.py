@@ -3,7 +3,7 @@
 The comparison of a single channel is in `original_side` and `robosmi.verify.traces.comparison`, the verdict on all scenarios
 together in `robosmi.verify.traces.verdict`. If nothing was compared at all, this module says why.
 
-Compares the order of events on different pins that follow each other too closely for their times to tell.
+Also: compares the order of events on different pins that follow each other too closely for their times to tell.
 
 The comparison of a channel tolerates tens of milliseconds, so two lamps that flash a millisecond apart could be swapped unseen.
 If a single thread of the program causes both, and the source keeps their order and distance whatever its steps cost, the order

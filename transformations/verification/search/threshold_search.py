@@ -3,12 +3,12 @@
 Faults that move a border show beside it and nowhere else. Whether there is one is told by short runs of the source, of which
 hundreds take a second (`branch_thresholds`); only what is found there becomes a scenario.
 
-The stages of a search for scenarios in which it matters what an input has shown before.
+Also: the stages of a search for scenarios in which it matters what an input has shown before.
 
 Borders part the values of an input into bands. A program with a hysteresis leaves a band at another value than the one at which
 it enters it, and one that keeps a state may do something else for each band that it comes from.
 
-The numbers that an input of a program shows: which ones, how finely, and beside a border.
+Also: the numbers that an input of a program shows: which ones, how finely, and beside a border.
 """
 
 from __future__ import annotations

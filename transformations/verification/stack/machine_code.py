@@ -1,6 +1,6 @@
 """The disassembly of a linked AVR program: its instructions, its symbols, and which functions indirect calls may reach.
 
-The linker's relocations show of which functions the program takes the address, and where it stores it. `machine_depths`
+The linker's relocations show of which functions the program takes the address, and where it stores it. `machine_stack`
 computes the depth of the stack.
 """
 

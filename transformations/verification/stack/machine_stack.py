@@ -1,11 +1,11 @@
 """An upper bound of the stack that a linked AVR program takes, computed from its disassembly without running it.
 
-main, the functions that run before it, and the interrupt handlers share one stack. `machine_depths` computes how much each
+main, the functions that run before it, and the interrupt handlers share one stack. `machine_stack` computes how much each
 takes with all that it calls; this module adds them up. A handler may start wherever interrupts are enabled, a handler that
 enables them may be interrupted itself, and a function that a variable `under_way` guards is entered by only one of them at a
 time.
 
-How much stack each function of a linked AVR program takes, computed from its disassembly.
+Also: how much stack each function of a linked AVR program takes, computed from its disassembly.
 
 All paths of a function are followed, instruction by instruction, with the depth of the stack (pushes, frames, and calls with
 what they take) and with whether interrupts may be enabled. `machine_code` says which functions indirect calls reach,

@@ -4,7 +4,7 @@ libclang crashes on deep nesting, and takes the process with it; its own limit o
 branches and `else if`. So what nests too deep is found in the tokens, cut out of the copy that is parsed, and reported; the
 rest of the file is read. Real programs are far below the limits. `error_recovery` applies the edits to the copy.
 
-Limits how often one name is declared in one scope: libclang compares each declaration with all before it.
+Also: limits how often one name is declared in one scope: libclang compares each declaration with all before it.
 
 C allows a name one definition, and a text with hundreds was made by a tool; parsing it would take minutes. So those beyond
 `MOST_DECLARED` are cut out of the copy that is parsed, as is what nests too deep (`bounds`), and are reported in the same way.
