@@ -12,7 +12,7 @@ import pytest
 CODE = """
 import sys
 from pathlib import Path
-from robosmi import data_text
+from robosmi.base import data_text
 read, made = data_text.toml_of, []
 def counted(text):
     made.append(text)

@@ -32,7 +32,7 @@ def listed() -> dict[str, str]:
     return dict(line.split(maxsplit=1) for line in lines if line and not line.startswith("#"))
 
 
-def private(name: str) -> set[str]:
+def private(name: str) -> frozenset[str]:
     """The private words and phrases in a name, in any spelling."""
     words = re.findall(r"[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|[0-9]+", name)
     spelt = f"_{'_'.join(words).lower()}_"
