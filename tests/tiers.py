@@ -122,7 +122,7 @@ class Tiers:
         self.started = None
         self.running = None if item.get_closest_marker("processes") else item.nodeid
         try:
-            return (yield)  # type: ignore[misc]
+            return (yield)
         finally:
             self.running = None
 

@@ -16,7 +16,8 @@ from msgspec import Struct
 from robosmi.base.data_text import as_table, json_of
 from robosmi.errors import InternalError, MissingToolError
 from robosmi.verify.coverage_files import counters_file, read_notes
-from robosmi.verify.original_build import Counters, OriginalProgram
+from robosmi.verify.joined_objects import Counters
+from robosmi.verify.original_build import OriginalProgram
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.tools import run
 

@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from robosmi.metamodels import migration
 from robosmi.plugins import content
 from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.chains.page import PlanPage
@@ -149,12 +150,12 @@ def test_completing_changes_no_decision_and_writes_nothing(line_follower: Path, 
     assert again.kept.files == done.kept.files
 
 
-def nothing_refused() -> list[Any]:
-    return []
-
-
 def test_a_step_of_the_completion_can_be_another_one(tmp_path: Path) -> None:
     chain = completion_chain()
-    chain.replace("find what a compiler refuses", nothing_refused)
+    chain.replace("find what a compiler refuses", _nothing)
     done = chain.start(models=plan_migration([PROGRAM]), output=tmp_path / "out").value("completed", Completed)
     assert "RS337" not in {finding.rule for finding in done.models.plan.findings}
+
+
+def _nothing() -> list[migration.PlanFinding]:
+    return []

@@ -117,7 +117,7 @@ class Study:
         models = load_models(out / "models" / "plan.xmi")
         ports = bound_ports(models.plan, out / "models")
         (place / "source").mkdir()
-        program = _original(models, out / "models", place / "source")
+        program = _original(models, place / "source")
 
         def case(path: Path) -> Case:
             scenario = read_scenario(path, "stored")

@@ -34,7 +34,8 @@ def test_the_original_sees_the_macros_of_its_compiler_and_of_no_machine() -> Non
 
 def test_a_precompiled_header_beside_the_program_is_not_read(tmp_path: Path) -> None:
     source, folder = tmp_path / "source", tmp_path / "built"
-    source.mkdir(), folder.mkdir()
+    source.mkdir()
+    folder.mkdir()
     (source / "program.c").write_text('#include "simpletools.h"\nint main() { high(3); pause(VALUE); low(3); }\n')
     (source / "simpletools.h").write_text("#define VALUE 200\nvoid high(int pin); void low(int pin); void pause(int ms, ...);\n")
     first, changed = tmp_path / "predefined.h", tmp_path / "changed.h"
@@ -65,7 +66,8 @@ def test_whatever_its_name_a_source_is_read_as_c(tmp_path: Path, name: str) -> N
 
 def test_a_file_that_is_not_recorded_is_refused(tmp_path: Path) -> None:
     source, other, folder = tmp_path / "own" / "program.c", tmp_path / "other.h", tmp_path / "built"
-    source.parent.mkdir(), folder.mkdir()
+    source.parent.mkdir()
+    folder.mkdir()
     other.write_text("#define MS 100\n")
     for named in (str(other), "../other.h"):
         source.write_text(f'#include "{named}"\nvoid pause(int ms, ...);\nint main() {{ pause(MS); }}\n')

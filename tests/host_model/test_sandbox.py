@@ -68,11 +68,11 @@ def test_the_program_loads_nothing_else_and_has_no_code_that_it_can_write() -> N
 
 
 @contextmanager
-def started(program: OriginalProgram, **options: object) -> Iterator[subprocess.Popen[bytes]]:
+def started(program: OriginalProgram, close_fds: bool = True) -> Iterator[subprocess.Popen[bytes]]:
     """The process of a program that waits for its settings, once it has replaced the launcher."""
     with subprocess.Popen(
         program.launcher.command(program.binary, 5), stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-        start_new_session=True, **options,
+        start_new_session=True, close_fds=close_fds,
     ) as process:  # fmt: skip
         try:
             until = monotonic() + 20

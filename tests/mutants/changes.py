@@ -73,13 +73,13 @@ class _Module:
         match node:
             case ast.Compare(left=left, ops=[op], comparators=[right]) if type(op) in _FLIPPED:
                 yield self.put("comparison", node, f"({self.of(left)}) {_FLIPPED[type(op)]} ({self.of(right)})")
-            case ast.Constant(value=bool()):
-                yield self.put("constant", node, str(not node.value))
-            case ast.Constant(value=int()):
-                yield self.put("boundary", node, f"({node.value + 1})")
-                yield self.put("boundary", node, f"({node.value - 1})")
-            case ast.Constant(value=float()):
-                yield self.put("constant", node, f"({node.value * 2 + 1})")
+            case ast.Constant(value=bool() as value):
+                yield self.put("constant", node, str(not value))
+            case ast.Constant(value=int() as number):
+                yield self.put("boundary", node, f"({number + 1})")
+                yield self.put("boundary", node, f"({number - 1})")
+            case ast.Constant(value=float() as real):
+                yield self.put("constant", node, f"({real * 2 + 1})")
             case ast.BoolOp(op=op, values=values):
                 word = " or " if isinstance(op, ast.And) else " and "
                 yield self.put("connective", node, f"({word.join(f'({self.of(each)})' for each in values)})")

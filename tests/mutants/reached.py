@@ -35,7 +35,7 @@ class _Measuring:
         """Measure the lines of a test with its fixtures."""
         self.measured.switch_context(item.nodeid)
         try:
-            return (yield)  # type: ignore[misc]
+            return (yield)
         finally:
             self.measured.switch_context("")
 

@@ -27,4 +27,4 @@ def start() -> None:
                 return compile(changed["text"], loader.path, "exec", dont_inherit=True)
             return get_code(loader, fullname)
 
-        SourceFileLoader.get_code = of_mutant  # type: ignore[method-assign]
+        SourceFileLoader.get_code = of_mutant  # type: ignore[method-assign, assignment]

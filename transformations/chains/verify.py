@@ -261,7 +261,7 @@ def _board(models: MigrationModels, report: CompileReport) -> platform.Board:
     return stored if stored is not None and stored.name == report.board else load_board(report.board)
 
 
-def _original(models: MigrationModels, place: Path, trusted: bool) -> OriginalProgram:
+def _original(models: MigrationModels, place: Path, trusted: bool = False) -> OriginalProgram:
     plan = models.plan
     assert plan.program is not None
     assert plan.source is not None

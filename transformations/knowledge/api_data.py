@@ -14,6 +14,7 @@ class ParserSettings(TypedDict, total=False):
     target: str
     standard: str
     defines: list[str]
+    predefined: list[str]
     attribute_macros: list[str]
     builtins: dict[str, str]
 
