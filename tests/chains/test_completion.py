@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from robosmi.metamodels import migration
+from robosmi.plugin_contracts import ContentKind
 from robosmi.plugins import content
 from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.chains.page import PlanPage
@@ -30,7 +31,7 @@ def runs(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     """How often the program and the report were generated."""
     counts = Counter[str]()
 
-    def counted(kind: str, name: str) -> Callable[..., Any]:
+    def counted(kind: ContentKind, name: str) -> Callable[..., Any]:
         function = content(kind, name)
 
         def generate(*given: Any) -> Any:

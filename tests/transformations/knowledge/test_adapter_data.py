@@ -14,8 +14,9 @@ from robosmi.diagnostics import Location
 from robosmi.errors import PlatformDataError
 from robosmi.transformations.knowledge.adapters import adapter_data
 from robosmi.transformations.knowledge.adapters.adapter_data import adapter_paths, load
-from robosmi.transformations.knowledge.adapters.adapter_files import AdapterFile, adapter_file
+from robosmi.transformations.knowledge.adapters.adapter_files import adapter_file
 from robosmi.transformations.knowledge.adapters.adapter_index import AdapterIndex, adapter_index
+from robosmi.transformations.knowledge.adapters.adapter_records import AdapterFile
 from robosmi.transformations.queries.plans.adapter_needs import AdapterPieces
 
 FOLDERS = sorted(path for path in resources.built_in("platform_repo").glob("*/adapters/*") if path.is_dir())
