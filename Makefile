@@ -4,6 +4,7 @@
 # make test-all  every test: every board, 300 kills, every adapter on every microcontroller, by hand (not in CI)
 # make lint   ruff and mypy, in an environment of its own
 # make bench  the figures of the README and others, measured, in one table
+# make ratios  the cheap figures of the benchmark: ratios and counts that hold on any machine
 # make fuzz  damaged and large inputs, odd environments, by hand (not in CI)
 # make evaluate  the figures of the library ranking on the labelled queries, where these are beside the checkout
 # make faults    faults and harmless rewritings in the migrated case studies, and what `verify` notices of them, by hand (not in CI)
@@ -24,7 +25,7 @@ export ROBOSMI_HOME := $(CURDIR)/out/data
 unexport ROBOSMI_HISTORY
 # Where .ci/npm-packages puts the simulator avr8js.
 export ROBOSMI_NPM := $(CURDIR)/.npm
-.PHONY: floor-plan demo check test test-all lint bench evaluate fuzz faults mutants adapters pyecore corpus wheel readme rules metamodels system-packages npm-packages clean
+.PHONY: floor-plan demo check test test-all lint bench ratios evaluate fuzz faults mutants adapters pyecore corpus wheel readme rules metamodels system-packages npm-packages clean
 
 $(VENV)/.ready: pyproject.toml
 	$(PYTHON) -m venv $(VENV)
@@ -57,6 +58,9 @@ lint:
 
 bench: $(VENV)/.ready
 	$(BIN)/python -m tests.bench
+
+ratios: $(VENV)/.ready
+	$(BIN)/python -m tests.bench --ratios
 
 evaluate: $(VENV)/.ready
 	$(BIN)/python -m tests.recommend.paper_ranks
