@@ -5,8 +5,9 @@ reference of a cold command is an interpreter that imports the packages that Rob
 ratio is the median of several rounds. The counts do not depend on the machine at all: a warm `migrate()` does more work if it
 calls more functions, and a cold command costs more if it loads more modules.
 
-The bounds of ratios are a fifth above what this head needs, those of counts a twentieth. On 21 November 2026 (37e65686), when a warm `migrate()`
-took less than 60 ms, it called 91,000 functions and took 1.7 times the reference; features that came since call the others.
+The bounds of ratios are a fifth above what this head needs, those of counts a twentieth. On 21 November 2026 (37e65686), when a
+warm `migrate()` took less than 60 ms, it called 91,000 functions and took 1.7 times the reference; features that came since
+call the others.
 """
 
 from __future__ import annotations

@@ -27,8 +27,8 @@ SOURCES = [
     ("missing.c", "no such file"),
     ("binary.c", "binary"),
     ("prose.c", "no C source"),
-    ("two_boards.fz", "no program reader takes a '.fz' file"),
-    ("truncated.fzz", "no program reader takes a '.fzz' file"),
+    ("two_boards.fz", "no program reader for '.fz' files"),
+    ("truncated.fzz", "no program reader for '.fzz' files"),
     ("no_sources", "folder"),
 ]
 DRAWINGS = [
@@ -39,8 +39,8 @@ DRAWINGS = [
     ("other.fz", "no Fritzing sketch"),
     ("unclosed.fz", "not well-formed"),
     ("no_board.fz", "no board"),
-    ("prose.c", "no drawing reader takes a '.c' file"),
-    (".", "no drawing reader takes"),
+    ("prose.c", "no drawing reader for '.c' files"),
+    (".", "no drawing reader"),
 ]
 
 

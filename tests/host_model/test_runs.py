@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -284,8 +285,12 @@ def test_a_compiler_without_the_word_size_is_told(tmp_path: Path, monkeypatch: p
         (tmp_path / name).symlink_to("/bin/true")
     compiler = tmp_path / "gcc"
     compiler.write_text(
-        "#!/bin/sh\ncase \"$1\" in --version) echo gcc 99.1 ;; *) echo 'fatal error: bits/libc-header-start.h' >&2; exit 1 "
-        ";; esac\n"
+        "#!/bin/sh\n"
+        'case " $* " in\n'
+        '  " --version ") echo gcc 99.1 ;;\n'
+        "  *' -m32 '*) echo 'fatal error: bits/libc-header-start.h' >&2; exit 1 ;;\n"
+        f'  *) PATH={os.environ["PATH"]} exec {shutil.which("gcc")} "$@" ;;\n'  # the launcher is built for this machine
+        "esac\n"
     )
     compiler.chmod(0o755)
     source, folder = tmp_path / "blink.c", tmp_path / "built"

@@ -86,7 +86,7 @@ def test_the_host_model_plays_a_capacitor_as_the_device_does(monkeypatch: pytest
     with built(text) as program:
         played = run_original(program, 800_000, devices)
         assert len(answers) < 5
-        monkeypatch.delattr(HostBench, "keeps_charge")
+        monkeypatch.delattr(HostBench, "emulates_capacitor")
         asked = run_original(program, 800_000, devices)
     assert played.status == asked.status == "finished"
     assert played.trace == asked.trace

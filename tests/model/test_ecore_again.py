@@ -83,7 +83,8 @@ def test_a_metamodel_of_emf_itself_comes_out_as_emf_writes_it(name: str, tmp_pat
 
 @pytest.mark.emf_objects("the folder is not ours")
 def test_the_shared_metamodels_come_out_as_emf_writes_them(shared: Path, tmp_path: Path) -> None:
-    found = sorted(shared.rglob("*.ecore"))
+    broken = shared / "fault-cases"  # on purpose
+    found = sorted(path for path in shared.rglob("*.ecore") if broken not in path.parents)
     assert len(found) > 10
     for path in found:
         check(path, tmp_path)

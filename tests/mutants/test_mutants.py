@@ -80,10 +80,10 @@ def test_a_sample_is_the_same_for_a_seed_and_takes_a_line_once() -> None:
 
 
 def test_a_mutant_is_what_a_run_and_all_that_it_starts_import(tmp_path: Path) -> None:
-    module = ROOT / "robosmi" / "typed.py"
+    module = ROOT / "robosmi" / "base" / "data_text.py"
     text = module.read_text(encoding="utf-8") + "\nMUTANT = True\n"
     (tmp_path / "mutant.json").write_text(json.dumps({"path": os.path.realpath(module), "text": text}))
-    code = "import robosmi.typed; print(getattr(robosmi.typed, 'MUTANT', False))"
+    code = "import robosmi.base.data_text; print(getattr(robosmi.base.data_text, 'MUTANT', False))"
     again = f"import subprocess, sys; {code}; sys.stdout.flush(); subprocess.run([sys.executable, '-c', {code!r}], check=True)"
     around = os.environ | {MUTANT: str(tmp_path / "mutant.json"), "PYTHONPATH": str(RECORDING)}
     done = subprocess.run([sys.executable, "-c", again], env=around, capture_output=True, text=True, check=True, cwd=tmp_path)

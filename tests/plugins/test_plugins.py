@@ -206,7 +206,7 @@ def test_without_the_plug_in_nobody_knows_its_files(tmp_path: Path) -> None:
     (tmp_path / "wired.beacon").write_text("D3 Red LED\n")
     outcome = run("hardware", tmp_path / "wired.beacon")
     assert outcome.code == 3
-    assert "no drawing reader takes a '.beacon' file" in outcome.err
+    assert "no drawing reader for '.beacon' files" in outcome.err
 
 
 def test_a_plug_in_that_takes_the_place_of_a_built_in_reader_is_told_where_that_is_asked_for(tmp_path: Path) -> None:
@@ -369,7 +369,7 @@ def test_why_a_plug_in_is_missing_is_said_where_a_command_fails_for_want_of_it(t
     environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(path), str(ROOT)])}
     line = [sys.executable, "-m", "robosmi", "hardware", "robot.dots", "--sarif", "found.sarif"]
     done = subprocess.run(line, capture_output=True, text=True, env=environment, cwd=tmp_path)
-    assert "no drawing reader takes a '.dots' file" in done.stderr
+    assert "no drawing reader for '.dots' files" in done.stderr
     assert "robosmi: warning: the plug-in broken 0.3 ('broken_plugin:register') cannot be loaded: " in done.stderr
     assert "do: mend, update or uninstall broken" in done.stderr
     told = [result["ruleId"] for result in json.loads((tmp_path / "found.sarif").read_text())["runs"][0]["results"]]
