@@ -338,14 +338,14 @@ def test_a_client_starts_the_command_and_talks_over_its_streams(root: Path, tmp_
         (
             r'{"jsonrpc":"2.0","id":7,"method":"tools/call","params":{"name":"explain","arguments":{"rule":"RS\ud800"}}}',
             7,
-            "halves",
+            "other half",
         ),
-        (r'{"jsonrpc":"2.0","id":"a","method":"tools/call","params":{"name":"\udfff"}}', "a", "halves"),
+        (r'{"jsonrpc":"2.0","id":"a","method":"tools/call","params":{"name":"\udfff"}}', "a", "other half"),
         (r'{"jsonrpc":"2.0","id":8,"method":5}', 8, "JSON-RPC"),
         (r'{"jsonrpc":"2.0","id":true,"method":5}', None, "JSON-RPC"),
         ("[1, 2]", None, "JSON-RPC"),
-        ("no JSON", None, "no JSON"),
-        ("[" * 20_000, None, "no JSON"),
+        ("no JSON", None, "not JSON"),
+        ("[" * 20_000, None, "not JSON"),
     ],
 )
 def test_a_line_that_is_no_message_is_answered(line: str, identity: int | str | None, said: str) -> None:

@@ -1,4 +1,4 @@
-"""The script of cases/egl/protected_text_preserved."""
+"""The script of cases/egl/protected_text_kept."""
 
 from __future__ import annotations
 
