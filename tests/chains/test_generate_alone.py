@@ -98,7 +98,7 @@ def test_a_link_out_of_the_models_folder_is_not_followed(kind: str, migrated: Pa
     shutil.move(file, tmp_path / "elsewhere")
     file.symlink_to(tmp_path / "elsewhere")
     before = tree(migrated)
-    with pytest.raises(SourceError, match="outside (of )?its folder") as raised:
+    with pytest.raises(SourceError, match=r"outside (of )?its folder") as raised:
         generate(models / "plan.xmi", tmp_path / "again")
     assert raised.value.fix
     assert tree(migrated) == before
