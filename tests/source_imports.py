@@ -10,6 +10,18 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 CONTENT = ("transformations", "templates", "metamodels", "platform_repo")
 """The folders beside `robosmi/` that are sub-packages of it when installed."""
+PUBLIC = ("errors", "diagnostics", "resources", "plugin_contracts", "plugins", "project", "inputs")
+"""The modules of the foundation that users import; they lie beside its room, `robosmi/base`."""
+FACES = (
+    "robosmi.model.codegen",
+    "robosmi.model.driver",
+    "robosmi.model.metamodel",
+    "robosmi.model.show",
+    "robosmi.model.strict",
+    "robosmi.query.anything",
+    "robosmi.verify.toolchain",
+)
+"""Modules of documented paths that only hand on what is in a room."""
 
 
 def modules(*folders: str) -> list[Path]:

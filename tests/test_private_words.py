@@ -7,8 +7,7 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from tests.source_imports import ROOT, modules, tree_of
-from tests.test_structure import FACES
+from tests.source_imports import FACES, ROOT, module_name, modules, tree_of
 
 WORDS = """
 adopted anything asked asking asks bare behind beside border borders built deep doing doubt doubts drawn earlier elsewhere erl
@@ -65,7 +64,7 @@ def named() -> Iterator[tuple[str, str]]:
     """Each name that the rule is for, and where it is."""
     for path in modules("robosmi", "transformations"):
         where = path.relative_to(ROOT).as_posix()
-        if path.stem not in FACES:
+        if module_name(path) not in FACES:
             yield path.stem, where
         yield from ((name, where) for name in public_names(path) if not name.startswith("_"))
     for path in modules("tests"):

@@ -22,10 +22,8 @@ import networkx as nx
 import pytest
 
 import robosmi
-from tests.source_imports import CONTENT, ROOT, imported, module_name, modules, names_imported, tree_of
+from tests.source_imports import CONTENT, FACES, PUBLIC, ROOT, imported, module_name, modules, names_imported, tree_of
 
-PUBLIC = ("errors", "diagnostics", "resources", "plugin_contracts", "plugins", "project", "inputs")
-"""The modules of the foundation that users import; its other modules are the room `base`."""
 FOUNDATION = (*PUBLIC, "base")
 LOW = ("files", "quoting", *FOUNDATION)
 ABOVE: dict[str, tuple[str, ...]] = {
@@ -114,8 +112,6 @@ INSIDE: dict[str, dict[str, tuple[str, ...]]] = {
     },
 }
 """Hall -> its rooms, lowest first -> the rooms of the hall that each may import (and itself); "" has the hall's loose modules."""
-FACES = ("anything", "driver", "metamodel", "show", "strict", "codegen", "toolchain")
-"""Modules of documented paths that only hand on what is in a room."""
 LARGE = ("robosmi/cli/commands", "transformations/constraints")
 """Folders that may have more than 25 modules, since each module is one registered thing."""
 
@@ -165,7 +161,7 @@ def rooms_of(hall: str) -> dict[str, list[Path]]:
     rooms: dict[str, list[Path]] = {}
     for path in modules(hall):
         room = path.parent.relative_to(ROOT / hall).as_posix()
-        if path.stem != "__init__" and not (room == "." and path.stem in FACES):
+        if path.stem != "__init__" and module_name(path) not in FACES:
             rooms.setdefault(room if room != "." else "", []).append(path)
     return rooms
 
@@ -190,21 +186,16 @@ def test_a_room_of_a_hall_imports_only_rooms_below_it(hall: str) -> None:
 
 def test_a_face_only_hands_on_names() -> None:
     """What is new is imported from the room that has it."""
-    faces = [
-        path
-        for path in modules("robosmi/model", "robosmi/query", "robosmi/verify")
-        if path.stem in FACES and len(path.relative_to(ROOT).parts) == 3
-    ]
-    assert {path.stem for path in faces} == set(FACES)
+    faces = [path for path in modules("robosmi") if module_name(path) in FACES]
+    assert {module_name(path) for path in faces} == set(FACES)
     for path in faces:
         assert {type(node).__name__ for node in tree_of(path).body} == {"Expr", "ImportFrom"}, path
-    names = {module_name(path) for path in faces}
     users = [
         f"{path.relative_to(ROOT)}:{line}"
         for path in modules("robosmi", "transformations")
         if path.name != "__init__.py"  # a package offers the documented names itself
         for line, name in imported(path)
-        if names & {name, name.rpartition(".")[0]}
+        if not {name, name.rpartition(".")[0]}.isdisjoint(FACES)
     ]
     assert users == []
 
