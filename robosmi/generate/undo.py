@@ -20,13 +20,11 @@ from robosmi.base.data_text import Json, as_list, as_table, as_text, as_texts, j
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError, StoppedError
 from robosmi.files.commit import update
-from robosmi.files.external_files import ExternalFiles
-from robosmi.files.external_files import changes as file_changes
+from robosmi.files.external_files import ExternalFiles, changes as file_changes
 from robosmi.files.files import digest, within
 from robosmi.files.recovery import at_work
 from robosmi.files.run_lock import STATE, place_of, stored
-from robosmi.generate.manifest import NAME as MANIFEST
-from robosmi.generate.manifest import Manifest
+from robosmi.generate.manifest import NAME as MANIFEST, Manifest
 from robosmi.generate.output_paths import Places
 from robosmi.inputs import OUTPUT, SETTINGS, Kind, read_bytes
 

@@ -21,8 +21,7 @@ from robosmi.errors import ModelError
 from robosmi.model.ecore.metamodel import Metamodel, Packages, TypedModel
 from robosmi.model.elements.driver import FeatureValue, Kind, ModelElement, Node
 from robosmi.model.elements.ecore import DynamicEObject, EObject, EPackage, Scalar
-from robosmi.model.elements.element_factory import as_data, refuse_unnamed, unlink
-from robosmi.model.elements.element_factory import new as new
+from robosmi.model.elements.element_factory import as_data, new as new, refuse_unnamed, unlink
 from robosmi.model.elements.fragments import fragment_of, own_id, resolve
 from robosmi.model.elements.pyecore_internals import ListenedTo, own_resource_of, set_own_resource
 from robosmi.model.elements.structure import contents, root_of, walk

@@ -21,8 +21,7 @@ from robosmi.model.ecore.metamodel import Metamodel
 from robosmi.model.emf import EmfModel
 from robosmi.transform import ETL, Trace
 from tests.emf_judge import judge
-from tests.running import run as command
-from tests.running import tree
+from tests.running import run as command, tree
 
 SITE = Path(__file__).parent / "site"
 TRACE = Path(__file__).parents[2] / "metamodels" / "trace.ecore"

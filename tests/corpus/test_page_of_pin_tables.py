@@ -13,8 +13,7 @@ from pathlib import Path
 import pytest
 
 import robosmi
-from tests.corpus.test_pin_tables import TABLES as OTHERS
-from tests.corpus.test_pin_tables import meant
+from tests.corpus.test_pin_tables import TABLES as OTHERS, meant
 from tests.page.browsers import Served
 from tests.page.conftest import browser, serve
 from tests.running import run

@@ -28,8 +28,7 @@ from robosmi.query import ModelView
 from robosmi.transform import Trace
 from robosmi.validate import EVL
 from tests.emf_judge import judge, judge_same
-from tests.running import run as command
-from tests.running import tree
+from tests.running import run as command, tree
 
 ROOT = Path(__file__).parents[2]
 EXAMPLE = ROOT / "docs" / "examples" / "library_catalogue"

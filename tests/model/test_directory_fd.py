@@ -8,8 +8,7 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import SourceError
-from robosmi.files import commit as commit_module
-from robosmi.files import directory_fd
+from robosmi.files import commit as commit_module, directory_fd
 from robosmi.files.commit import commit, update
 from robosmi.files.directory_fd import DirectoryFd
 from robosmi.files.recovery import STAGE, recover

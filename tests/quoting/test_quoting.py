@@ -12,14 +12,12 @@ from types import ModuleType
 
 import pytest
 import yaml
-from hypothesis import example, given
-from hypothesis import strategies as st
+from hypothesis import example, given, strategies as st
 from lxml import etree
 
 from robosmi import quoting
 from robosmi.base.data_text import Json
-from robosmi.quoting import code, data, markup, text
-from robosmi.quoting import markup as markdown_text
+from robosmi.quoting import code, data, markup, markup as markdown_text, text
 from tests.quoting import judges
 from tests.quoting.judges import (
     ATTACKS,

@@ -17,8 +17,7 @@ from robosmi.recommend.component import ComponentQuery
 from robosmi.recommend.index import LibraryIndex
 from robosmi.recommend.ranking import Recommendation
 from robosmi.recommend.tfidf import Postings, score_headers, words
-from robosmi.transformations.knowledge.libraries import library_ranking
-from robosmi.transformations.knowledge.libraries import library_ranking as device_knowledge
+from robosmi.transformations.knowledge.libraries import library_ranking, library_ranking as device_knowledge
 from robosmi.transformations.knowledge.libraries.library_ranking import (
     device_ranker,
     libraries_by_header,

@@ -19,8 +19,7 @@ from robosmi.resources import project_of_input
 from robosmi.transformations.chains.stages.reading import check_source_platform, read_program
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.queries.reports.analysis import UNKNOWN, analysis
-from robosmi.transformations.t2m.c_source.side_file import ENDING as PROJECT
-from robosmi.transformations.t2m.c_source.side_file import read_side
+from robosmi.transformations.t2m.c_source.side_file import ENDING as PROJECT, read_side
 
 
 class Analysis(Struct, frozen=True):

@@ -12,8 +12,7 @@ from robosmi.chain import Chain
 from robosmi.chain.run import Progress
 from robosmi.diagnostics import Finding
 from robosmi.inputs import read_once
-from robosmi.metamodels import hardware as hw
-from robosmi.metamodels import migration, platform
+from robosmi.metamodels import hardware as hw, migration, platform
 from robosmi.resources import project_of_input
 from robosmi.transformations.chains.stages.constraint_sets import added_hardware_findings
 from robosmi.transformations.chains.stages.reading import HEADERS_ONLY, NO_BOARD, Drawing, read_drawing

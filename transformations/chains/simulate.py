@@ -23,8 +23,7 @@ from robosmi.transformations.verification.bound_devices.played_devices import de
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort, bound_ports
 from robosmi.transformations.verification.jobs import job
 from robosmi.verify.scenario import Scenario, read_scenario
-from robosmi.verify.simulation import PinTrace
-from robosmi.verify.simulation import simulate as run_job
+from robosmi.verify.simulation import PinTrace, simulate as run_job
 from robosmi.verify.toolchains.compile_report import CompileReport
 from robosmi.verify.toolchains.libraries import STAND_IN
 from robosmi.verify.toolchains.temporary import temporary_folder

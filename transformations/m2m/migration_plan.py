@@ -16,8 +16,7 @@ from robosmi.diagnostics import Finding, Location
 from robosmi.files.files import digest
 from robosmi.metamodels import ccode, hardware, migration, platform
 from robosmi.query import Q
-from robosmi.recommend.ranking import Choices as EarlierChoices
-from robosmi.recommend.ranking import Ranker
+from robosmi.recommend.ranking import Choices as EarlierChoices, Ranker
 from robosmi.transform import Trace
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts, target_repository
 from robosmi.transformations.m2m.adapters.adapter_choice import AdapterChoice, settle_libraries

@@ -19,8 +19,7 @@ from robosmi.transformations.chains.hardware import hardware
 from robosmi.transformations.chains.migrate import plan_migration
 from robosmi.transformations.constraints.electrical import electrical, electrical_findings
 from robosmi.transformations.constraints.electrical_plan import plan_faults, together
-from robosmi.transformations.knowledge.electrical_facts import FILE, ElectricalFacts
-from robosmi.transformations.knowledge.electrical_facts import electrical as facts
+from robosmi.transformations.knowledge.electrical_facts import FILE, ElectricalFacts, electrical as facts
 from robosmi.transformations.m2t.terminal_text import terminal_lines
 from robosmi.transformations.queries.circuits.electrical import stated_volts, wiring
 from robosmi.transformations.queries.plans.plan import as_findings

@@ -8,8 +8,7 @@ import time
 from pathlib import Path
 
 import pytest
-from hypothesis import example, given
-from hypothesis import strategies as st
+from hypothesis import example, given, strategies as st
 
 from robosmi import resources
 from robosmi.transformations.knowledge.libraries.library_ranking import library_api

@@ -24,10 +24,8 @@ from robosmi.metamodels import migration
 from robosmi.plugin_contracts import wrong_result
 from robosmi.plugins import content
 from robosmi.transformations.chains.stages.build_sizes import stored_build_sizes
-from robosmi.transformations.chains.stages.compiler_errors import RULE as REFUSED
-from robosmi.transformations.chains.stages.compiler_errors import compiler_errors
-from robosmi.transformations.chains.stages.conflicts import RULE as CONFLICT
-from robosmi.transformations.chains.stages.conflicts import conflicts
+from robosmi.transformations.chains.stages.compiler_errors import RULE as REFUSED, compiler_errors
+from robosmi.transformations.chains.stages.conflicts import RULE as CONFLICT, conflicts
 from robosmi.transformations.chains.stages.models import LAST, MigrationModels
 from robosmi.transformations.chains.stages.user_edits import UserEdits, find_user_edits
 from robosmi.transformations.m2m.plan_tasks import settle_tasks

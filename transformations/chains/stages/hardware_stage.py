@@ -10,8 +10,7 @@ from msgspec import Struct
 from robosmi import inputs
 from robosmi.diagnostics import Finding, Location
 from robosmi.errors import SourceError
-from robosmi.metamodels import hardware as hw
-from robosmi.metamodels import platform
+from robosmi.metamodels import hardware as hw, platform
 from robosmi.transformations.chains.stages.reading import HEADERS_ONLY, Drawing, read_drawing
 from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
 from robosmi.transformations.m2m.migration_plan import Hardware

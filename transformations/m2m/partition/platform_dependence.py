@@ -10,8 +10,7 @@ Also: the names that adapter pieces and their libraries declare at file scope, w
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
-from collections.abc import Set as AbstractSet
+from collections.abc import Iterable, Mapping, Sequence, Set as AbstractSet
 from typing import TypeVar
 
 from robosmi.errors import RobosmiError
@@ -45,8 +44,7 @@ from robosmi.transformations.m2m.adapters.placeholders import (
     used_symbols,
 )
 from robosmi.transformations.m2m.language.decided_conditions import decided_conditions
-from robosmi.transformations.m2m.language.language_gap import TEXT_RULES as LANGUAGE_RULES
-from robosmi.transformations.m2m.language.language_gap import changes
+from robosmi.transformations.m2m.language.language_gap import TEXT_RULES as LANGUAGE_RULES, changes
 from robosmi.transformations.m2m.language.source_assembler import LEFT_OUT
 from robosmi.transformations.m2m.partition.concurrency import concurrency
 from robosmi.transformations.m2m.partition.dispositions import STEP, Known, dispositions

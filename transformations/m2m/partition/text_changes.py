@@ -15,8 +15,7 @@ from robosmi.metamodels import ccode, migration
 from robosmi.query import ancestor_of_kind
 from robosmi.transformations.knowledge.replacements import Replacement
 from robosmi.transformations.m2m.partition.edit_rules import EVERYWHERE, RULES
-from robosmi.transformations.m2m.ports.port_texts import RULE as PORT
-from robosmi.transformations.m2m.ports.port_texts import replacement
+from robosmi.transformations.m2m.ports.port_texts import RULE as PORT, replacement
 from robosmi.transformations.queries.plans.binding_edits import writes
 from robosmi.transformations.queries.plans.port_pins import port_text
 from robosmi.transformations.queries.source_text import SourceText

@@ -22,8 +22,7 @@ from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.model.elements.ordering import post_order
-from robosmi.transformations.knowledge.lexer import Token, definition_parts, directive_parts
-from robosmi.transformations.knowledge.lexer import tokens as tokenise
+from robosmi.transformations.knowledge.lexer import Token, definition_parts, directive_parts, tokens as tokenise
 from robosmi.transformations.knowledge.replacements import Replacement
 
 MAX_BRACKETS = 180
