@@ -5,6 +5,7 @@ from __future__ import annotations
 import atexit
 import os
 import sys
+import zipfile
 from collections.abc import Callable
 from datetime import date
 from pathlib import Path
@@ -175,12 +176,22 @@ def test_a_failed_write_leaves_no_file(cache: Path, monkeypatch: pytest.MonkeyPa
     assert list(cache.iterdir()) == []
 
 
-def test_the_version_of_code_changes_with_its_modules(tmp_path: Path) -> None:
-    (tmp_path / "a.py").write_text("x = 1\n", encoding="utf-8")
-    (tmp_path / "b.py").write_text("y = 1\n", encoding="utf-8")
-    before = code_version(str(tmp_path), ["a"])
-    assert code_version(str(tmp_path), ["a"]) == before
-    assert code_version(str(tmp_path), ["a", "b"]) != before
-    (tmp_path / "a.py").write_text("x = 10\n", encoding="utf-8")
-    assert code_version(str(tmp_path), ["a"]) != before
-    assert code_version(str(tmp_path / "archive.zip"), ["a"]) == code_version(str(tmp_path / "archive.zip"), [])
+def test_the_version_of_code_changes_with_its_modules(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(str(tmp_path))
+    (tmp_path / "versioned_a.py").write_text("x = 1\n", encoding="utf-8")
+    (tmp_path / "versioned_b.py").write_text("y = 1\n", encoding="utf-8")
+    before = code_version("versioned_a")
+    assert code_version("versioned_a") == before
+    assert code_version("versioned_a", "versioned_b") != before
+    (tmp_path / "versioned_a.py").write_text("x = 10\n", encoding="utf-8")
+    assert code_version("versioned_a") != before
+    assert "versioned_a" not in sys.modules
+    with pytest.raises(ModuleNotFoundError, match="versioned_c"):
+        code_version("versioned_a", "versioned_c")
+
+
+def test_the_version_of_code_in_an_archive_is_that_of_the_product(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with zipfile.ZipFile(tmp_path / "archive.zip", "w") as archive:
+        archive.writestr("versioned_zipped.py", "x = 1\n")
+    monkeypatch.syspath_prepend(str(tmp_path / "archive.zip"))
+    assert code_version("versioned_zipped") == code_version("versioned_zipped")

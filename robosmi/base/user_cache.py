@@ -14,8 +14,8 @@ import stat
 import sys
 import tempfile
 import zlib
-from collections.abc import Iterable
 from contextlib import suppress
+from importlib.util import find_spec
 from typing import Generic, TypeVar
 
 import msgspec
@@ -62,18 +62,21 @@ def write_cached(name: str, data: bytes) -> None:
             os.unlink(temporary)
 
 
-def code_version(folder: str, modules: Iterable[str]) -> str:
-    """A text that changes whenever one of some modules does.
+def code_version(*modules: str) -> str:
+    """A text that changes whenever the source of one of these modules does; nothing is imported but their packages.
 
-    Args:
-        folder: where they are.
-        modules: their names.
+    Raises:
+        ModuleNotFoundError: there is no module of that full name.
     """
     stamps = [robosmi.__version__]
     for name in modules:
+        spec = find_spec(name)
+        if spec is None:
+            raise ModuleNotFoundError(f"no module named {name!r}", name=name)
+        stamps.append(name)
         with suppress(OSError):  # a module in a zip archive
-            found = os.stat(os.path.join(folder, f"{name}.py"))
-            stamps.append(f"{name} {found.st_mtime_ns} {found.st_size}")
+            found = os.stat(spec.origin or "")
+            stamps.append(f"{found.st_mtime_ns} {found.st_size}")
     return hashlib.sha256("\n".join(stamps).encode()).hexdigest()[:16]
 
 

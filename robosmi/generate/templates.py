@@ -21,7 +21,6 @@ Also: ids of regions, derived from the model so that a person's text stays with 
 from __future__ import annotations
 
 import functools
-import os
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial, partialmethod
 from pathlib import Path, PurePath
@@ -376,8 +375,15 @@ def may_call(function: Any) -> bool:
     return True
 
 
-_MODULES = ("borders", "contexts", "data_places", "languages", "out", "output", "quoting_filters", "templates")
-"""They say how templates are compiled: code that was made before one of them changed is not used."""
+_MODULES = (
+    "robosmi.generate.contexts",
+    "robosmi.generate.languages",
+    "robosmi.generate.output",
+    "robosmi.generate.quoting_filters",
+    "robosmi.generate.template_output",
+    "robosmi.generate.templates",
+)
+"""How templates are compiled: code that an older version of these modules compiled is not used."""
 
 
 class TemplateCache(jinja2.BytecodeCache):
@@ -387,7 +393,7 @@ class TemplateCache(jinja2.BytecodeCache):
 
     def _name(self, bucket: Bucket) -> str:
         if self._known is None:
-            self._known = f"{jinja2.__version__}-{code_version(os.path.dirname(__file__), _MODULES)}"
+            self._known = f"{jinja2.__version__}-{code_version(*_MODULES)}"
         return f"templates/{self._known}-{bucket.key}"
 
     def load_bytecode(self, bucket: Bucket) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 from robosmi import inputs
@@ -14,9 +13,15 @@ from robosmi.transformations.knowledge.adapters.adapter_records import AdapterFi
 
 ENDINGS = (".cpp", ".c")
 """Endings of adapter files, in C++ and in C."""
-_PARSER = ("adapter_checks", "adapter_files", "adapter_ranges", "lexer")
-"""The modules that parse and check adapter files: files that an older version of them parsed are parsed again."""
-_PARSED = CachedResults("adapters.json", code_version(os.path.dirname(__file__), _PARSER), AdapterFile, 400)
+_VERSION = code_version(
+    "robosmi.transformations.knowledge.lexer",
+    "robosmi.transformations.knowledge.adapters.adapter_checks",
+    "robosmi.transformations.knowledge.adapters.adapter_files",
+    "robosmi.transformations.knowledge.adapters.adapter_ranges",
+    "robosmi.transformations.knowledge.adapters.adapter_records",
+)
+"""The version of the modules that parse and check adapter files: files that an older one parsed are parsed again."""
+_PARSED = CachedResults("adapters.json", _VERSION, AdapterFile, 400)
 
 
 def adapter_paths(folder: Path) -> list[Path]:
