@@ -91,7 +91,7 @@ def test_a_folder_tells_whose_it_is_and_goes() -> None:
 
 INTERRUPTED = """
 import shutil, sys
-from robosmi.verify import temporary
+from robosmi.verify.toolchains import temporary
 
 whole, where = shutil.rmtree, sys.argv[1]
 
