@@ -49,12 +49,18 @@ CHANGES = {
     "slow console": (r"begin\(115200\)", "begin(9600)", "console", "set to 9615 baud"),
     "fast console": (r"begin\(115200\)", "begin(250000)", "console", "set to 250000 baud"),
     "a foreign pin": (LOOP, "void loop() { pinMode(12, OUTPUT); digitalWrite(12, HIGH);", "D12", "no port of the program"),
-    "a sensor's pin": (LOOP, "void loop() { pinMode(3, OUTPUT);", "D3 (P3)", "the source only reads it"),
+    "a sensor's pin": (LOOP, "void loop() { pinMode(3, OUTPUT);", "D3 (P3)", "the original only reads it"),
     "a line that is never let go": (r"set_direction\(6, 0\)", "set_direction(6, 1)", "P6, as it is driven", "missing"),
-    "a line that is never driven": (r"set_direction\(6, 1\)", "set_direction(6, 0)", "P6, as it is driven", "low is missing"),
+    "a line that is never driven": (
+        r"set_direction\(6, 1\)", "set_direction(6, 0)", "P6, as it is driven",
+        "the original is driven low",
+    ),
     "a line that is driven too long": (r"pause\(50\)", "pause(54)", "P6, as it is driven", "driven low lasts 54"),
-    "a shorter pulse": (r"pulse_out\(9, 40\)", "pulse_out(9, 10)", "P9, its pulses", "for 10.1 us instead of pulses high for 40"),
-    "a longer pulse": (r"pulse_out\(10, 1500\)", "pulse_out(10, 1560)", "P10, its pulses", "instead of pulses high for 1500"),
+    "a shorter pulse": (
+        r"pulse_out\(9, 40\)", "pulse_out(9, 10)", "P9, its pulses",
+        "for 10.1 us; the original pulses high for 40",
+    ),
+    "a longer pulse": (r"pulse_out\(10, 1500\)", "pulse_out(10, 1560)", "P10, its pulses", "the original pulses high for 1500"),
     "a pulse within what may be off": (r"pulse_out\(10, 1500\)", "pulse_out(10, 1512)", "", ""),
 }  # fmt: skip
 
@@ -96,9 +102,9 @@ int main() {
 """
 DARK = {
     "as it is": ("high(4)", "high(4)", ""),
-    "never driven": ("high(4)", "pause(0)", "high is missing"),
-    "driven at the begin alone": ("high(4)", "if (millis() < 3000UL) high(4)", "high is missing"),
-    "another pin": ("high(7)", "if (millis() < 3000UL) high(7)", "no longer high, which the source does not do"),
+    "never driven": ("high(4)", "pause(0)", "the original drives high"),
+    "driven at the begin alone": ("high(4)", "if (millis() < 3000UL) high(4)", "the original drives high"),
+    "another pin": ("high(7)", "if (millis() < 3000UL) high(7)", "no longer drives high"),
 }
 
 

@@ -20,17 +20,17 @@ SCENARIO = "horizon_ms = 2500\n[signals]\nP3 = [[0, 0], [500, 1], [900, 0]]\n"
 SPOILT = {
     "pin": (
         "digitalWrite(io.pin, value);", "io = Io(io.pin - 1); digitalWrite(io.pin, value);",
-        "high", 11, "Lamp (P26)", "high is missing",
+        "high", 11, "Lamp (P26)", "the original switches on",
     ),
     "time": ("delay((uint32_t)time);", "delay((uint32_t)(time - time / 20));", "pause", 12, "Lamp (P26)", "high lasts 28"),
     "frequency": (
         "tone(io.pin, (unsigned int)frequency);", "tone(io.pin, 2500);",
-        "freqout", 14, "Speaker (P4)", r"2500\.0\d Hz instead of 2999\.99 Hz",
+        "freqout", 14, "Speaker (P4)", r"2500\.0\d Hz; the original sends 2999\.99 Hz",
     ),
     "input": ("return io.high();", "return !io.high();", "input", 8, "console", "'presses 1' comes 50[01]"),
     "text": (
         "port->write((uint8_t)c);", "port->write((uint8_t)(c == 's' ? 'z' : c));",
-        "print", 10, "console", "'prezzez 1' instead of",
+        "print", 10, "console", "'prezzez 1'; the original sends",
     ),
 }  # fmt: skip
 """Name of a fault -> old text, new text, function and line of the call to name, channel, pattern of the message."""
