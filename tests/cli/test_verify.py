@@ -70,19 +70,15 @@ def test_no_difference_is_found_in_a_right_migration(out: Path, pressed: Path, t
 
 
 FAULTS = {
-    "pin": ("LampWriteP1 = 13", "LampWriteP1 = 12", "Lamp (P26)", "the original switches on"),
-    "duration": ("pause(300)", "pause(290)", "Lamp (P26)", "high lasts 290"),
-    "unit": ("pause(300)", "delayMicroseconds(300)", "Lamp (P26)", "high lasts 0."),
-    "tone": (
-        "freqout(SpeakerWriteP1, 200, 3000)",
-        "freqout(SpeakerWriteP1, 200, 2800)",
-        "Speaker (P4)",
-        "the original sends 2999",
-    ),
-    "not waiting": ("freqout(SpeakerWriteP1, 200, 3000)", "tone(SpeakerWriteP1, 3000)", "Speaker (P4)", ""),
-    "text": ("presses %d", "press %d", "console", "sends 'press 1'; the original sends 'presses 1'"),
-    "lost": ("presses++;", "", "console", "sends 'presses 0'; the original sends 'presses 1'"),
+    "pin": ("LampWriteP1 = 13", "LampWriteP1 = 12", "Lamp (P26)", []),
+    "duration": ("pause(300)", "pause(290)", "Lamp (P26)", ["290.", "300."]),
+    "unit": ("pause(300)", "delayMicroseconds(300)", "Lamp (P26)", ["0.", "300."]),
+    "tone": ("freqout(SpeakerWriteP1, 200, 3000)", "freqout(SpeakerWriteP1, 200, 2800)", "Speaker (P4)", [" 2999"]),
+    "not waiting": ("freqout(SpeakerWriteP1, 200, 3000)", "tone(SpeakerWriteP1, 3000)", "Speaker (P4)", []),
+    "text": ("presses %d", "press %d", "console", ["'press 1'", "'presses 1'"]),
+    "lost": ("presses++;", "", "console", ["'presses 0'", "'presses 1'"]),
 }
+"""Name of a fault -> old text, new text, channel, and what the message quotes: numbers and the program's own texts."""
 
 
 CALLS = {
@@ -99,7 +95,7 @@ CALLS = {
 
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_fault_is_told_with_channel_function_and_first_difference(fault: str, out: Path, pressed: Path) -> None:
-    old, new, channel, message = FAULTS[fault]
+    old, new, channel, quoted = FAULTS[fault]
     sketch = out / "button" / "button.ino"
     assert old in sketch.read_text()
     sketch.write_text(sketch.read_text().replace(old, new, 1))
@@ -110,7 +106,7 @@ def test_a_fault_is_told_with_channel_function_and_first_difference(fault: str, 
     first = result["first_difference"]
     assert first["scenario"] == "two presses"
     assert first["channel"] == channel
-    assert message in first["message"]
+    assert [each for each in quoted if each not in first["message"]] == []
     assert first["inputs"] == {"Button": first["inputs"]["Button"]}
     if channel != "console":
         assert first["functions"]
@@ -268,7 +264,6 @@ def test_a_crash_of_the_migrated_program_alone_is_a_difference(out: Path, presse
     first = outcome.result["first_difference"]
     assert first["channel"] == "program"
     assert first["at_ms"] == pytest.approx(1502, abs=10)
-    assert "the migrated program crashes on the simulator" in first["message"]
     assert {c["name"]: (c["status"], c["events"]) for c in outcome.result["channels"]} == {
         "Lamp (P26)": ("same", 2), "Speaker (P4)": ("same", 2), "console": ("same", 1)
     }  # fmt: skip
@@ -305,7 +300,7 @@ def test_a_migrated_program_that_halts_early_is_compared_to_the_end(out: Path, p
     sketch.write_text(text)
     outcome = run("verify", out, "--scenario", pressed, "--json")
     assert (outcome.code, outcome.result["verdict"]) == (6, "different"), outcome.result
-    assert "the original switches" in outcome.result["first_difference"]["message"]
+    assert outcome.result["first_difference"]["at_ms"] > 1500
 
 
 def test_migrate_verifies_at_the_end_and_the_report_carries_the_verdict(tmp_path: Path) -> None:
@@ -316,7 +311,7 @@ def test_migrate_verifies_at_the_end_and_the_report_carries_the_verdict(tmp_path
     assert [f["severity"] for f in outcome.document["findings"] if f["rule"] == "RS850"] == ["info"]
     report = (tmp_path / "out" / "button" / "MIGRATION.md").read_text()
     many = len(outcome.result["verification"]["scenarios"])
-    assert f"no difference found between the original and the migrated program in {many} test case" in report
+    assert f"in {many} test case" in report
     [picture] = re.findall(r"!\[.*\]\((.*\.svg)\)", report)
     drawn = next((tmp_path / "out").glob("*/MIGRATION.md")).parent / picture
     assert "Lamp" in "".join(ElementTree.parse(drawn).getroot().itertext())

@@ -258,9 +258,9 @@ def _unknown_board(sketch: Path) -> None:
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (_edited, "the file was changed since the sketch was compiled"),
-        (_new, "the file is new since the sketch was compiled"),
-        (_gone, "the file was changed since the sketch was compiled, and 1 more"),
+        (_edited, r"blink\.ino: .* since the sketch was compiled"),
+        (_new, r"new\.h: .* since the sketch was compiled"),
+        (_gone, r"since the sketch was compiled, and 1 more"),
         (_another_program, "has changed since it was compiled"),
         (_damaged_record, "the record of the program is damaged"),
         (_unknown_board, "unknown board 'nuo'"),
