@@ -90,7 +90,7 @@ def map_connectors(
                     raise SourceError(
                         f"more than {MAX_MAPPINGS:,} connections of pins to components",
                         location=Location(circuit.path),
-                        fix="check what is wired to the pins; a net with all in it is no circuit",
+                        fix="check the wiring of the pins; one net cannot connect everything",
                     )
     called = _names(mapped, state)
     connections = [
@@ -168,7 +168,7 @@ def _map_board(board: hardware.Component, target: platform.Board | None, state: 
             state.report(
                 "RS223",
                 Severity.warning,
-                f"{target.title} has no pin {label}, to which '{_title(reached[0].component)}' is wired",
+                f"'{_title(reached[0].component)}' is wired to {label}, but {target.title} has no such pin",
             )
         drawn = [c for c in connectors if c.net is not None]
         for one in sorted(reached, key=lambda r: natural_key(r.component.elementId)):
@@ -177,7 +177,7 @@ def _map_board(board: hardware.Component, target: platform.Board | None, state: 
                 state.report(
                     "RS220",
                     Severity.warning,
-                    f"what '{_title(one.component)}' on {label} does is unknown; it is taken as something that is read",
+                    f"the role of '{_title(one.component)}' on {label} is unknown; RoboSMi treats it as an input device",
                     "give its role in robosmi.toml under [roles]",
                     model_index=one.component.elementId,
                 )
@@ -214,7 +214,7 @@ def _report_net(board: hardware.Component, label: str, net: hardware.Net, state:
             state.report(
                 "RS228",
                 Severity.warning,
-                f"'{_title(component)}' ties {label} of '{_title(board)}' to the supply for good: {contact} are one contact",
+                f"'{_title(component)}' connects {label} of '{_title(board)}' to the supply for good: {contact} are one contact",
                 "wire one of them to the other contact",
                 model_index=component.elementId,
             )
@@ -275,7 +275,7 @@ def _names(mapped: list[_Mapped], state: _State) -> list[str]:
             state.report(
                 "RS227",
                 Severity.info,
-                f"'{_title(component)}' is called {base} in the program, since '{_title(taken[wanted])}' gives the same name",
+                f"'{_title(component)}' is called {base} in the program, because '{_title(taken[wanted])}' has the same name",
                 "give the parts different titles in the drawing",
             )
         taken[base] = component
@@ -306,7 +306,7 @@ def rename_clashes(
                 connection.name = name
             number += 1
         if connection.name != old:
-            message = f"the program has a name '{old}' of its own, so the pin is called {connection.name}"
+            message = f"the program already uses the name '{old}', so the pin is called {connection.name}"
             findings.append(Finding("RS227", Severity.info, message, location))
             taken.add(connection.name)
     return findings

@@ -43,7 +43,7 @@ def decided_conditions(views: Sequence[CodeView], sources: Mapping[str, bytes], 
             words = _words(str(directive.condition or ""), bodies)
             foreign = [word for word in words if word not in bodies and _differs(word, view, names)]
             if foreign and directive not in linked:
-                reason = f"'{foreign[0]}' is another one on the target: the condition stays decided as on the source"
+                reason = f"'{foreign[0]}' differs on the target: the condition keeps its result from the source"
                 yield Change(directive, RULE, "", reason)
 
 

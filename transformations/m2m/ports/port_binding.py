@@ -33,7 +33,7 @@ from robosmi.transformations.queries.ports.ports import Port, ProgramPorts, conv
 from robosmi.transformations.queries.ports.split_wires import wires_of
 
 _SIGNALS = {"in": "read", "out": "write"}
-_ANOTHER_PROGRAM = "take it out there, or give each program a folder of its own with its project file"
+_ANOTHER_PROGRAM = "remove it there, or give each program its own folder with its project file"
 
 
 class UserPins(Struct, frozen=True):
@@ -157,7 +157,7 @@ def _split(
     assert asked is not None
     assert heard is not None
     binding.answer = wires["read"]
-    binding.evidence.append(f"its component is asked at {asked.label} and answers at {heard.label}")
+    binding.evidence.append(f"trigger on {asked.label}, echo on {heard.label}")
 
 
 def _is_split(port: Port, functions: frozenset[str]) -> bool:
@@ -199,7 +199,7 @@ def _layer(layer: UserPins, ports: list[Port], program: ProgramPorts, api: ApiIn
             raise UsageError(
                 f"the port '{port.name}' is bound to two pins: {earlier[0]} = {earlier[1]} and {name} = {pin}",
                 location=layer.places.get(name),
-                fix="leave out one of them",
+                fix="remove one of them",
             )
     return {port: _Pin(pin, layer.places.get(name)) for port, (name, pin) in found.items()}
 
@@ -397,7 +397,7 @@ def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
         seat.binding.options.append(
             migration.Option(
                 label=connection.name, score=0.5 if found.points > 0 else 0.1,
-                reasons=list(found.reasons) or ["fits in direction only"],
+                reasons=list(found.reasons) or ["weak match: only input/output agrees"],
             )
         )  # fmt: skip
 
@@ -420,7 +420,7 @@ def _only(
 
 
 def _usual_components(seat: Seat) -> str:
-    return f"such a port is usually on: {', '.join(sorted(seat.usual or [seat.role]))}"
+    return f"such a port usually connects to: {', '.join(sorted(seat.usual or [seat.role]))}"
 
 
 def _confidence(found: Fit, first: bool) -> float:
@@ -433,4 +433,4 @@ def _bind(binding: migration.PortBinding, connection: migration.Connection, foun
     binding.connection, binding.pin = connection, connection.pin
     binding.choice, binding.open = connection.name, False
     binding.confidence, binding.chosenBy = _confidence(found, first), migration.ChosenBy.rule
-    binding.evidence.extend([*found.reasons, "no other free component fits as well, and no other port"])
+    binding.evidence.extend([*found.reasons, "best match both ways"])
