@@ -54,6 +54,7 @@ class Document(Struct):
         references: element, entry, URIs, line, whether the text is one URI: what is still to be linked.
         parts: container, entry, URI, line, place among its siblings of contained elements that lie in other files.
         counted: elements whose class bounds the number of values, with their lines.
+        unsupported: whether it has elements of a class that is right, and that cannot be read.
     """
 
     path: Path
@@ -62,3 +63,4 @@ class Document(Struct):
     references: list[tuple[EObject, FeatureEntry, str, int, bool]] = []
     parts: list[tuple[EObject, FeatureEntry, str, int, int]] = []
     counted: list[tuple[EObject, ClassPlan, int]] = []
+    unsupported: bool = False

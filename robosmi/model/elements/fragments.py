@@ -13,7 +13,7 @@ from urllib.parse import quote, unquote
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.elements.by_name import feature_value
 from robosmi.model.elements.ecore import EModelElement, ENamedElement, EObject
-from robosmi.model.elements.features import all_features
+from robosmi.model.elements.features import all_features, is_of_ecore
 from robosmi.model.elements.pyecore_internals import key_of, xmi_id_of
 from robosmi.model.elements.structure import contents, place_in
 
@@ -49,7 +49,7 @@ def fragment_of(element: Any, roots: Sequence[EObject]) -> str:
         return identity
     steps: list[str] = []
     while (container := element.eContainer()) is not None and (feature := element.eContainmentFeature()) is not None:
-        name = element.name if isinstance(element, ENamedElement) else None
+        name = element.name if isinstance(element, ENamedElement) and is_of_ecore(element.eClass) else None
         if name and _named(container, name) is element:
             steps.append(quote(name, safe=_SAFE))
         elif feature.many:

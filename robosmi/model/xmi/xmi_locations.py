@@ -21,7 +21,7 @@ from robosmi.errors import ModelError
 from robosmi.model.elements import datatypes, ecore
 from robosmi.model.elements.compact_slots import plain_value
 from robosmi.model.elements.ecore import EClass, EModelElement, EObject, EPackage, EStructuralFeature, EValue, Scalar
-from robosmi.model.elements.features import as_package, id_attribute, root_package
+from robosmi.model.elements.features import as_package, id_attribute, is_of_ecore, root_package
 from robosmi.model.elements.pyecore_internals import container_of, containing_feature_of, is_value, key_of, value_in, xmi_id_of
 
 _ODD_ID = re.compile(r"^/|^\?|[\s#:]|^$")
@@ -111,7 +111,7 @@ class XmiLocations:
         climbed: list[EObject] = []
         one = target
         while id(one) not in self._known:
-            if isinstance(one, (ecore.EModelElement, type)):
+            if isinstance(one, type) or (isinstance(one, ecore.EModelElement) and is_of_ecore(one.eClass)):
                 file, fragment = self.in_metamodel(one)  # a metamodel that is one of the models has a file
                 return file, fragment if file else metamodel_uri(one)
             climbed.append(one)
@@ -230,7 +230,7 @@ def metamodel_place(element: EModelElement | type) -> tuple[EPackage, str]:
     steps: list[str] = []
     while not isinstance(one, ecore.EPackage):
         container = one.eContainer()
-        if container is None and one.name == "EStringToStringMapEntry":  # ours, since pyecore has none
+        if container is None and one.name in ("EStringToStringMapEntry", "EFactory"):  # ours, since pyecore has none
             container = ecore.eClass
         if container is None:
             raise Unplaced

@@ -18,7 +18,7 @@ from robosmi.model.elements.datatypes import real
 from robosmi.model.elements.ecore import EClass, EObject, EOrderedSet
 from robosmi.model.elements.features import as_package
 from robosmi.model.elements.pyecore_internals import container_of, set_features_of, target_in, value_in, xmi_id_of
-from robosmi.model.xmi.xmi_layout import CHILDREN, LINKS, VALUE, VALUES, Column, Layouts
+from robosmi.model.xmi.xmi_layout import CHILDREN, DETAILS, LINKS, VALUE, VALUES, Column, Layouts
 from robosmi.model.xmi.xmi_locations import Unplaced, UnusableId, XmiLocations, metamodel_uri, relative, shown
 from robosmi.model.xmi.xml_characters import in_attribute, in_text, refuse_forbidden
 
@@ -292,7 +292,14 @@ class _Writer:
     def rarer(
         self, element: EObject, column: Column, slot: Any, append: Append, indent: str, later: list[Piece] | None
     ) -> list[Piece] | None:
-        """Many values, as elements; anything else is refused."""
+        """Many values or pairs, as elements; anything else is refused."""
+        if column.kind == DETAILS:
+            held: Any = slot if isinstance(slot, dict) else value_in(slot)
+            for pair in (held or {}).items():
+                texts = zip(("key", "value"), pair, strict=True)
+                named = "".join(f' {name}="{in_attribute(str(text))}"' for name, text in texts if text is not None)
+                later = self.more(later, f"{indent}  <{column.name}{named}/>\n")
+            return later
         if column.kind != VALUES:
             if len(slot) if column.many else value_in(slot) is not None:
                 raise self.problem(element, column, "is a feature map, which is not supported", "leave it empty")
