@@ -135,7 +135,7 @@ class PackageMaker:
         for root in packages:
             epackages: dict[Package, EPackage] = {}
             for package in root.walk():
-                epackage = epackages[package] = self.packages[package] = ecore.EPackage(package.name, package.uri, package.prefix)
+                epackage = epackages[package] = self.packages[package] = ecore.EPackage(package.name, *_namespace(package))
                 if package.parent is not None:
                     epackages[package.parent].eSubpackages.append(epackage)
                 for classifier in package.classifiers:
@@ -232,6 +232,12 @@ class PackageMaker:
         return made
 
 
+def _namespace(package: Package) -> tuple[str | None, str | None]:
+    """Namespace and prefix as the file has them: empty ones are not missing ones."""
+    attributes = package.node.attributes if package.node is not None else {"nsURI": package.uri, "nsPrefix": package.prefix}
+    return attributes.get("nsURI"), attributes.get("nsPrefix")
+
+
 def _supertypes_first(classes: list[Class]) -> Iterator[Class]:
     """The classes, each after its supertypes."""
     wanted = set(classes)
@@ -266,6 +272,8 @@ def _enumeration(described: Enumeration) -> EEnum:
     for literal in described.literals:
         one = ecore.EEnumLiteral(literal.name, literal.value)
         one.literal = literal.text
+        if literal.node is None or "literal" not in literal.node.attributes:
+            set_features_of(one).pop(pyecore_ecore.EEnumLiteral.literal, None)  # its name stands for it
         if hasattr(ecore.EEnum, literal.name) or literal.name in made.__dict__:  # pyecore makes an attribute of each literal
             contain(one, made, pyecore_ecore.EEnum.eLiterals)
             add_silently(collection, one)

@@ -22,11 +22,11 @@ from robosmi.model.elements import datatypes, ecore
 from robosmi.model.elements.compact_slots import plain_value
 from robosmi.model.elements.ecore import EClass, EModelElement, EObject, EPackage, EStructuralFeature, EValue, Scalar
 from robosmi.model.elements.features import as_package, id_attribute, is_of_ecore, root_package
+from robosmi.model.elements.fragments import segment
 from robosmi.model.elements.pyecore_internals import container_of, containing_feature_of, is_value, key_of, value_in, xmi_id_of
 
 _ODD_ID = re.compile(r"^/|^\?|[\s#:]|^$")
 _NOT_IN_PATHS = re.compile(r"(?![A-Za-z0-9/_.!~*'()@=+$,;-])[\x00-\x9f]")  # as EMF's URI.createFileURI, but for & and :
-_SAFE = "/!$&'()*+,;=@~-._:"
 
 
 class Unplaced(Exception):
@@ -234,11 +234,11 @@ def metamodel_place(element: EModelElement | type) -> tuple[EPackage, str]:
             container = ecore.eClass
         if container is None:
             raise Unplaced
-        steps.append(quote(str(one.name), safe=_SAFE))
+        steps.append(segment(str(one.name)))
         one = container
     package, root = as_package(one), root_package(one)
     while package is not root and package.eSuperPackage is not None:
-        steps.append(quote(str(package.name), safe=_SAFE))
+        steps.append(segment(str(package.name)))
         package = as_package(package.eSuperPackage)
     return root, f"/{''.join(f'/{step}' for step in reversed(steps))}"
 

@@ -474,6 +474,8 @@ class _Parser(Builder):
             raise Unreadable("there is a second root", self.expat.CurrentLineNumber)
         if not self.several:
             if text := attributes.pop(f"{XSI}}}schemaLocation", None):
+                words = text.split()
+                self.document.schema_locations = list(zip(words[::2], words[1::2], strict=False))
                 self.locations(text)
             if name == "XMI" and XMI_NAMESPACES.fullmatch(uri):
                 self.several = True
