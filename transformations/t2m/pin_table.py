@@ -64,6 +64,8 @@ def recognises(head: bytes) -> bool:
     ]
     if "[[pin]]" in lines or _NO_PIN in lines:
         return True
+    if lines and lines[0].lower().lstrip('"').startswith("sep="):
+        lines = lines[1:]
     return bool(lines) and {*COLUMNS[:2]} <= {cell.strip().lower() for cell in re.split("[,;\t]", lines[0])}
 
 
@@ -282,6 +284,8 @@ def _rows(path: Path, data: bytes) -> tuple[str, list[_Row]]:
     return _toml_rows(path, text) if path.suffix.lower() == ".toml" else _csv_rows(path, text)
 
 
+_ANNOUNCED = re.compile(r"""(?i:\s*"?sep=(.)"?[,;\t]*)\s*""")
+"""Matches the line with which Excel says what separates the cells."""
 _CELL = r'(?:"(?:[^"]|"")*"(?!")[^,;\t]*|[^",;\t][^,;\t]*|)'
 _CLOSED = re.compile(rf"{_CELL}(?:[,;\t]{_CELL})*")
 """Matches a line at whose end no quoted cell is open."""
@@ -306,8 +310,10 @@ def _records(text: str) -> list[tuple[int, str]]:
 
 def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
     lines = _records(text)
+    announced = _ANNOUNCED.fullmatch(lines[0][1]) if lines else None
+    lines = lines[1:] if announced is not None else lines
     sample = lines[0][1] if lines else ""
-    separator = max(",;\t", key=sample.count)
+    separator = announced[1] if announced is not None else max(",;\t", key=sample.count)
     header = [cell.strip().lower() for cell in next(csv.reader([sample], delimiter=separator), [])]
     _check_columns(header, Location(str(path), lines[0][0] if lines else 1))
     rows: list[_Row] = []
