@@ -114,4 +114,4 @@ def find_board(name: str, boards: list[Board]) -> Board:
     known = [board.name for board in boards] + first
     offered = first if ":" in name else [board.name for board in boards]
     listed = ", ".join(offered) or "none is known"
-    raise UsageError(f"no board is called '{name}'{did_you_mean(name, known)}", fix=f"use one of: {listed}")
+    raise UsageError(f"unknown board '{name}'{did_you_mean(name, known)}", fix=f"use one of: {listed}")

@@ -119,9 +119,9 @@ class Build(Struct):
             Finding(
                 STAND_IN_USED,
                 Severity.info,
-                f"compiled against a stand-in for the library '{library.name}', which is not installed",
+                f"the library '{library.name}' is not installed; compiled with a stand-in",
                 place,
-                fix=f"install the library '{library.name}'; the upload needs the real one",
+                fix=f"install the library '{library.name}' before uploading",
                 evidence={"library": library.name, "compatible_with": library.version},
             )
             for library in libraries
@@ -129,7 +129,7 @@ class Build(Struct):
         ]
         if not self.sketch.well_named:
             name = self.sketch.folder.resolve().name + self.sketch.main.suffix
-            message = f"the main file is not called {name}, as its folder demands"
+            message = f"the main file's name must match its folder: {name}"
             findings.append(Finding(BADLY_NAMED, Severity.warning, message, place, fix=f"rename it to {name}, or the folder"))
         return findings
 
@@ -241,7 +241,7 @@ class Build(Struct):
             raise MissingToolError(
                 f"{self.toolchain.core.text('name')} {self.installed.core_version} does not compile: {broken.first()}",
                 location=Location(str(self.installed.core)),
-                fix=f"install it again, or another version, and name its folder with {self.toolchain.core.text('env')}",
+                fix=f"reinstall it, or install another version and set its folder in {self.toolchain.core.text('env')}",
             ) from broken
 
     # ---- linking
@@ -297,9 +297,9 @@ class Build(Struct):
         short = stack is not None and stack.bytes > left
         if percent <= self.toolchain.size.number("ram_warn_percent") and not short:
             return []
-        most = f", which takes up to {stack.bytes}" if stack is not None else ""
-        message = f"the program's variables take {percent} % of the RAM; {left} bytes are left for the stack{most}"
-        fix = "make arrays smaller, or keep constant texts in flash"
+        most = f", which needs up to {stack.bytes}" if stack is not None else ""
+        message = f"the program's variables use {percent} % of the RAM; {left} bytes are left for the stack{most}"
+        fix = "make arrays smaller, or move constant texts to flash"
         return [Finding(LITTLE_RAM, Severity.warning, message, Location(str(self.sketch.main)), fix=fix)]
 
     def _keep(self, report: CompileReport, values: dict[str, str], keep: Path) -> CompileReport:

@@ -28,14 +28,14 @@ OTHER_FACTS = "RS810"
 RULES = {
     COMPILER_ERROR: "the compiler reports an error",
     COMPILER_WARNING: "the compiler warns about the user's own files",
-    MISSING_HEADER: "a header is neither in the sketch, the core, an installed library nor a stand-in",
-    LINK_ERROR: "something that is used is defined nowhere, or twice",
+    MISSING_HEADER: "a header is not in the sketch, the core, an installed library or a stand-in",
+    LINK_ERROR: "a used name is defined nowhere, or twice",
     TOO_BIG: "the program needs more flash or RAM than the board has",
-    STAND_IN_USED: "a library is not installed; a stand-in of the repository took its place in the check",
+    STAND_IN_USED: "a library is not installed; the check used a stand-in",
     LITTLE_RAM: "the program fits, but little RAM is left for the stack",
-    BADLY_NAMED: "the main file does not bear its folder's name",
-    OTHER_BOARD: "the program was made for the pins of another board",
-    OTHER_FACTS: "the board's file and the core that programs are compiled with say different things of the board",
+    BADLY_NAMED: "the main file's name does not match its folder",
+    OTHER_BOARD: "the program uses the pins of another board",
+    OTHER_FACTS: "the board's file and the compiler's core contradict each other",
 }
 """Every rule of the compile check: id -> meaning."""
 

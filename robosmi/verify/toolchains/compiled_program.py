@@ -109,8 +109,8 @@ def _refuse_others(folder: Path, sketch: Sketch, contents: Iterable[str]) -> Non
                 path = folder / name
                 if path.exists() and not (name == DATABASE and _is_database(path, sketch)):
                     raise StoppedError(
-                        "there is a file here that no compile of this sketch has made", location=Location(str(path)),
-                        fix="name another folder with -o, or move the file away",
+                        "a file here is not from compiling this sketch", location=Location(str(path)),
+                        fix="give another folder with -o, or move the file",
                     )  # fmt: skip
 
 

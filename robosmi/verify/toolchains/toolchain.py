@@ -49,7 +49,7 @@ def compile_sketch(
     """
     started = time.perf_counter()
     if keep is not None and not keep.is_dir():
-        raise UsageError("there is no such folder to keep the program in", location=Location(str(keep)), fix="make it first")
+        raise UsageError("the folder for the program does not exist", location=Location(str(keep)), fix="create it first")
     with acting(project):
         return _compiled(Path(folder_or_sketch), board, keep, project, started)
 
@@ -82,10 +82,10 @@ def _other_board(sketch: Sketch, chosen: Board, boards: list[Board], toolchain: 
     if own.values[key] == chosen.values[key]:
         return None
     message = (
-        f"the program was made for '{own.name}' ({own.values[key]}) and writes its pins by their ports; "
+        f"the program is for '{own.name}' ({own.values[key]}) and writes its pins by ports; "
         f"on '{chosen.name}' ({chosen.values[key]}) these are other pins"
     )
-    fix = f"move the program to {chosen.name}, or compile it for {own.name}"
+    fix = f"migrate the program to {chosen.name}, or compile it for {own.name}"
     return Finding(OTHER_BOARD, Severity.warning, message, Location(str(given.path), given.board_line), fix=fix)
 
 
@@ -102,13 +102,13 @@ def _with_offers(finding: Finding, toolchain: Toolchain, project: Path | None) -
     names = [each.name for each in (built or found)[:_OFFERS]]
     if not names:
         return finding
-    fix = f"{finding.fix}; libraries that offer it: {', '.join(repr(name) for name in names)}"
+    fix = f"{finding.fix}; libraries that have it: {', '.join(repr(name) for name in names)}"
     return replace(finding, fix=fix, evidence={**finding.evidence, "libraries": names})
 
 
 def _too_big(report: CompileReport, sketch: Sketch) -> Finding:
     needs = [
-        f"{used if used is not None else 'more than its'} bytes of {kind}, {limit} are there"
+        f"{used if used is not None else 'more than its'} bytes of {kind}, available are {limit}"
         for kind, used, limit in (
             ("flash", report.flash_bytes, report.flash_limit),
             ("RAM", report.ram_bytes, report.ram_limit),

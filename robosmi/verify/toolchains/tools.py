@@ -59,7 +59,7 @@ def run(
     environment: Mapping[str, str] | None = None,
     limit_s: float = LIMIT_S,
     stdin: IO[bytes] | None = None,
-    advice: str = "look for an #include or .incbin of what is no ordinary file, or for macros that grow without end",
+    advice: str = "look for an #include or .incbin of a special file, or for macros that expand endlessly",
 ) -> subprocess.CompletedProcess[str]:
     """Run a command to its end, in a session of its own and with a folder of its own for temporary files.
 
@@ -88,9 +88,7 @@ def run(
         try:
             said, complained = process.communicate(timeout=max(0.01, limit_s))
         except subprocess.TimeoutExpired:
-            raise VerificationError(
-                f"'{Path(command[0]).name}' did not end within {limit_s:.0f} s and was stopped", fix=advice
-            ) from None
+            raise VerificationError(f"'{Path(command[0]).name}' exceeded {limit_s:.0f} s and was stopped", fix=advice) from None
     return subprocess.CompletedProcess(command, process.returncode, said, complained)
 
 
@@ -115,7 +113,7 @@ def find_core(toolchain: Toolchain) -> Path | None:
             raise MissingToolError(
                 f"{env} names a folder without {toolchain.core.text('name')}: there is no {needed} in it",
                 location=Location(named),
-                fix=f"let {env} name the folder that holds {needed}, or unset it",
+                fix=f"set {env} to the folder with {needed}, or unset it",
             )
         return Path(named)
     return next((place for place in places(toolchain.core.texts("places")) if (place / needed).is_file()), None)

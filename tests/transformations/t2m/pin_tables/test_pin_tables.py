@@ -164,9 +164,9 @@ def test_a_table_of_a_drawing_without_a_wired_pin_is_read_again(ending: str, boa
 def test_a_board_that_nobody_knows_and_a_table_for_no_such_file(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
     path.write_text("pin,part,board\nD3,LED,unno\n")
-    with pytest.raises(UsageError, match="no board is called 'unno'"):
+    with pytest.raises(UsageError, match="unknown board 'unno'"):
         hardware(path)
-    with pytest.raises(UsageError, match=r"a pin table is no '\.txt' file"):
+    with pytest.raises(UsageError, match=r"a pin table cannot be a '\.txt' file"):
         hardware(HERE / "robot.csv").pin_table(tmp_path / "a.txt")
 
 
