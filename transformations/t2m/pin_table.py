@@ -41,8 +41,8 @@ COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "re
 MOST_THROUGH = 100
 """Passive parts that a signal may go through one after another; drawings have one or two."""
 
-MOST_PARTS = 5_000
-"""Parts that a table may have; each is looked up in the tables of parts and, by `recommend`, in the index of libraries."""
+MOST_PARTS = 2_000
+"""Parts that a table may have; each is looked up in the tables of parts and, by `recommend` and `migrate`, in the index of libraries."""
 
 _FIX = "see docs/reference/pin-tables.md for the columns"
 _NO_PIN = "pin = []"
