@@ -13,18 +13,21 @@ from msgspec.structs import replace
 
 from robosmi.base.trust import acting
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import RobosmiError, UsageError
+from robosmi.errors import RobosmiError, SourceError, UsageError
 from robosmi.inputs import read_once
 from robosmi.plugins import content
 from robosmi.verify.toolchains.board_check import board_findings
 from robosmi.verify.toolchains.boards import Board, load_boards
 from robosmi.verify.toolchains.build import Build
-from robosmi.verify.toolchains.compile_report import MISSING_HEADER, OTHER_BOARD, TOO_BIG, CompileReport
+from robosmi.verify.toolchains.compile_report import MISSING_HEADER, NO_BOARD_DATA, OTHER_BOARD, TOO_BIG, CompileReport
+from robosmi.verify.toolchains.core_folders import BoardName, find_core
+from robosmi.verify.toolchains.core_recipes import CoreRecipes
 from robosmi.verify.toolchains.libraries import LibraryFolders
+from robosmi.verify.toolchains.recipes import DataRecipes, Recipes
 from robosmi.verify.toolchains.sketch import Sketch, choose_board, find_sketch
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
-from robosmi.verify.toolchains.tools import Installed, find_installed
+from robosmi.verify.toolchains.tools import find_installed
 
 _OFFERS = 3
 
@@ -57,13 +60,26 @@ def compile_sketch(
 def _compiled(place: Path, board: str | None, keep: Path | None, project: Path | None, started: float) -> CompileReport:
     sketch, toolchain = find_sketch(place, load_toolchains(project))
     boards = load_boards(toolchain.platform, project)
+    if (name := _installed_board(sketch, boards, toolchain, board)) is not None:
+        try:
+            report = _compiled_by_core(sketch, name, toolchain, keep, project)
+        except UsageError as error:
+            given = sketch.project_file
+            if board is not None or given is None:
+                raise
+            raise SourceError(error.message, location=Location(str(given.path), given.board_line), fix=error.fix) from error
+        return replace(report, seconds=time.perf_counter() - started)
     chosen = choose_board(sketch, boards, toolchain, board)
     installed = find_installed(toolchain)
     index = LibraryFolders(toolchain, installed.core, project)
-    report = _build(sketch, chosen, toolchain, installed, index, keep)
+
+    def built(board: Board, keep: Path | None = None) -> CompileReport:
+        return _build(sketch, board, toolchain, DataRecipes(toolchain, installed, board), index, keep)
+
+    report = built(chosen, keep)
     if report.ok and not report.fits:
-        bigger = [b for b in boards if b.flash_bytes > chosen.flash_bytes or b.ram_bytes > chosen.ram_bytes]
-        others = (_build(sketch, other, toolchain, installed, index, None) for other in bigger)
+        bigger = [board for board in boards if board.offers_more_than(chosen)]
+        others = (built(other) for other in bigger)
         report = replace(report, fits_on=next((other.board for other in others if other.ok and other.fits), None))
         report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
     if (made_for := _other_board(sketch, chosen, boards, toolchain)) is not None:
@@ -71,6 +87,35 @@ def _compiled(place: Path, board: str | None, keep: Path | None, project: Path |
     report = replace(report, diagnostics=(*board_findings(chosen, toolchain, installed), *report.diagnostics))
     diagnostics = tuple(_with_offers(finding, toolchain, project) for finding in report.diagnostics)
     return replace(report, diagnostics=diagnostics, seconds=time.perf_counter() - started)
+
+
+def _installed_board(sketch: Sketch, boards: list[Board], toolchain: Toolchain, wanted: str | None) -> BoardName | None:
+    """The full name of a board of an installed core that has no data here, if such a one is asked for; else None."""
+    given = sketch.project_file
+    name = wanted or (given.board if given is not None else None) or ""
+    if name.count(":") < 2 or not toolchain.core.flag("installed_boards", False):
+        return None
+    return None if any(name in board.full_names for board in boards) else BoardName.parse(name)
+
+
+def _compiled_by_core(
+    sketch: Sketch, name: BoardName, toolchain: Toolchain, keep: Path | None, project: Path | None
+) -> CompileReport:
+    """The report for a board of an installed core, built by the core's own recipes."""
+    toolchain = toolchain._replace(architecture=name.architecture)
+    core = find_core(name)
+    recipes = CoreRecipes(core, name, toolchain)
+    flash, ram = recipes.limits
+    board = Board(str(name), recipes.board_title, (str(name),), {}, (), flash, ram)
+    report = _build(sketch, board, toolchain, recipes, LibraryFolders(toolchain, core.folder, project), keep)
+    if report.ok and not report.fits:
+        report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
+    message = f"nothing is known here of '{name}' but what its core says: its pins, voltage, stack and upload are not checked"
+    unknown = Finding(
+        NO_BOARD_DATA, Severity.info, message, Location(str(sketch.main)), fix="add the board's data: docs/how-to/add-a-target.md"
+    )
+    diagnostics = tuple(_with_offers(finding, toolchain, project) for finding in (unknown, *report.diagnostics))
+    return replace(report, diagnostics=diagnostics)
 
 
 def _other_board(sketch: Sketch, chosen: Board, boards: list[Board], toolchain: Toolchain) -> Finding | None:
@@ -113,7 +158,7 @@ def _too_big(report: CompileReport, sketch: Sketch) -> Finding:
             ("flash", report.flash_bytes, report.flash_limit),
             ("RAM", report.ram_bytes, report.ram_limit),
         )
-        if used is None or used > limit
+        if limit is not None and (used is None or used > limit)
     ]
     fix = f"it fits on '{report.fits_on}': compile for that board, or make it smaller" if report.fits_on else "make it smaller"
     message = f"the program is too big for '{report.board}': it needs {' and '.join(needs)}"
@@ -121,7 +166,7 @@ def _too_big(report: CompileReport, sketch: Sketch) -> Finding:
 
 
 def _build(
-    sketch: Sketch, board: Board, toolchain: Toolchain, installed: Installed, index: LibraryFolders, keep: Path | None
+    sketch: Sketch, board: Board, toolchain: Toolchain, recipes: Recipes, index: LibraryFolders, keep: Path | None
 ) -> CompileReport:
     with temporary_folder("build") as folder:
-        return Build(sketch, board, toolchain, installed, index, Path(folder)).report(keep)
+        return Build(sketch, board, toolchain, recipes, index, Path(folder)).report(keep)

@@ -19,6 +19,7 @@ from typing import IO, NamedTuple
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, VerificationError
+from robosmi.verify.toolchains.core_folders import architectures, is_core
 from robosmi.verify.toolchains.machine_faults import check_machine
 from robosmi.verify.toolchains.processes import ending_with_us
 from robosmi.verify.toolchains.temporary import temporary_folder
@@ -110,14 +111,18 @@ def find_core(toolchain: Toolchain) -> Path | None:
         MissingToolError: the environment variable names a folder without a core.
     """
     env, needed = toolchain.core.text("env"), toolchain.core.text("must_have")
-    if named := os.environ.get(env):
-        if not (Path(named) / needed).is_file():
+    for named in filter(None, os.environ.get(env, "").split(os.pathsep)):
+        folder = Path(named)
+        others = architectures(folder) if is_core(folder) else set()
+        if others and toolchain.architecture not in others:
+            continue  # it serves boards of its own architecture
+        if not (folder / needed).is_file():
             raise MissingToolError(
                 f"{env} names a folder without {toolchain.core.text('name')}: there is no {needed} in it",
                 location=Location(named),
                 fix=f"let {env} name the folder that holds {needed}, or unset it",
             )
-        return Path(named)
+        return folder
     return next((place for place in places(toolchain.core.texts("places")) if (place / needed).is_file()), None)
 
 
