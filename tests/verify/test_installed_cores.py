@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from robosmi.errors import MissingToolError, PlatformDataError, RobosmiError, SourceError, UsageError
+from robosmi.transformations.knowledge.cores.core_folders import BoardName, architectures, find_core, installed_cores
+from robosmi.transformations.knowledge.cores.core_properties import expand, read_properties, split
 from robosmi.verify.toolchains.compile_report import CompileReport
-from robosmi.verify.toolchains.core_folders import BoardName, architectures, find_core, installed_cores
-from robosmi.verify.toolchains.core_properties import expand, read_properties, split
 from robosmi.verify.toolchains.toolchain import compile_sketch
 from tests.tools import require_tools
 
@@ -52,7 +52,8 @@ def compiled(board: str, keep: Path | None = None) -> CompileReport:
 def test_a_program_is_built_by_the_recipes_hooks_and_menus_of_the_core(home: Path, tmp_path: Path) -> None:
     installed(home)
     report = compiled("lab:toy:host", keep=tmp_path)
-    assert report.ok and report.fits, report.diagnostics
+    assert report.ok, report.diagnostics
+    assert report.fits
     assert [finding.rule for finding in report.diagnostics] == ["RS811"]
     assert (report.flash_limit, report.ram_limit) == (4_000_000, 65_536)
     assert 100 < (report.flash_bytes or 0) < 100_000

@@ -1,4 +1,4 @@
-"""The commands that build a program, from the flags of a `toolchain.toml`; commands from an installed core: `core_recipes`.
+"""The commands that build a program, from the flags of a `toolchain.toml`; others are content.
 
 Nothing is run here. A command is the program's path and its arguments.
 """
@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from robosmi.verify.toolchains.boards import Board
 from robosmi.verify.toolchains.toolchain_data import Toolchain, fill
@@ -90,6 +90,20 @@ class Recipes(Protocol):
         """The file that `convert` makes."""
 
 
+class InstalledBoard(NamedTuple):
+    """A board that has no data here, as its installed core describes it.
+
+    Attributes:
+        board: the board.
+        recipes: how the core builds programs for it.
+        architecture: what a library must list that serves it.
+    """
+
+    board: Board
+    recipes: Recipes
+    architecture: str
+
+
 class DataRecipes:
     """The commands of a `toolchain.toml`.
 
@@ -112,7 +126,7 @@ class DataRecipes:
         self.core_folders: Sequence[Path] = (
             [installed.core / toolchain.core.text("sources")] if "sources" in toolchain.core.values else []
         )
-        self.compiled_folders = self.core_folders
+        self.compiled_folders: Sequence[Path] = self.core_folders
         self.board_folders: Sequence[Path] = [
             installed.core / text for text in fill(toolchain.core.texts("board_files"), board.fill())
         ]

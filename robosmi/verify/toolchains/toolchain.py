@@ -20,10 +20,8 @@ from robosmi.verify.toolchains.board_check import board_findings
 from robosmi.verify.toolchains.boards import Board, load_boards
 from robosmi.verify.toolchains.build import Build
 from robosmi.verify.toolchains.compile_report import MISSING_HEADER, NO_BOARD_DATA, OTHER_BOARD, TOO_BIG, CompileReport
-from robosmi.verify.toolchains.core_folders import BoardName, find_core
-from robosmi.verify.toolchains.core_recipes import CoreRecipes
 from robosmi.verify.toolchains.libraries import LibraryFolders
-from robosmi.verify.toolchains.recipes import DataRecipes, Recipes
+from robosmi.verify.toolchains.recipes import DataRecipes, InstalledBoard, Recipes
 from robosmi.verify.toolchains.sketch import Sketch, choose_board, find_sketch
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
@@ -60,14 +58,8 @@ def compile_sketch(
 def _compiled(place: Path, board: str | None, keep: Path | None, project: Path | None, started: float) -> CompileReport:
     sketch, toolchain = find_sketch(place, load_toolchains(project))
     boards = load_boards(toolchain.platform, project)
-    if (name := _installed_board(sketch, boards, toolchain, board)) is not None:
-        try:
-            report = _compiled_by_core(sketch, name, toolchain, keep, project)
-        except UsageError as error:
-            given = sketch.project_file
-            if board is not None or given is None:
-                raise
-            raise SourceError(error.message, location=Location(str(given.path), given.board_line), fix=error.fix) from error
+    if (found := _installed_board(sketch, boards, toolchain, board)) is not None:
+        report = _compiled_by_core(sketch, found, toolchain, keep, project)
         return replace(report, seconds=time.perf_counter() - started)
     chosen = choose_board(sketch, boards, toolchain, board)
     installed = find_installed(toolchain)
@@ -89,31 +81,33 @@ def _compiled(place: Path, board: str | None, keep: Path | None, project: Path |
     return replace(report, diagnostics=diagnostics, seconds=time.perf_counter() - started)
 
 
-def _installed_board(sketch: Sketch, boards: list[Board], toolchain: Toolchain, wanted: str | None) -> BoardName | None:
-    """The full name of a board of an installed core that has no data here, if such a one is asked for; else None."""
+def _installed_board(sketch: Sketch, boards: list[Board], toolchain: Toolchain, wanted: str | None) -> InstalledBoard | None:
+    """The board of an installed core that is asked for, if it has no data here; else None."""
     given = sketch.project_file
-    name = wanted or (given.board if given is not None else None) or ""
-    if name.count(":") < 2 or not toolchain.core.flag("installed_boards", False):
+    name = wanted if wanted is not None else given.board if given is not None else None
+    if name is None or any(name in (board.name, *board.full_names) for board in boards):
         return None
-    return None if any(name in board.full_names for board in boards) else BoardName.parse(name)
+    try:
+        found: InstalledBoard | None = content("query", "installed_board")(name, toolchain)
+    except UsageError as error:
+        if wanted is not None or given is None:
+            raise
+        raise SourceError(error.message, location=Location(str(given.path), given.board_line), fix=error.fix) from error
+    return found
 
 
 def _compiled_by_core(
-    sketch: Sketch, name: BoardName, toolchain: Toolchain, keep: Path | None, project: Path | None
+    sketch: Sketch, found: InstalledBoard, toolchain: Toolchain, keep: Path | None, project: Path | None
 ) -> CompileReport:
     """The report for a board of an installed core, built by the core's own recipes."""
-    toolchain = toolchain._replace(architecture=name.architecture)
-    core = find_core(name)
-    recipes = CoreRecipes(core, name, toolchain)
-    flash, ram = recipes.limits
-    board = Board(str(name), recipes.board_title, (str(name),), {}, (), flash, ram)
-    report = _build(sketch, board, toolchain, recipes, LibraryFolders(toolchain, core.folder, project), keep)
+    toolchain = toolchain._replace(architecture=found.architecture)
+    index = LibraryFolders(toolchain, found.recipes.core, project)
+    report = _build(sketch, found.board, toolchain, found.recipes, index, keep)
     if report.ok and not report.fits:
         report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
-    message = f"nothing is known here of '{name}' but what its core says: its pins, voltage, stack and upload are not checked"
-    unknown = Finding(
-        NO_BOARD_DATA, Severity.info, message, Location(str(sketch.main)), fix="add the board's data: docs/how-to/add-a-target.md"
-    )
+    message = f"'{found.board.name}' has no data here: its pins, voltage, stack and upload are not checked"
+    fix = "add the board's data: docs/how-to/add-a-target.md"
+    unknown = Finding(NO_BOARD_DATA, Severity.info, message, Location(str(sketch.main)), fix=fix)
     diagnostics = tuple(_with_offers(finding, toolchain, project) for finding in (unknown, *report.diagnostics))
     return replace(report, diagnostics=diagnostics)
 

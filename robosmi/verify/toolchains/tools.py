@@ -19,7 +19,6 @@ from typing import IO, NamedTuple
 from robosmi import inputs
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, VerificationError
-from robosmi.verify.toolchains.core_folders import architectures, is_core
 from robosmi.verify.toolchains.machine_faults import check_machine
 from robosmi.verify.toolchains.processes import ending_with_us
 from robosmi.verify.toolchains.temporary import temporary_folder
@@ -113,9 +112,9 @@ def find_core(toolchain: Toolchain) -> Path | None:
     env, needed = toolchain.core.text("env"), toolchain.core.text("must_have")
     for named in filter(None, os.environ.get(env, "").split(os.pathsep)):
         folder = Path(named)
-        others = architectures(folder) if is_core(folder) else set()
-        if others and toolchain.architecture not in others:
-            continue  # it serves boards of its own architecture
+        listed, own = (toolchain.core.text(key, "") for key in ("listed_by", "known_by"))
+        if listed and (folder / listed).is_file() and not (folder / own).exists():
+            continue  # a core of another architecture
         if not (folder / needed).is_file():
             raise MissingToolError(
                 f"{env} names a folder without {toolchain.core.text('name')}: there is no {needed} in it",

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, SourceError, UsageError, did_you_mean
-from robosmi.verify.toolchains.core_properties import below, expand, read_properties
+from robosmi.transformations.knowledge.cores.core_properties import below, expand, read_properties
 from robosmi.verify.toolchains.toolchain_data import version_key
 
 ENV = "ROBOSMI_CORE"
@@ -106,7 +106,7 @@ class ArduinoCore:
         if name.board not in self.board_names:
             known = ", ".join(self.board_names[:8])
             raise UsageError(
-                f"'{name}': the core {self.title} has no board '{name.board}'{did_you_mean(name.board, self.board_names)}",
+                f"no board is called '{name}'{did_you_mean(name.board, self.board_names)} in the core {self.title}",
                 location=Location(str(self.folder / "boards.txt")), fix=f"use one of its boards, e.g. {known}",
             )  # fmt: skip
         menus: dict[str, dict[str, str]] = {}

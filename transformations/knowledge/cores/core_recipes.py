@@ -16,8 +16,8 @@ from pathlib import Path
 
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, PlatformDataError
-from robosmi.verify.toolchains.core_folders import ArduinoCore, BoardName, build_properties
-from robosmi.verify.toolchains.core_properties import expand, split, unknown_names
+from robosmi.transformations.knowledge.cores.core_folders import ArduinoCore, BoardName, build_properties
+from robosmi.transformations.knowledge.cores.core_properties import expand, split, unknown_names
 from robosmi.verify.toolchains.recipes import Command
 from robosmi.verify.toolchains.toolchain_data import Toolchain
 from robosmi.verify.toolchains.tools import environment, tool_version
