@@ -82,7 +82,7 @@ class Board(NamedTuple):
     file: Path | None = None
     claims: Callable[[], tuple[Claim, ...]] = tuple
 
-    def offers_more_than(self, other: Board) -> bool:
+    def has_more_memory_than(self, other: Board) -> bool:
         """Whether it has more flash or more data memory than another one."""
         pairs = (self.flash_bytes, other.flash_bytes), (self.ram_bytes, other.ram_bytes)
         return any(own is not None and theirs is not None and own > theirs for own, theirs in pairs)

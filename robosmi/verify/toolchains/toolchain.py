@@ -70,7 +70,7 @@ def _compiled(place: Path, board: str | None, keep: Path | None, project: Path |
 
     report = built(chosen, keep)
     if report.ok and not report.fits:
-        bigger = [board for board in boards if board.offers_more_than(chosen)]
+        bigger = [board for board in boards if board.has_more_memory_than(chosen)]
         others = (built(other) for other in bigger)
         report = replace(report, fits_on=next((other.board for other in others if other.ok and other.fits), None))
         report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
