@@ -22,7 +22,7 @@ from tests.running import run
 ROOT = Path(__file__).resolve().parents[2]
 RULES = finding_rules(ROOT)
 PROGRAMS = [rule for rule in RULES.values() if rule.code is not None]
-MIGRATED = {"RS312", "RS337"}
+MIGRATED = {"RS312", "RS337", "RS345"}
 """Rules that only the whole way has, and not the making of a plan."""
 CHECKED = {"RS712"}
 """Rules that only `check` of the stored program has."""

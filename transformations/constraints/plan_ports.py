@@ -282,7 +282,10 @@ def PinReachesFewComponents(c: migration.Connection) -> bool | Fail:
 
 def _on_pin(c: migration.Connection) -> list[str]:
     """The titles of the components on a connection's pin; empty for a bus, and for all but the pin's first connection."""
-    same = [other for other in plan_of(c).connections if other.pin is not None and other.pin is c.pin]
-    if same[:1] != [c] or any(other.signal is migration.Signal.bus for other in same):
+    of_plan = plan_of(c).connections
+    if c.pin is None or next(other for other in of_plan if other.pin is c.pin) is not c:
+        return []
+    same = [other for other in of_plan if other.pin is c.pin]
+    if any(other.signal is migration.Signal.bus for other in same):
         return []
     return list(dict.fromkeys(str(o.component.title) for o in same if o.component is not None))

@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Container, Iterable, Mapping, Sequence
+from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import NamedTuple
 
@@ -285,10 +286,27 @@ class CircuitBuilder:
         if (role := self._given.get(placed.identity)) is not None:
             return replace(known.part, role=role, evidence=GIVEN)
         if known.part.role != "Unknown" or known.own:
-            return known.part
+            return known.part if known.own or known.board is not None else self._numbered(placed, known.part)
         named = replace(known.part, connectors={fact.id: fact for fact in facts})
         hint = "" if known.defined else placed.hint
         return classify_drawn(named, placed.title, placed.properties, hint, self.project)
+
+    def _numbered(self, placed: Placed, part: Part) -> Part:
+        """The part that a person's part number says: drawn with a general part, it may be something else."""
+        number = next(
+            (text for key, text in placed.properties.items() if key.lower() in self.names.number_properties and text), ""
+        )
+        if not number or number in part.properties.values() or part.role not in ("Input", "Output", "Both"):
+            return part
+        said = classify(Part(number, tool=self.tool, title=number), self.project)
+        if said.role not in ("Unknown", "Board") and (said.role, said.driver) != (part.role, part.driver):
+            evidence = f"part number '{number}': {said.evidence}"
+            return replace(part, role=said.role, driver=said.driver, title=number, evidence=evidence)
+        drawn, called = part.family.lower(), number.lower()
+        if said.role == "Unknown" and _fits(drawn, self.names.transistors) and not _fits(called, self.names.transistor_numbers):
+            evidence = f"it is drawn as '{part.title}', and its part number '{number}' is none of a transistor"
+            return replace(part, role="Unknown", driver=False, title=number, evidence=evidence)
+        return part
 
     def _connectors(self, placed: Placed, known: KnownPart) -> list[PartConnector]:
         """The connectors of a component in the part's order, followed by those that only the drawing names."""
@@ -387,6 +405,10 @@ def free_identity(name: str, line: int, taken: Container[str]) -> str:
         number += 1
         identity = f"{own}.{number}"
     return identity
+
+
+def _fits(text: str, patterns: Iterable[str]) -> bool:
+    return any(fnmatchcase(text, pattern) for pattern in patterns)
 
 
 def _properties(part: Part, own: Mapping[str, str]) -> dict[str, str]:

@@ -84,9 +84,10 @@ def compile_into(
         if report.ok:  # what is too big for the board has sizes, too, and no program
             program = inputs.read_bytes(report.hex, inputs.OUTPUT) if report.hex is not None else b""
             stand_ins = tuple(library.name for library in report.libraries if library.source == STAND_IN)
+            limits = {"flash_limit": report.flash_limit, "ram_limit": report.ram_limit}
             sizes = {
-                "flash_bytes": report.flash_bytes or 0, "flash_limit": report.flash_limit,
-                "ram_bytes": report.ram_bytes or 0, "ram_limit": report.ram_limit,
+                "flash_bytes": report.flash_bytes or 0, "ram_bytes": report.ram_bytes or 0,
+                **{key: limit for key, limit in limits.items() if limit is not None},
                 **({"stack_bytes": report.stack.bytes} if report.stack is not None and report.stack.certain else {}),
             }  # fmt: skip
             beyond = outside(_named_outside(sketch, sources))

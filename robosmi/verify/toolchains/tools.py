@@ -108,14 +108,18 @@ def find_core(toolchain: Toolchain) -> Path | None:
         MissingToolError: the environment variable names a folder without a core.
     """
     env, needed = toolchain.core.text("env"), toolchain.core.text("must_have")
-    if named := os.environ.get(env):
-        if not (Path(named) / needed).is_file():
+    for named in filter(None, os.environ.get(env, "").split(os.pathsep)):
+        folder = Path(named)
+        listed, own = (toolchain.core.text(key, "") for key in ("listed_by", "known_by"))
+        if listed and (folder / listed).is_file() and not (folder / own).exists():
+            continue  # a core of another architecture
+        if not (folder / needed).is_file():
             raise MissingToolError(
                 f"{env} names a folder without {toolchain.core.text('name')}: there is no {needed} in it",
                 location=Location(named),
                 fix=f"set {env} to the folder with {needed}, or unset it",
             )
-        return Path(named)
+        return folder
     return next((place for place in places(toolchain.core.texts("places")) if (place / needed).is_file()), None)
 
 

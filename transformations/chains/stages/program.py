@@ -237,9 +237,16 @@ def _sketch_name(main: ccode.Function) -> str:
 
 def sketch_name_of(path: Path) -> str:
     """The name of the sketch that a file with main becomes: the file's, as the target's tools allow it."""
-    stem = path.stem
-    name = "".join(c if c.isascii() and (c.isalnum() or c == "_") else "_" for c in stem)
-    return name if name[:1].isalnum() else f"sketch_{name}"
+    name = "".join(c if c.isascii() and (c.isalnum() or c == "_") else "_" for c in path.stem)
+    if not name[:1].isalnum() or _RESERVED.fullmatch(name):
+        name = f"sketch_{name}"
+    return name[:_LONGEST_NAME]
+
+
+_LONGEST_NAME = 63
+"""Characters of a sketch's name in Arduino's specification of sketches."""
+_RESERVED = re.compile(r"con|prn|aux|nul|com[0-9]|lpt[0-9]", re.IGNORECASE)
+"""Names that Windows reserves for devices; Arduino's specification forbids them, and no such folder can be made there."""
 
 
 OUTSIDE = "RS113"

@@ -37,6 +37,7 @@ _NAMED = 3
 """How many pins of other boards a finding names; without a limit, n boards on one net would each name all others."""
 _SILENT = (Role.Board, Role.Power, Role.Decoration)
 _BY_ROLE = {"Input": "read", "Output": "write", "Both": "bus", "Unknown": "read"}
+_SUPPLIES = (hardware.ConnectorKind.supply, hardware.ConnectorKind.ground)
 _SUFFIX = {"read": "ReadP", "write": "WriteP", "bus": "BusP"}
 _SIGNALS = {name: enum_literal(migration.Signal, name) for name in ("read", "write", "bus")}
 
@@ -153,7 +154,7 @@ def identifier(title: str) -> str:
 
 def _map_board(board: hardware.Component, target: platform.Board | None, state: _State) -> Iterator[_Mapped]:
     pins = pins_of(board)
-    signal_nets = [c.net for connectors in pins.values() for c in connectors if c.net is not None]
+    signal_nets = {c.net for connectors in pins.values() for c in connectors if c.net is not None}
     known_pins = {pin.label: (place, pin) for place, pin in enumerate(target.pins)} if target is not None else {}
     if target is not None:
         pins = dict(sorted(pins.items(), key=lambda item: known_pins.get(item[0], (len(known_pins), None))[0]))
@@ -163,7 +164,7 @@ def _map_board(board: hardware.Component, target: platform.Board | None, state: 
         for net in nets:
             _report_net(board, label, net, state)
         pin = known_pins[label][1] if label in known_pins else None
-        reached = walk(nets, signal_nets, board)
+        reached = walk(nets, signal_nets.__contains__, board)
         if reached and target is not None and pin is None:
             state.report(
                 "RS223",
@@ -231,8 +232,10 @@ def _report_net(board: hardware.Component, label: str, net: hardware.Net, state:
 
 
 def _signal(reached: ReachedComponent, label: str, known: PartNames) -> str:
-    """The direction of a connection (read, write or bus): from the connector's name, else from the part's role and place."""
+    """The direction of a connection (read, write or bus): from the connector's kind or name, else the part's role and place."""
     component = reached.component
+    if all(connector.kind in _SUPPLIES for connector in reached.connectors):
+        return "write"  # the pin supplies the part: as an input it would leave it without power
     ways = [name_direction(connector.name, known, component.driver) for connector in reached.connectors]
     told = next((way for way in ("bus", "write", "read") if way in ways), None)
     default = _BY_ROLE[component.role.name]

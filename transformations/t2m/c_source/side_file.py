@@ -66,7 +66,8 @@ def _read(path: str, made: SideProject, *, library: bool, seen: set[str]) -> Non
         text = inputs.read_text(path, inputs.SETTINGS)
     except (OSError, ValueError) as error:
         fix = "put a readable file in its place, or give the source files"
-        raise SourceError(f"the project file cannot be read: {error}", location=Location(path), fix=fix) from error
+        cause = "it is not UTF-8" if isinstance(error, UnicodeDecodeError) else str(error)
+        raise SourceError(f"the project file cannot be read: {cause}", location=Location(path), fix=fix) from error
     folder = os.path.dirname(path)
     folders: list[str] = []
     names: list[str] = []
@@ -74,7 +75,7 @@ def _read(path: str, made: SideProject, *, library: bool, seen: set[str]) -> Non
     for number, line in enumerate(text.splitlines(), 1):
         said = line.strip()
         if said.startswith(("-I", "-L")):
-            place = os.path.normpath(os.path.join(folder, said[2:].strip()))
+            place = os.path.normpath(os.path.join(folder, said[2:].strip().replace("\\", "/")))
             (made.include_dirs if said.startswith("-I") else folders).append(place)
         elif said.startswith(">"):
             names += _LIBRARY.findall(said)

@@ -174,6 +174,7 @@ MOST_LEVELS = 20
 """Module instances inside module instances."""
 
 _FIX = "open it in EAGLE 6 or newer and save it again"
+_OTHER = "export it to KiCad, or write a pin table (docs/reference/pin-tables.md)"
 _BINARY = (b"\x10\x00", b"\x10\x80")
 
 
@@ -242,6 +243,8 @@ def read_schematic(path: Path) -> EagleSchematic:
     if data.startswith(_BINARY):
         cause = "it is a binary file of EAGLE 5 or before, which is not read"
         raise SourceError(cause, location=Location(str(path)), fix=_FIX)
+    if not data.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<"):
+        raise SourceError("it is no schematic of a tool that is read here", location=Location(str(path), 1), fix=_OTHER)
     root = parse_xml(data, str(path), path.name, "EAGLE", "eagle")
     drawn = root.find("drawing/schematic")
     if root.tag != "eagle" or drawn is None:
@@ -252,8 +255,11 @@ def read_schematic(path: Path) -> EagleSchematic:
             if root.find("drawing/library") is not None
             else ""
         )
-        cause = f"it is {kind} of EAGLE, not a schematic" if kind else f"it is no EAGLE schematic: its root is <{root.tag}>"
-        raise SourceError(cause, location=Location(str(path), line_of(root)), fix="give the .sch file of the schematic")
+        cause = f"it is {kind} of EAGLE, not a schematic" if kind else "it is no EAGLE schematic: it has none in it"
+        fix = "give the .sch file of the schematic"
+        if root.tag != "eagle":
+            cause, fix = f"it is no schematic of a tool that is read here: its root is <{root.tag}>", _OTHER
+        raise SourceError(cause, location=Location(str(path), line_of(root)), fix=fix)
     made = EagleSchematic(str(path), hashlib.sha256(data).hexdigest(), root.get("version", ""))
     _Reading(made, drawn).all_of(drawn, "", ())
     return made

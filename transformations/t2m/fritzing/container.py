@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import stat
 import zipfile
+from collections.abc import Iterable
 from pathlib import Path
 
 from msgspec import Struct
@@ -96,7 +97,11 @@ def _archive(path: str, digest: str, data: bytes) -> Container:
     odd = [e.filename for e in entries if "/" in e.filename or "\\" in e.filename or ".." in e.filename]
     links = [e.filename for e in entries if stat.S_ISLNK(e.external_attr >> 16)]
     flat = [e for e in entries if e.filename not in {*odd, *links}]
-    sketches = [e for e in flat if e.filename.lower().endswith(".fz")]
+    sketches = [e for e in flat if _is_sketch(e)]
+    if not sketches and (folder := _packed_folder(entry for entry in entries if entry.filename not in links)) is not None:
+        flat = [e for e in entries if _folder_of(e) == folder and e.filename not in links]
+        odd = [name for name in odd if name not in {e.filename for e in flat} and not name.endswith("/")]
+        sketches = [e for e in flat if _is_sketch(e)]
     if not sketches:
         raise _error(path, "there is no .fz sketch in the archive", _FIX)
     try:
@@ -128,6 +133,21 @@ def _archive(path: str, digest: str, data: bytes) -> Container:
     if odd:
         result.findings.append(_left_out(path, odd, "has a folder in its name, which Fritzing does not write"))
     return result
+
+
+def _is_sketch(entry: zipfile.ZipInfo) -> bool:
+    return entry.filename.lower().endswith(".fz")
+
+
+def _folder_of(entry: zipfile.ZipInfo) -> str:
+    return entry.filename.replace("\\", "/").rpartition("/")[0]
+
+
+def _packed_folder(entries: Iterable[zipfile.ZipInfo]) -> str | None:
+    """The folder with the sketch in an archive that was unpacked and packed again, or None; Fritzing writes no folder."""
+    folders = [_folder_of(entry) for entry in entries if _is_sketch(entry)]
+    inner = [folder for folder in folders if not {"..", "__MACOSX"} & {*folder.split("/")}]
+    return min(inner, key=lambda folder: folder.count("/"), default=None)
 
 
 def _left_out(path: str, names: list[str], why: str) -> Finding:

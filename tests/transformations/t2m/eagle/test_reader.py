@@ -128,6 +128,8 @@ def test_pins_and_parts_that_are_not_there_and_doubled_names_are_left_out_and_sa
         ('<?xml version="1.0"?><!DOCTYPE eagle [<!ENTITY a SYSTEM "file:///etc/passwd">]><eagle>&a;</eagle>', "DOCTYPE"),
         ('<!DOCTYPE eagle SYSTEM "eagle.dtd"><eagle><drawing><board/></drawing></eagle>', "a board of EAGLE"),
         ("<eagle><drawing/></eagle>", "no EAGLE schematic"),
+        ("Some schematic 1.0\nof another tool", "no schematic of a tool that is read here"),
+        ("<schematic/>", "its root is <schematic>"),
         ("<eagle>" + "<a>" * 5000, "not well-formed"),
     ],
 )  # fmt: skip

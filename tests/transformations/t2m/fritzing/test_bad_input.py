@@ -17,6 +17,7 @@ from robosmi import inputs
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m import guarded_xml
 from robosmi.transformations.t2m.fritzing import container, document, read_circuit
+from robosmi.transformations.t2m.fritzing.container import read_container
 from tests.transformations.t2m.fritzing.support import CASES, FIXTURES
 
 SKETCH = (FIXTURES / "one_sided.fz").read_bytes()
@@ -81,6 +82,14 @@ def test_archives_without_a_sketch(tmp_path: Path) -> None:
     assert "there is no .fz sketch" in refused(archive(tmp_path / "a.fzz", {"code.ino": b"void setup(){}"})).message
     assert "there is no .fz sketch" in refused(archive(tmp_path / "b.fzz", {"../up.fz": SKETCH})).message
     assert "there is no .fz sketch" in refused(archive(tmp_path / "c.fzz", {})).message
+
+
+@pytest.mark.parametrize("folder", ["robot/", "deep/er/", "robot\\"])
+def test_an_archive_that_was_packed_again_with_its_folder_is_read(folder: str, tmp_path: Path) -> None:
+    entries = {f"__MACOSX/{folder}._a.fz": b"?", f"{folder}a.fz": SKETCH, f"{folder}part.b.fzp": b"<module moduleId='b'/>"}
+    container = read_container(archive(tmp_path / "a.fzz", entries))
+    assert container.sketch == SKETCH
+    assert [name for name, _ in container.parts] == [f"{folder}part.b.fzp"]
 
 
 def test_what_is_no_archive(tmp_path: Path) -> None:

@@ -43,6 +43,30 @@ def test_case_drawings_read_without_a_finding(case: str) -> None:
     assert not [c.title for c in circuit.components if c.role is hardware.Role.Unknown or not c.roleEvidence]
 
 
+@pytest.mark.parametrize(
+    ("number", "role", "drives"),
+    [
+        ("3144", "Unknown", False),
+        ("US1881", "Unknown", False),
+        ("A3144", "Input", False),
+        ("TSOP4838", "Input", False),
+        ("BC639", "Output", True),
+        ("2N2222A", "Output", True),
+        ("IRLZ44N", "Output", True),
+        ("S8050", "Output", True),
+        ("", "Output", True),
+    ],
+)
+def test_a_part_number_that_a_person_typed_says_what_the_part_is(number: str, role: str, drives: bool, tmp_path: Path) -> None:
+    text = (FIXTURES / "typed_number.fz").read_text(encoding="utf-8").replace('value="3144"', f'value="{number}"')
+    (tmp_path / "a.fz").write_text(text, encoding="utf-8")
+    circuit, findings = read_circuit(tmp_path / "a.fz")
+    part = component(circuit, "Q1")
+    assert (part.role.name, part.driver) == (role, drives)
+    assert ("RS203" in rules_of(findings)) == (role == "Unknown")
+    assert number in part.partTitle or role == "Output"
+
+
 def test_line_follower_in_full() -> None:
     circuit, _ = read_circuit(CASES["line_following_robot"])
     roles = {c.title: c.role.name for c in circuit.components}

@@ -91,6 +91,12 @@ def test_members_of_a_bus_are_told_by_the_names_on_its_lines(
     assert pins(path) == {f"D{2 + n}": f"lamps/D{n + 1}" for n in range(len(labels))}
 
 
+@pytest.mark.parametrize("text", ["${NET}", "MOTOR_${SIDE}", "${A}_${B}", "${LED}[1]"])
+def test_a_text_variable_is_no_group(text: str, tmp_path: Path) -> None:
+    path = schematic(tmp_path / "robot.kicad_sch", uno(), led("D1", 300, 50), label(text, 100, 20), label(text, 300, 50))
+    assert pins(path) == {"D2": "D1"}
+
+
 def test_a_bus_leads_from_sheet_to_sheet_whatever_its_name_is_in_each(tmp_path: Path) -> None:
     lamps(tmp_path, "lamps", "L[0..3]", "L2")
     schematic(tmp_path / "brain.kicad_sch", uno(), label("B2", 100, 20), label("B[0..3]", 0, 0, "hierarchical_label"))
@@ -220,6 +226,8 @@ def test_a_field_with_a_number_of_thousands_of_digits_is_no_field(tmp_path: Path
         ("(kicad_sch\n(junction (at x 2)))", "'x' is no coordinate"),
         ('(kicad_sch\n(label "A" (at 5)))', "'at' is followed by 1 of 2 numbers"),
         ("v 20130925 2\nC 40000 40000 0 0 0 title-B.sym\n", "schematic of gEDA"),
+        ("v {xschem version=3.4.4 file_version=1.2}\nG {}\n", "schematic of xschem"),
+        ("<Qucs Schematic 0.0.19>\n<Properties>\n", "schematic of Qucs"),
         ("# EESchema Netlist Version 1.1 created now\n", "KiCad 3 or before"),
         ("EESchema Schematic File Version 4\n$Comp\nL R R1\n", "ends within an entry"),
         ("EESchema Schematic File Version 4\nWire Wire Line\n\t1 2 x 4\n$EndSCHEMATC\n", "4 numbers are expected"),

@@ -103,6 +103,14 @@ def test_title_and_identity_are_the_id_and_the_module_is_the_type(tmp_path: Path
     assert pins(plain) == {}
 
 
+def test_a_pin_that_supplies_a_part_is_written(tmp_path: Path) -> None:
+    ranger, screen = part("us1", "wokwi-hc-sr04"), part("oled1", "board-ssd1306")
+    wires = [["us1:VCC", "uno:7"], ["us1:TRIG", "uno:8"], ["us1:ECHO", "uno:9"], ["us1:GND", "uno:10"], ["oled1:VCC", "uno:4"]]
+    path = diagram(tmp_path, [UNO, ranger, screen], [[*wire, "", []] for wire in wires])
+    signals = {m["pin"]: m["signal"] for m in hardware(path).result["mappings"]}
+    assert signals == {"D4": "write", "D7": "write", "D8": "write", "D9": "read", "D10": "write"}
+
+
 def test_the_serial_monitor_is_no_component_and_a_chip_of_ones_own_is_unknown(tmp_path: Path) -> None:
     chip = part("chip1", "chip-hc-sr04")
     wires = [["$serialMonitor:TX", "uno:0", "", []], ["uno:1", "$serialMonitor:RX", "", []], ["uno:7", "chip1:MISO", "", []]]
