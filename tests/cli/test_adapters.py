@@ -106,7 +106,7 @@ def test_a_file_in_another_language_is_not_for_the_target(project: Path) -> None
             "needs: simpletools.h/pulse_in",
             "needs: simpletools.h/pulse_inn",
             2,
-            "'simpletools.h/pulse_inn', which is not there",
+            "'simpletools.h/pulse_inn'",
             "",
         ),
         ("- 5000;\n}", "- 5000;\n", 8, "'{' is never closed", "close each bracket"),

@@ -26,7 +26,7 @@ def check_refused(outcome: Outcome, code: int, *said: str) -> None:
 SOURCES = [
     ("missing.c", "no such file"),
     ("binary.c", "binary"),
-    ("prose.c", "no C source"),
+    ("prose.c", "not C source"),
     ("two_boards.fz", "no program reader for '.fz' files"),
     ("truncated.fzz", "no program reader for '.fzz' files"),
     ("no_sources", "folder"),
@@ -35,8 +35,8 @@ DRAWINGS = [
     ("missing.fzz", "no such file"),
     ("empty.fz", "empty"),
     ("truncated.fzz", "damaged"),
-    ("junk.fzz", "no ZIP archive"),
-    ("other.fz", "no Fritzing sketch"),
+    ("junk.fzz", "ZIP archive"),
+    ("other.fz", "not a Fritzing sketch"),
     ("unclosed.fz", "not well-formed"),
     ("no_board.fz", "no board"),
     ("prose.c", "no drawing reader for '.c' files"),
@@ -473,7 +473,7 @@ def test_a_pin_table_with_a_pin_that_the_board_has_not_is_refused_and_the_old_sk
     before = tree(tmp_path / "out")
     table.write_text("pin,part\nD99,Red LED\n")
     outcome = run("migrate", line_follower, "-o", tmp_path / "out", "--hardware", table)
-    check_refused(outcome, 3, "has no pin D99", "wire it to one of the board's pins: D0, D1")
+    check_refused(outcome, 3, "wired to D99", "wire it to one of the board's pins: D0, D1")
     assert tree(tmp_path / "out") == before
 
 

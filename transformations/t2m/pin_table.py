@@ -228,20 +228,20 @@ class _Table:
         found = classify(Part("", title=rows[0]["part"]), self.project)
         driver = any(row["driver"].lower() in _TRUE for row in rows)
         if told:
-            why = GIVEN if given else "the table says so"
+            why = GIVEN if given else "given in the table"
             if not any(row["driver"] for row in rows):
                 driver = found.driver and found.role == told
             return Part("", found.title, role=told, evidence=why, driver=driver)
         unclear = f"no rule fits the part '{rows[0]['part']}'"
         if found.role in _SILENT and any(self._label(row) in self.labels.values() for row in rows):
-            unclear = f"the part '{rows[0]['part']}' is taken for {found.role} by its name, but a pin is wired to it"
+            unclear = f"the part '{rows[0]['part']}' has the role {found.role} by its name, but a pin is wired to it"
             found = Part("", found.title, role="Unknown", evidence=unclear)
         if found.role == "Unknown":
             self.findings.append(
                 Finding(
                     "RS203",
                     Severity.warning,
-                    f"what '{title}' does is unknown: {unclear}",
+                    f"the role of '{title}' is unknown: {unclear}",
                     Location(self.path, rows[0].line),
                     fix="give its role in the table or in robosmi.toml under [roles]",
                 )
@@ -269,7 +269,7 @@ class _Table:
                     title=title,
                     partTitle=passive_named(title, self.names),
                     role=hardware.Role.Passive,
-                    roleEvidence="the signal goes through it, as the table says",
+                    roleEvidence="the signal goes through it, by the table",
                     connectors=[near, far],
                 )
                 passives.append(part)
@@ -359,14 +359,14 @@ def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
             raise SourceError(f"not valid CSV: {error}", location=Location(str(path), number), fix=_FIX) from error
         if len(cells) > len(header):
             raise SourceError(
-                f"a row has {len(cells)} cells, the head {len(header)}",
+                f"a row has {len(cells)} cells, but the header has {len(header)}",
                 location=Location(str(path), number),
-                fix="put a cell with a comma in it in quotes",
+                fix="put cells that contain a comma in quotes",
             )
         rows.append(_Row(number, dict(zip(header, (csv_text(cell.strip()) for cell in cells), strict=False))))
     boards = list(dict.fromkeys(row["board"] for row in rows if row["board"]))
     if len(boards) > 1:
-        raise SourceError(f"the rows name {len(boards)} boards", location=Location(str(path)), fix="keep one table a board")
+        raise SourceError(f"the rows name {len(boards)} boards", location=Location(str(path)), fix="use one table per board")
     return boards[0] if boards else "", [row for row in rows if any(row[column] for column in COLUMNS if column != "board")]
 
 
@@ -379,14 +379,14 @@ def _toml_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
         raise SourceError("the table has no row", location=Location(str(path)), fix=_FIX)
     entries = table.get("pin", [])
     if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
-        raise SourceError("'pin' is no list of tables", location=Location(str(path)), fix="write each row as [[pin]]")
+        raise SourceError("'pin' is not a list of tables", location=Location(str(path)), fix="write each row as [[pin]]")
     for entry in entries:
         _check_columns([*entry], Location(str(path)))
     heads = [number for number, line in enumerate(text.splitlines(), 1) if line.strip() == "[[pin]]"]
     places = heads if len(heads) == len(entries) else [1] * len(entries)
     board = table.get("board", "")
     if not isinstance(board, str):
-        raise SourceError("'board' is no text", location=Location(str(path)), fix='write board = "uno"')
+        raise SourceError("'board' is not a text", location=Location(str(path)), fix='write board = "uno"')
     return board, [_Row(place, {k: _cell(v) for k, v in e.items()}) for place, e in zip(places, entries, strict=True)]
 
 
@@ -397,7 +397,7 @@ def _cell(value: object) -> str:
 def _check_columns(columns: Sequence[str], place: Location) -> None:
     for column in columns:
         if column not in COLUMNS:
-            raise SourceError(f"no column is called '{column}'{did_you_mean(column, COLUMNS)}", location=place, fix=_FIX)
+            raise SourceError(f"unknown column '{column}'{did_you_mean(column, COLUMNS)}", location=place, fix=_FIX)
     for column in COLUMNS[:2]:
         if column not in columns:
-            raise SourceError(f"there is no column '{column}'", location=place, fix=_FIX)
+            raise SourceError(f"the column '{column}' is missing", location=place, fix=_FIX)

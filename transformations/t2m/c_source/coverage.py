@@ -62,7 +62,7 @@ def calls(context: UnitContext) -> Coverage:
             in_text += 1
             lost.append(ccode.UnresolvedCall(name=name, **context.source.place(start, end)))
             cut = any(first <= start < last for first, last in context.parsed.cut)
-            why = "its text is kept and not read" if cut else "the parser could not read its statement"
+            why = "its text is copied but not parsed" if cut else "its statement has a syntax error"
             message = f"the call of {name} is lost: {why}"
             context.find("RS102", Severity.warning, message, start, end, "correct the statement, or migrate it by hand")
     return Coverage(in_text, in_model, lost)
@@ -86,10 +86,10 @@ def problems(context: UnitContext) -> list[ccode.SyntaxProblem]:
         found.append(ccode.SyntaxProblem(message=diagnostic.message, fatal=fatal or None, **place))
         if _is_error_directive(context, start):
             message = f"#error: {diagnostic.message.strip(chr(34))}"
-            context.find("RS101", Severity.error, message, start, None, "define what the text asks for with -D")
+            context.find("RS101", Severity.error, message, start, None, "define the macro that the text needs with -D")
         elif diagnostic.message == _WITHIN:
-            message = "a function is defined within another one, which GNU C takes and C++ does not: it is kept as text"
-            context.find("RS101", Severity.error, message, start, None, "move it in front of the function that it is in")
+            message = "a nested function, which GNU C accepts and C++ does not, is copied as text"
+            context.find("RS101", Severity.error, message, start, None, "move it before the function that contains it")
         elif fatal:
             context.find("RS101", Severity.error, f"syntax error: {diagnostic.message}", start, None, "correct the source text")
     return found
@@ -128,13 +128,13 @@ def notes(context: UnitContext, includes: list[ccode.Include], conditionals: lis
         context.find(
             "RS104",
             Severity.warning,
-            "nested too deep, declared over and over, or macros that become too much: kept as text from here on",
+            "nested too deep, declared too often, or macros that expand to too much text: copied as text from here on",
             start,
             end,
             "split the expression, the statement or the macro, or keep one of the declarations",
         )
     if context.source.encoding != "UTF-8":
-        context.find("RS105", Severity.info, f"the file is no UTF-8; it was read as {context.source.encoding}", 0, None)
+        context.find("RS105", Severity.info, f"the file is not UTF-8; RoboSMi reads it as {context.source.encoding}", 0, None)
     for start, end in context.parsed.skipped:
         message = f"lines {context.source.line(start)} to {context.source.line(end)} are not compiled and not in the model"
         context.find("RS106", Severity.info, message, start, end)

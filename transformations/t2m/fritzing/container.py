@@ -69,7 +69,7 @@ def read_container(path: Path) -> Container:
     if data[:2] == b"PK":
         return _archive(str(path), digest, data)
     if path.suffix.lower() == ".fzz" and not data.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<"):
-        raise _error(path, "it is no ZIP archive, as a .fzz has to be", _FIX)
+        raise _error(path, "it is not a ZIP archive, as a .fzz must be", _FIX)
     return Container(str(path), digest, path.name, data)
 
 
@@ -81,7 +81,7 @@ def _bytes_of(path: Path) -> bytes:
     try:
         data = inputs.read_bytes(path, inputs.DRAWING)
     except FileNotFoundError as error:
-        raise _error(path, "there is no such file", "check the name of the sketch") from error
+        raise _error(path, "no such file", "check the name of the sketch") from error
     except IsADirectoryError as error:
         raise _error(path, "it is a folder, not a Fritzing sketch", "give the .fz or .fzz file in it") from error
     except OSError as error:
@@ -103,7 +103,7 @@ def _archive(path: str, digest: str, data: bytes) -> Container:
         odd = [name for name in odd if name not in {e.filename for e in flat} and not name.endswith("/")]
         sketches = [e for e in flat if _is_sketch(e)]
     if not sketches:
-        raise _error(path, "there is no .fz sketch in the archive", _FIX)
+        raise _error(path, "the archive has no .fz sketch", _FIX)
     try:
         sketch = zip_archive.unpacked(data, sketches[0], path, MAX_BYTES)
     except zipfile.BadZipFile as error:
@@ -125,7 +125,7 @@ def _archive(path: str, digest: str, data: bytes) -> Container:
             _left_out(
                 path,
                 [e.filename for e in sketches[1:]],
-                f"is a further sketch; '{result.sketch_name}' was read, as Fritzing does",
+                f"is another sketch; RoboSMi reads '{result.sketch_name}', as Fritzing does",
             )
         )
     if links:

@@ -92,7 +92,7 @@ def read_circuit(
                 fix = "draw it in KiCad or EAGLE, or write a pin table (docs/reference/pin-tables.md)"
                 raise SourceError(f"it is a schematic of {tool}, which is not read", location=Location(str(path), 1), fix=fix)
         old = _OLD_NETLIST.match(begins) is not None
-        cause = "it is a netlist of KiCad 3 or before, which is not read" if old else "it is no schematic and no netlist of KiCad"
+        cause = "netlists of KiCad 3 and before are not supported" if old else "it is neither a schematic nor a netlist of KiCad"
         raise SourceError(cause, location=Location(str(path), 1), fix=FIX)
     builder.give_roles(roles or {}, {part.identity: part.title for part in made.parts})
     return circuit_of(made, builder), builder.findings
@@ -131,8 +131,8 @@ class _Sheets:
             shown = ", ".join(missing[:5]) + (", ..." if len(missing) > 5 else "")
             self.builder.report(
                 "RS214", Severity.warning,
-                f"no library beside the schematic has {shown}: where their pins are is not known, and they are not wired",
-                None, f"put {self.folder.path.stem}-cache.lib beside it, or open it in KiCad 6 or newer and save it",
+                f"no library next to the schematic has {shown}, so their pins are unknown and not wired",
+                None, f"put {self.folder.path.stem}-cache.lib next to it, or open it in KiCad 6 or newer and save it",
             )  # fmt: skip
         return sheet
 

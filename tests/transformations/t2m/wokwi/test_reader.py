@@ -150,7 +150,7 @@ def test_what_repeats_an_input_is_passed_through(tmp_path: Path) -> None:
         ([UNO, part("b", "wokwi-pushbutton")], [["uno:13", "b:SIG", "", []]], "RS208", "has no pin 'SIG'", 7),
         ([UNO, LED], [["uno:14", "led1:A", "", []]], "RS208", "has no pin '14'", 7),
         ([UNO, LED], [["uno", "led1:A", "", []]], "RS208", "has no pin ''", 7),
-        ([UNO, LED, LED], [["uno:13", "led1:A", "", []]], "RS206", "stands twice", 5),
+        ([UNO, LED, LED], [["uno:13", "led1:A", "", []]], "RS206", "twice", 5),
         ([UNO, LED], [["uno:13"]], "RS214", "entry 1 of the connections", 7),
         ([UNO, LED], [{"from": "uno:13"}], "RS214", "entry 1 of the connections", 7),
         ([UNO, LED, 7], [], "RS214", "entry 3 of the parts", 5),
@@ -173,10 +173,10 @@ def test_what_cannot_be_told_is_left_out_and_said(
     [
         ('{"parts": [', "not valid JSON"),
         ('{"parts": [{"type": "wokwi-led", "id": "a"}', "not valid JSON"),
-        ('{"parts": []} more', "more stands behind its end"),
+        ('{"parts": []} more', "after its end"),
         ('{"parts": [] "connections": []}', "',' is expected"),
-        ('{"parts": [], "parts": []}', "'parts' stands twice"),
-        ('{"parts": {}}', "'parts' is no list"),
+        ('{"parts": [], "parts": []}', "'parts' occurs twice"),
+        ('{"parts": {}}', "'parts' is not a list"),
         ('{"connections": []}', "it has no list of parts"),
         ("[]", "'{' is expected"),
         ("{}", "it has no list of parts"),
@@ -195,9 +195,7 @@ def test_what_is_no_diagram_is_refused_with_its_place(text: str, cause: str, tmp
     assert refused.value.fix
 
 
-@pytest.mark.parametrize(
-    ("boards", "words"), [([], "there is no board"), ([UNO, part("nano", "wokwi-arduino-nano")], "there are 2 boards")]
-)
+@pytest.mark.parametrize(("boards", "words"), [([], "no board"), ([UNO, part("nano", "wokwi-arduino-nano")], "2 boards")])
 def test_a_program_moves_to_one_board_only(boards: list[Any], words: str, tmp_path: Path) -> None:
     with pytest.raises(SourceError, match=words) as refused:
         plan_migration([PROGRAM], hardware=diagram(tmp_path, [*boards, LED], []))
