@@ -42,7 +42,7 @@ MOST_THROUGH = 100
 """Passive parts that a signal may go through one after another; drawings have one or two."""
 
 MOST_PARTS = 2_000
-"""Parts that a table may have; each is looked up in tables of parts and, by `recommend` and `migrate`, in the index of libraries."""
+"""Parts that a table may have: each is looked up in tables of parts, and by some commands in the index of libraries."""
 
 _FIX = "see docs/reference/pin-tables.md for the columns"
 _NO_PIN = "pin = []"

@@ -234,12 +234,14 @@ def build_properties(core: ArduinoCore, name: BoardName) -> dict[str, str]:
         platform = core_owner.platform | platform
     core_folder = core_owner.folder / "cores" / core_name
     if not core_name or not core_folder.is_dir():
+        what = f"the board '{name}' is built on the core '{core_name}', which is not there"
         raise SourceError(
-            f"the board '{name}' is built on the core '{core_name}', which is not there", location=Location(str(core_folder)),
-            fix="install the core again",
+            what if core_name else f"the board '{name}' has no 'build.core': no program can be built for it",
+            location=Location(str(core_folder)), fix="use another board, or install the core again",
         )  # fmt: skip
     runtime = {
         "runtime.platform.path": str(core.folder),
+        "runtime.ide.path": str(core.folder),
         "runtime.hardware.path": str(core.folder.parent),
         "build.core.path": str(core_folder),
         "build.variant.path": str(variant_owner.folder / "variants" / variant) if variant else "",

@@ -15,7 +15,8 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 
 _SYSTEMS = ("linux", "windows", "macosx")
-_SYSTEM = {"win32": "windows", "darwin": "macosx"}.get(sys.platform, "linux")
+SYSTEM = {"win32": "windows", "darwin": "macosx"}.get(sys.platform, "linux")
+"""This operating system, as cores call it."""
 _NAME = re.compile(r"\{([\w.\-:]+)\}")
 _ROUNDS = 30
 """How deep names may stand in each other's values; the cores that exist need 6."""
@@ -55,7 +56,7 @@ def for_system(properties: Mapping[str, str]) -> dict[str, str]:
     own: dict[str, str] = {}
     for key, value in properties.items():
         stem, _, last = key.rpartition(".")
-        if stem and last == _SYSTEM:
+        if stem and last == SYSTEM:
             own[stem] = value
         if not stem or last not in _SYSTEMS:
             result[key] = value

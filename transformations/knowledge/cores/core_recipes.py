@@ -11,22 +11,38 @@ import os
 import re
 import shutil
 import sys
+import time
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from robosmi.diagnostics import Location
 from robosmi.errors import MissingToolError, PlatformDataError
 from robosmi.transformations.knowledge.cores.core_folders import ArduinoCore, BoardName, build_properties
-from robosmi.transformations.knowledge.cores.core_properties import expand, split, unknown_names
+from robosmi.transformations.knowledge.cores.core_properties import SYSTEM, expand, split, unknown_names
 from robosmi.verify.toolchains.recipes import Command
 from robosmi.verify.toolchains.toolchain_data import Toolchain
 from robosmi.verify.toolchains.tools import environment, tool_version
 
-RUNTIME = {"runtime.ide.version": "10819", "ide_version": "10819", "software": "ARDUINO", "build.library_discovery_phase": "0"}
+RUNTIME = {
+    "runtime.ide.version": "10819",
+    "ide_version": "10819",
+    "software": "ARDUINO",
+    "build.library_discovery_phase": "0",
+    "build.compile_type": "Release",
+    "runtime.os": SYSTEM,
+}
 """What Arduino's tools say of themselves; sketches see the version as `ARDUINO`."""
 _NOT_FOR_SCAN = {"-c", "-MMD", "-MD", "-MP", "-flto"}
 _LANGUAGES = {".c": "c", ".S": "S"}
 """Suffixes of files whose recipe is not the one of C++."""
+
+
+def _times() -> dict[str, str]:
+    """The time of the build, which some cores give to the linker: in seconds since 1970."""
+    now, zone = int(time.time()), -time.timezone
+    summer = 3600 if time.localtime(now).tm_isdst > 0 else 0
+    kinds = {"utc": now, "local": now + zone + summer, "zone": zone, "dst": summer}
+    return {f"extra.time.{kind}": str(seconds) for kind, seconds in kinds.items()}
 
 
 class CoreRecipes:
@@ -122,7 +138,7 @@ class CoreRecipes:
     def _build_in(self, folder: Path, name: str) -> None:
         self._properties |= {
             "build.path": str(folder), "build.project_name": name, "build.source.path": str(folder / "sketch"),
-            "archive_file": "core.a", "archive_file_path": str(folder / "core.a"),
+            "archive_file": "core.a", "archive_file_path": str(folder / "core.a"), **_times(),
         }  # fmt: skip
 
     def compile(self, source: Path, target: Path, use: str, includes: Sequence[Path]) -> Command:
