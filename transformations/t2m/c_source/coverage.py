@@ -18,6 +18,7 @@ from robosmi.transformations.t2m.c_source.context import UnitContext
 
 _NO_CALL = KEYWORDS | {
     "defined",
+    "__attribute",
     "__builtin_offsetof",
     "__alignof__",
     "_Alignof",
