@@ -81,7 +81,7 @@ def test_a_scenario_names_pins_and_its_horizon_counts(blink: Path, tmp_path: Pat
     scenario.write_text("horizon_ms = 1000\n[signals]\nD99 = [[0, 0]]\n")
     outcome = run("simulate", blink, "--scenario", scenario)
     assert outcome.code == 2
-    assert f"{scenario}: the scenario has a signal of 'D99', which is no component, port or pin" in outcome.err
+    assert f"{scenario}: the scenario has a signal for 'D99', but there is no such component, port or pin" in outcome.err
 
 
 def test_a_migrated_program_has_its_components_at_its_pins(migrated: Path, tmp_path: Path) -> None:
@@ -94,7 +94,7 @@ def test_a_migrated_program_has_its_components_at_its_pins(migrated: Path, tmp_p
     scenario.write_text('horizon_ms = 100\n[signals]\n"LED" = [[0, 1]]\n')
     outcome = run("simulate", migrated, "--scenario", scenario)
     assert outcome.code == 2
-    assert "which the program does not read" in outcome.err
+    assert "the program does not read it" in outcome.err
 
 
 def test_what_does_not_compile_or_exist_says_so(blink: Path, tmp_path: Path) -> None:
@@ -129,4 +129,4 @@ def test_what_a_program_does_is_told_in_words(tmp_path: Path) -> None:
     assert "\x1b[2J" not in text
     assert re.search(r"D9 +\d+ events, at the end pulses of 14\d\d us", text)
     (folder / "words.ino").write_text("void setup() {}\nvoid loop() {}\n")
-    assert "it prints nothing and drives no pin" in run("simulate", folder, "--engine", "simavr", "--seconds", "1").out
+    assert "no output and no driven pin" in run("simulate", folder, "--engine", "simavr", "--seconds", "1").out

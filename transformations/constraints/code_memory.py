@@ -40,7 +40,7 @@ units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None and t
 
 @taking.constraint(
     id="RS332", severity=Severity.warning, location=place,
-    advice="take the memory once, before the loop, or declare an array; give it back with free() each time round otherwise",
+    advice="allocate the memory once before the loop, declare an array, or free it with free() in each pass",
 )  # fmt: skip
 def IsTakenOnce(call: ccode.Call) -> bool | Fail:
     """Heap memory that is allocated in each iteration of a loop is freed there."""
@@ -48,7 +48,7 @@ def IsTakenOnce(call: ccode.Call) -> bool | Fail:
     if loop is None:
         return True
     return Fail(
-        f"{call.calleeName} takes memory from the heap each time round the loop of line {loop.line}, which gives none back; "
+        f"{call.calleeName} allocates heap memory in each pass of the loop in line {loop.line}, which frees none; "
         f"the target has {_small()} bytes of RAM"
     )
 
@@ -70,7 +70,7 @@ def _gives_back(bodies: Iterable[ccode.Statement | None]) -> bool:
 
 @units.constraint(
     id="RS333", severity=Severity.warning, location=place,
-    advice="write and read the members one by one, or give the structure the members that fill the gaps",
+    advice="write and read the members one by one, or add members that fill the gaps",
 )  # fmt: skip
 def KeepsItsLayout(unit: ccode.SourceUnit) -> bool | Fail:
     """No structure with another layout on the target is treated as bytes, by its size or through a pointer."""
@@ -83,7 +83,7 @@ def KeepsItsLayout(unit: ccode.SourceUnit) -> bool | Fail:
     if not some:
         return True
     told = list(dict.fromkeys(sizes[id(record)] for _, record in found.values() if id(record) in sizes))
-    return together(f"what takes structures as bytes finds others on the target: {'; '.join(told)}", some)
+    return together(f"structures that the program treats as bytes have another layout on the target: {'; '.join(told)}", some)
 
 
 @units.constraint(

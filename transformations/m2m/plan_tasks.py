@@ -22,7 +22,7 @@ from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.binding_edits import binding_links, referred, trace_binding
 from robosmi.transformations.queries.plans.plan import called, is_at_declaration, needs_own_types
-from robosmi.transformations.queries.plans.port_pins import NOT_WIRED
+from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE
 from robosmi.transformations.queries.plans.verdicts import UNDEFINED, body_effort, unserved_headers
 from robosmi.transformations.queries.ports.idle_ports import is_idle
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
@@ -123,7 +123,7 @@ def _settle(decision: migration.Decision, choice: str) -> None:
         decision.open = not choice
 
 
-DERIVED = frozenset({"RS330", "RS331", "RS401", "RS501", "RS502", "RS503", "RS504"})
+DERIVED = frozenset({"RS330", "RS331", "RS401", "RS501", "RS502", "RS503", "RS504", PIN_RULE})
 """Rules whose tasks follow from decisions and are derived anew when a decision changes."""
 
 
@@ -311,6 +311,16 @@ def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
             )
 
 
+def _pins(plan: migration.MigrationPlan) -> Iterator[Task]:
+    """Tasks for the places of the finished program whose pin is not the plan's, or cannot be followed."""
+    for finding in plan.findings:
+        if finding.rule == PIN_RULE:
+            yield Task(
+                rule=PIN_RULE, severity=Level.warning, effort="small", message=f"write the right pin: {finding.message}",
+                fix=finding.fix, path=finding.path, line=finding.line, column=finding.column, elements=[*finding.elements],
+            )  # fmt: skip
+
+
 def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
     """Tasks for drawn components that no port is bound to, and for bound ports that no called function uses."""
     for binding in plan.portBindings:
@@ -340,5 +350,5 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 _MAKERS: tuple[Callable[[migration.MigrationPlan], Iterator[Task]], ...] = (
-    _unparsed, _adapters, _symbols, _undefined, _bindings, _libraries, _unsupported, _assembler, _unused,
+    _unparsed, _adapters, _symbols, _undefined, _bindings, _libraries, _unsupported, _assembler, _pins, _unused,
 )  # fmt: skip

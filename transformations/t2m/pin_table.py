@@ -11,6 +11,7 @@ from __future__ import annotations
 import csv
 import hashlib
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -36,6 +37,12 @@ from robosmi.transformations.t2m.given_roles import given_roles
 
 COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "rest", "board")
 """The columns; the first two must be there."""
+
+MOST_THROUGH = 100
+"""Passive parts that a signal may go through one after another; drawings have one or two."""
+
+MOST_PARTS = 2_000
+"""Parts that a table may have: each is looked up in tables of parts, and by some commands in the index of libraries."""
 
 _FIX = "see docs/reference/pin-tables.md for the columns"
 _NO_PIN = "pin = []"
@@ -105,6 +112,20 @@ def read_circuit(
     return circuit, table.findings
 
 
+class _Group(Struct, frozen=True):
+    """Connectors that are wired together.
+
+    Attributes:
+        name: the net's name: the board, the pin and the parts on the way.
+        connectors: the connectors.
+        beyond: what is wired to the other side of a passive part on the way, by the part's title.
+    """
+
+    name: str
+    connectors: list[hardware.Connector]
+    beyond: dict[str, _Group] = {}
+
+
 class _Table:
     """Collects the rows of a table and makes the model of them."""
 
@@ -117,8 +138,10 @@ class _Table:
             word.lower(): pin.label for pin in board.pins for word in (*pin.aliases, pin.label.removeprefix("D"), pin.label)
         }
         self.rows: dict[str, list[_Row]] = {}
+        self.numbers: Counter[str] = Counter()
         self.given: dict[str, str] = {}
         self.findings: list[Finding] = []
+        self.found: list[_Group] = []
 
     def add(self, row: _Row) -> None:
         for column in ("pin", "part"):
@@ -132,36 +155,34 @@ class _Table:
             raise self._error(row, f"driver is '{row['driver']}'", "write true or false")
         title = row["title"] or row["part"]
         if not row["title"]:  # a component by itself, with a title that no other has
-            number = 1
             while title in self.rows:
-                number += 1
+                number = self.numbers[row["part"]] = max(2, self.numbers[row["part"]] + 1)
                 title = f"{row['part']} {number}"
         self.rows.setdefault(title, []).append(row)
+        self._count(row, len(self.rows))
 
     def components(self) -> Iterator[tuple[str, str, list[_Row]]]:
         """Identity, title and rows of each component, in the table's order; 1 is the board."""
         yield from ((str(number), title, rows) for number, (title, rows) in enumerate(self.rows.items(), 2))
 
     def circuit(self, name: str) -> hardware.Circuit:
-        groups: dict[tuple[str, ...], list[hardware.Connector]] = {}
+        groups: dict[str, _Group] = {}
         parts = [self._board(groups)]
-        passives: dict[tuple[str, ...], hardware.Component] = {}
+        passives: list[hardware.Component] = []
         for identity, title, rows in self.components():
             parts.append(self._component(identity, title, rows, groups, passives))
-        parts += passives.values()
-        nets = [
-            hardware.Net(name=f"1.{'.'.join(key)}", connectors=connectors) for key, connectors in groups.items() if connectors
-        ]
+        parts += passives
+        nets = [hardware.Net(name=group.name, connectors=group.connectors) for group in self.found if group.connectors]
         return hardware.Circuit(name=name, path=self.path, tool=PIN_TABLE, view="", components=parts, nets=nets)
 
-    def _board(self, groups: dict[tuple[str, ...], list[hardware.Connector]]) -> hardware.Component:
+    def _board(self, groups: dict[str, _Group]) -> hardware.Component:
         used = {self._label(row): None for rows in self.rows.values() for row in rows}
         connectors = []
         for label in [pin.label for pin in self.board.pins] + [u for u in used if u not in self.labels.values()]:
             connector = hardware.Connector(connectorId=label, name=label, kind=hardware.ConnectorKind.signal, pin=label)
             connectors.append(connector)
             if label in used:
-                groups[(label,)] = [connector]
+                groups[label] = self._group(f"1.{label}", connector)
         return hardware.Component(
             elementId="1",
             title=self.board.title,
@@ -178,8 +199,8 @@ class _Table:
         identity: str,
         title: str,
         rows: Sequence[_Row],
-        groups: dict[tuple[str, ...], list[hardware.Connector]],
-        passives: dict[tuple[str, ...], hardware.Component],
+        groups: dict[str, _Group],
+        passives: list[hardware.Component],
     ) -> hardware.Component:
         part = self._role(identity, title, rows)
         rest = next((row["rest"] for row in rows if row["rest"]), "")
@@ -189,7 +210,7 @@ class _Table:
             kind = enum_literal(hardware.ConnectorKind, connector_kind(name, self.names) if name else "signal")
             connector = hardware.Connector(connectorId=str(number), name=name, kind=kind)
             connectors.append(connector)
-            groups[self._through(row, groups, passives)].append(connector)
+            self._through(row, groups, passives).connectors.append(connector)
         return hardware.Component(
             elementId=identity,
             title=title,
@@ -230,16 +251,20 @@ class _Table:
     def _through(
         self,
         row: _Row,
-        groups: dict[tuple[str, ...], list[hardware.Connector]],
-        passives: dict[tuple[str, ...], hardware.Component],
-    ) -> tuple[str, ...]:
-        """Add the passive parts that a row's signal goes through; returns the key of the net behind them."""
-        key: tuple[str, ...] = (self._label(row),)
-        for title in filter(None, (piece.strip() for piece in row["through"].split(";"))):
-            beyond = (*key, title)
-            if beyond not in groups:
+        groups: dict[str, _Group],
+        passives: list[hardware.Component],
+    ) -> _Group:
+        """Add the passive parts that a row's signal goes through; returns the connectors behind them."""
+        group = groups[self._label(row)]
+        titles = [title for piece in row["through"].split(";") if (title := piece.strip())]
+        if len(titles) > MOST_THROUGH:
+            raise self._error(
+                row, f"the signal goes through {len(titles)} parts one after another", f"name {MOST_THROUGH} parts at most"
+            )
+        for title in titles:
+            if title not in group.beyond:
                 near, far = (hardware.Connector(connectorId=end, kind=hardware.ConnectorKind.unknown) for end in ("1", "2"))
-                passives[beyond] = hardware.Component(
+                part = hardware.Component(
                     elementId=str(2 + len(self.rows) + len(passives)),
                     title=title,
                     partTitle=passive_named(title, self.names),
@@ -247,10 +272,20 @@ class _Table:
                     roleEvidence="the signal goes through it, as the table says",
                     connectors=[near, far],
                 )
-                groups[key].append(near)
-                groups[beyond] = [far]
-            key = beyond
-        return key
+                passives.append(part)
+                self._count(row, len(self.rows) + len(passives))
+                group.connectors.append(near)
+                group.beyond[title] = self._group(f"{group.name}.{title}", far)
+            group = group.beyond[title]
+        return group
+
+    def _group(self, name: str, connector: hardware.Connector) -> _Group:
+        self.found.append(group := _Group(name, [connector]))
+        return group
+
+    def _count(self, row: _Row, parts: int) -> None:
+        if parts > MOST_PARTS:
+            raise self._error(row, f"the table has more than {MOST_PARTS:,} parts", "leave out what the program does not use")
 
     def _label(self, row: _Row) -> str:
         return self.labels.get(row["pin"].lower()) or normalised_label(row["pin"]) or row["pin"]

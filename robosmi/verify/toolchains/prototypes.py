@@ -1,4 +1,4 @@
-"""The prototypes that Arduino's builder puts before a sketch's first function, for functions that are used above their definition.
+"""The prototypes that Arduino's builder makes of functions that are used above their definition, before the first function.
 
 A sketch file may call what is defined further down (Arduino: "Sketch build process"). Only such functions get a prototype here;
 they stand on the line of the first function, so that lines keep their numbers. Templates, methods, functions in namespaces and

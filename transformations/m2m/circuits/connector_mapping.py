@@ -154,7 +154,7 @@ def identifier(title: str) -> str:
 
 def _map_board(board: hardware.Component, target: platform.Board | None, state: _State) -> Iterator[_Mapped]:
     pins = pins_of(board)
-    signal_nets = [c.net for connectors in pins.values() for c in connectors if c.net is not None]
+    signal_nets = {c.net for connectors in pins.values() for c in connectors if c.net is not None}
     known_pins = {pin.label: (place, pin) for place, pin in enumerate(target.pins)} if target is not None else {}
     if target is not None:
         pins = dict(sorted(pins.items(), key=lambda item: known_pins.get(item[0], (len(known_pins), None))[0]))
@@ -164,7 +164,7 @@ def _map_board(board: hardware.Component, target: platform.Board | None, state: 
         for net in nets:
             _report_net(board, label, net, state)
         pin = known_pins[label][1] if label in known_pins else None
-        reached = walk(nets, signal_nets, board)
+        reached = walk(nets, signal_nets.__contains__, board)
         if reached and target is not None and pin is None:
             state.report(
                 "RS223",

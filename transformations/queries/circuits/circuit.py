@@ -16,7 +16,7 @@ from robosmi.query import Q, root_of
 from robosmi.quoting import toml
 from robosmi.transformations.knowledge.part import GIVEN
 from robosmi.transformations.queries.circuits.circuit_walk import beyond_driver, either_side
-from robosmi.transformations.queries.circuits.connector_names import displayed_name
+from robosmi.transformations.queries.circuits.connector_names import ConnectorNames
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -157,6 +157,7 @@ def circuit_graph(
 def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.Connection]) -> dict[str, Any]:
     """The result of the command `hardware`, JSON values only (`boards`, `components`, `mappings`, `nets`)."""
     beyond = {c: beyond_driver(c) for c in circuit.components if c.driver}
+    names = ConnectorNames()
     return {
         "boards": [{"title": b.title, "model_index": b.elementId, "module_id": b.partId} for b in boards(circuit)],
         "components": [
@@ -171,21 +172,21 @@ def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.C
             }
             for c in circuit.components
         ],
-        "mappings": [_mapping(connection, beyond) for connection in connections],
+        "mappings": [_mapping(connection, beyond, names) for connection in connections],
         "nets": [
-            {"name": net.name, "title": net.title, "rail": net.rail, "voltage": net.voltage, "connectors": _ends(net)}
+            {"name": net.name, "title": net.title, "rail": net.rail, "voltage": net.voltage, "connectors": _ends(net, names)}
             for net in circuit.nets
         ],
     }
 
 
-def _ends(net: hardware.Net) -> list[dict[str, str]]:
+def _ends(net: hardware.Net, names: ConnectorNames) -> list[dict[str, str]]:
     return [
         {
             "component": c.component.title,
             "component_model_index": c.component.elementId,
             "id": c.connectorId,
-            "name": displayed_name(c),
+            "name": names.of(c),
         }
         for c in net.connectors
         if c.component is not None
@@ -193,7 +194,9 @@ def _ends(net: hardware.Net) -> list[dict[str, str]]:
 
 
 def _mapping(
-    connection: migration.Connection, beyond: dict[hardware.Component, tuple[list[hardware.Component], list[hardware.Component]]]
+    connection: migration.Connection,
+    beyond: dict[hardware.Component, tuple[list[hardware.Component], list[hardware.Component]]],
+    names: ConnectorNames,
 ) -> dict[str, Json]:
     board = connection.boardConnectors[0].component if connection.boardConnectors else None
     component = connection.component
@@ -202,10 +205,10 @@ def _mapping(
         "board": board.title if board else "",
         "board_model_index": board.elementId if board else "",
         "pin": pin_label(connection),
-        "board_connectors": _connectors(connection.boardConnectors),
+        "board_connectors": _connectors(connection.boardConnectors, names),
         "component": component.title if component else "",
         "component_model_index": component.elementId if component else "",
-        "connectors": _connectors(connection.connectors),
+        "connectors": _connectors(connection.connectors, names),
         "role": role_on(connection),
         "driver": bool(component and component.driver),
         "signal": connection.signal.name,
@@ -216,8 +219,8 @@ def _mapping(
     }
 
 
-def _connectors(connectors: Iterable[hardware.Connector]) -> list[dict[str, str]]:
-    return [{"id": connector.connectorId, "name": displayed_name(connector)} for connector in connectors]
+def _connectors(connectors: Iterable[hardware.Connector], names: ConnectorNames) -> list[dict[str, str]]:
+    return [{"id": connector.connectorId, "name": names.of(connector)} for connector in connectors]
 
 
 def _components(components: Iterable[hardware.Component]) -> list[dict[str, str]]:

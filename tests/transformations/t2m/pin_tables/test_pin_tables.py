@@ -137,6 +137,8 @@ def shape(found: list[dict[str, Any]]) -> list[dict[str, Any]]:
         ("a.toml", "pin = 3\n", "'pin' is no list of tables", None),
         ("a.toml", "board = 3\n[[pin]]\npin = 3\npart = 'LED'\n", "'board' is no text", None),
         ("a.toml", "[[pin]]\npin = 3\npart = ''\n", "a row has no part", 1),
+        ("a.csv", f"pin,part,through\nD3,LED,\nD4,LED,{'R1;' * 101}\n", "the signal goes through 101 parts one after another", 3),
+        ("a.csv", "pin,part\n" + "D3,LED\n" * 2001, "the table has more than 2,000 parts", 2002),
     ],
 )
 def test_what_is_wrong_with_a_table(name: str, text: str, cause: str, line: int | None, tmp_path: Path) -> None:
@@ -164,9 +166,9 @@ def test_a_table_of_a_drawing_without_a_wired_pin_is_read_again(ending: str, boa
 def test_a_board_that_nobody_knows_and_a_table_for_no_such_file(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
     path.write_text("pin,part,board\nD3,LED,unno\n")
-    with pytest.raises(UsageError, match="no board is called 'unno'"):
+    with pytest.raises(UsageError, match="unknown board 'unno'"):
         hardware(path)
-    with pytest.raises(UsageError, match=r"a pin table is no '\.txt' file"):
+    with pytest.raises(UsageError, match=r"a pin table cannot be a '\.txt' file"):
         hardware(HERE / "robot.csv").pin_table(tmp_path / "a.txt")
 
 
