@@ -302,7 +302,14 @@ def _pins(row: Callable[[int], str], command: str) -> Callable[[Path, int], Word
         path = folder / "pins.csv"
         path.write_text("pin,part,title,connector,driver,through\n" + "".join(f"{row(i)}\n" for i in range(n)))
         if command == "migrate":
-            return ["migrate", program(folder, _MAIN + "void f(int x) { high(x); low(3); }\n"), "--hardware", path, "-o", folder / "out"]
+            return [
+                "migrate",
+                program(folder, _MAIN + "void f(int x) { high(x); low(3); }\n"),
+                "--hardware",
+                path,
+                "-o",
+                folder / "out",
+            ]
         return [command, path]
 
     return make

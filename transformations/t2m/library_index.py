@@ -33,7 +33,7 @@ from robosmi.recommend.library_record import HeaderRecord, LibraryRecord
 from robosmi.transformations.knowledge.platforms.api_spelling import spelled
 from robosmi.transformations.t2m.library_rows import LibraryRow
 
-_ADDRESS = re.compile(r"\s*[<(][^<>()]*@[^<>()]*[>)]|\S+@\S+")
+_ADDRESS = re.compile(r"\s*[<(][^<>()@]*@[^<>()]*[>)]|[^\s@]+@\S+")
 _FIX = "take a file that has one library a line, as the README beside the index says"
 
 

@@ -42,7 +42,7 @@ MOST_THROUGH = 100
 """Passive parts that a signal may go through one after another; drawings have one or two."""
 
 MOST_PARTS = 2_000
-"""Parts that a table may have; each is looked up in the tables of parts and, by `recommend` and `migrate`, in the index of libraries."""
+"""Parts that a table may have; each costs a look into the tables of parts and into the index of libraries."""
 
 _FIX = "see docs/reference/pin-tables.md for the columns"
 _NO_PIN = "pin = []"
@@ -317,7 +317,7 @@ def _rows(path: Path, data: bytes) -> tuple[str, list[_Row]]:
     return _toml_rows(path, text) if path.suffix.lower() == ".toml" else _csv_rows(path, text)
 
 
-_CELL = r'(?:"(?:[^"]|"")*"(?!")[^,;\t]*|[^",;\t][^,;\t]*|)'
+_CELL = r'(?:"[^"]*+(?:""[^"]*+)*+"(?:[^",;\t][^,;\t]*)?|[^",;\t][^,;\t]*|)'
 _CLOSED = re.compile(rf"{_CELL}(?:[,;\t]{_CELL})*")
 """Matches a line at whose end no quoted cell is open."""
 

@@ -11,8 +11,10 @@ import re
 from collections.abc import Iterator, Mapping, Set
 from typing import NamedTuple
 
+from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE
 from robosmi.transformations.t2m.c_source.parsing import clang
+from robosmi.transformations.t2m.c_source.parsing.bounds import cuts, shallow
 
 _TYPES = b"""
 typedef __INT8_TYPE__ int8_t; typedef __INT16_TYPE__ int16_t; typedef __INT32_TYPE__ int32_t; typedef __INT64_TYPE__ int64_t;
@@ -30,25 +32,31 @@ _FLAGS = (
     "-fno-spell-checking", f"-I{_SKETCH}", f"-I{_STUB}",
 )  # fmt: skip
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
-_BODIES = re.compile(rb"^((?:static )?inline [^\n]*\)) \{(?:[^\n]*\n(?:[ \t#][^\n]*\n|\n)*\}|[^\n]*\})$", re.MULTILINE)
+_BODIES = re.compile(
+    rb"^((?:static )?inline (?>[^\n]*?\)(?= \{))) \{(?:[^\n]*\n(?:[ \t#][^\n]*\n|\n)*\}|[^\n]*\})$", re.MULTILINE
+)
 """Matches inline functions of the adapters, whose bodies are not the program's own code."""
 _ON_AFTER_MISSING = 0x200
 """Option of a parse: go on after a header that is not there."""
+_NAMED = r"'[^']*'(?:\ \(aka\ '[^']*'\))?"
+"""A name or type in a message."""
 _SURE = re.compile(
-    r"""redefinition\ of\ '|definition\ of\ type\ '.*'\ conflicts\ with\ typedef|functions\ that\ differ\ only\ in\ their\ return
+    rf"""redefinition\ of\ '|definition\ of\ type\ {_NAMED}\ conflicts\ with\ typedef
+    |functions\ that\ differ\ only\ in\ their\ return
     |excess\ elements\ in|too\ (?:many|few)\ arguments\ to\ function\ call|no\ matching\ function\ for\ call\ to\ '
     |expression\ is\ not\ assignable|cannot\ assign\ to\ (?:variable|non-static\ data\ member|return\ value)
     |function\ definition\ is\ not\ allowed\ here|comparison\ (?:of\ distinct\ pointer\ types|between\ pointer\ and\ integer)
     |cannot\ initialize\ an?\ (?:parameter|variable|member\ subobject|array\ element|return\ object)
-    |assigning\ to\ '.*'\ from\ (?:incompatible\ type\ )?'[^']*'(?:\ \(aka\ '[^']*'\))?$|cannot\ cast\ from\ type
-    |indirection\ requires\ pointer\ operand|member\ reference\ base\ type\ '.*'\ is\ not\ a\ structure
-    |cannot\ jump\ from|default\ initialization\ of\ an\ object\ of\ const|static\ declaration\ of\ '.*'\ follows\ non-static
+    |assigning\ to\ {_NAMED}\ from\ (?:incompatible\ type\ )?{_NAMED}$|cannot\ cast\ from\ type
+    |indirection\ requires\ pointer\ operand|member\ reference\ base\ type\ {_NAMED}\ is\ not\ a\ structure
+    |cannot\ jump\ from|default\ initialization\ of\ an\ object\ of\ const|static\ declaration\ of\ {_NAMED}\ follows\ non-static
     |conflicting\ types\ for|variable-sized\ object\ may\ not\ be\ initialized|array\ is\ too\ small\ to\ include
     |initializer-string\ for\ char\ array\ is\ too\ long|use\ of\ undeclared\ label|redeclaration\ of\ '
-    |cannot\ increment\ value\ of\ type|array\ type\ '.*'\ is\ not\ assignable|array\ has\ incomplete\ element
-    |invalid\ operands\ to\ binary\ expression|void\ function\ '.*'\ should\ not\ return|non-void\ function\ '.*'\ should\ return
-    |called\ object\ type\ '.*'\ is\ not\ a\ function|subscripted\ value\ is\ not|incompatible\ (?:pointer|integer|operand)
-    |conversion\ from\ '.*'\ to\ '.*'\ is\ not\ allowed""",
+    |cannot\ increment\ value\ of\ type|array\ type\ {_NAMED}\ is\ not\ assignable|array\ has\ incomplete\ element
+    |invalid\ operands\ to\ binary\ expression|void\ function\ {_NAMED}\ should\ not\ return
+    |non-void\ function\ {_NAMED}\ should\ return
+    |called\ object\ type\ {_NAMED}\ is\ not\ a\ function|subscripted\ value\ is\ not|incompatible\ (?:pointer|integer|operand)
+    |conversion\ from\ {_NAMED}\ to\ {_NAMED}\ is\ not\ allowed""",
     re.VERBOSE,
 )
 """Matches errors that are about the program itself, not about a missing header."""
@@ -74,6 +82,8 @@ class CompilerComplaint(NamedTuple):
 def compiler_complaints(files: Mapping[str, bytes], main_header: str, adapters: str = ADAPTERS_FILE) -> list[CompilerComplaint]:
     """The lines of a program's files that a compiler refuses, each once, in the order of the files.
 
+    None are told of a program that nests too deep for libclang; reading it has reported that.
+
     Args:
         files: the name of each file in the program's folder -> its bytes.
         main_header: the target's header that each file includes; a text with the types of the language replaces it.
@@ -88,6 +98,8 @@ def compiler_complaints(files: Mapping[str, bytes], main_header: str, adapters: 
             if name not in files:
                 texts[f"{_STUB}/{name}"] = b""
     texts[f"{_STUB}/{main_header}"] = _TYPES
+    if any(_nests_too_deep(path, text) for path, text in texts.items()):
+        return []
     virtual = clang.unsaved(texts)
     own = {name.decode() for path, text in texts.items() if path.startswith(_SKETCH) for name in _DEFINED.findall(text)}
     told: dict[tuple[str, int], CompilerComplaint] = {}
@@ -97,6 +109,10 @@ def compiler_complaints(files: Mapping[str, bytes], main_header: str, adapters: 
                 if each.file != adapters:
                     told.setdefault((each.file, each.line), each)
     return list(told.values())
+
+
+def _nests_too_deep(path: str, text: bytes) -> bool:
+    return not (shallow(text) and b"define" not in text) and bool(cuts(path, text, tokens(text)))
 
 
 def _complaints(
