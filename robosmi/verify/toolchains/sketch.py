@@ -205,7 +205,7 @@ def choose_board(sketch: Sketch, boards: list[Board], toolchain: Toolchain, want
 
 
 _QUOTED = re.compile(r"\"(?:\\.|[^\"\\])*\"|'(?:''|[^'])*'")
-_KEY = re.compile(rf"^(?P<key>{_QUOTED.pattern}|\w[^:#]*?)\s*:(?:\s+(?P<value>.*))?$")
+_KEY = re.compile(rf"^(?P<key>{_QUOTED.pattern}|\w(?:[^:#]*[^:#\s])?)\s*:(?:\s++(?P<value>.*))?$")
 PROJECT_KEYS = ("profiles", "default_profile", "default_board", "board", "libraries")
 """What a toolchain says of the keys of its project files."""
 _FLOW = ("{", "[", "&", "*", "!", "|", ">", "%", "@", "`")

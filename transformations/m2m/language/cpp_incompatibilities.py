@@ -189,7 +189,7 @@ def _flexible_values(view: CodeView) -> Iterator[Form]:
         valued = isinstance(given, ccode.UnknownExpression) and f".{last.name}" in (given.text or "")
         if isinstance(given, ccode.InitializerList):
             valued = len(given.elements) >= len(record.fields)
-        if re.fullmatch(r"\[\s*0?\s*\]", sizes.strip()) and valued:
+        if re.fullmatch(r"\[\s*+0?\s*+\]", sizes.strip()) and valued:
             message = f"the member '{last.name}' has no size, so C++ takes no values for it"
             yield int(variable.startOffset), message, "give the member a size, or put the values into their own array"
 

@@ -152,7 +152,7 @@ def _convert_compound(element: ccode.Located, choice: str, text: SourceText) -> 
 
 
 def _parentheses(element: ccode.Declaration, choice: str, text: SourceText) -> list[Replacement]:
-    found = re.compile(rb"\b%s(?:\s*\[[^\]]*\])*\s*\)?\s*\(\s*\)" % re.escape(element.name.encode())).search(
+    found = re.compile(rb"\b%s(?:\s*\[[^\]]*\])*\s*+\)?\s*+\(\s*\)" % re.escape(element.name.encode())).search(
         text.data, element.startOffset, element.endOffset
     )
     return [Replacement(found.end() - 1, found.end() - 1, choice)] if found else []
