@@ -189,6 +189,10 @@ def _layer(layer: UserPins, ports: list[Port], program: ProgramPorts, api: ApiIn
             ports.append(port)
         if port is None:
             known = sorted({alias for p in ports for alias in (p.name, *p.names)})
+            if name in program.shared:
+                numbers = ", ".join(f"P{pin}" for pin in program.shared[name])
+                with placed(layer.places.get(name)):
+                    raise UsageError(f"'{name}' means several ports of the program: {numbers}", fix="bind each by its number")
             with placed(layer.places.get(name), _ANOTHER_PROGRAM):
                 raise UsageError(
                     f"'{name}' is no port of the program{did_you_mean(name, known)}",
