@@ -16,7 +16,7 @@ from robosmi.transformations.chains.stages import completion
 from robosmi.transformations.chains.stages.compiler_errors import parsed_program
 from robosmi.transformations.chains.stages.models import MigrationModels
 from robosmi.transformations.knowledge.lexer import Token
-from robosmi.transformations.m2t.first_screen import written
+from robosmi.transformations.m2t.first_screen import decided, written
 from robosmi.transformations.queries.flows.flow_reader import FlowReader
 from robosmi.transformations.queries.macros.argument_places import TokenText
 from robosmi.transformations.queries.plans.port_pins import PIN_RULE
@@ -98,7 +98,12 @@ def plan_of(case: str, bind: dict[str, str] | None = None, project: bool = True)
     """The models of a program that misleads, with the pins of its project file."""
     path = HOSTILE / case
     files = [path] if path.is_file() else sorted(path.glob("*.c"))
-    return plan_migration(files, bind=bind, project=None if project else Project(), hardware=path.parent / "pins.csv")
+    return plan_migration(
+        files,
+        bind=bind,
+        project=None if project else Project(),
+        hardware=pins if (pins := path.parent / "pins.csv").is_file() else None,
+    )
 
 
 def calls_ready(models: MigrationModels) -> bool:
@@ -166,3 +171,28 @@ def test_calls_through_a_table_of_own_and_platform_functions_are_not_ready(tmp_p
     assert {f.line for f in made.models.plan.findings if f.rule == PIN_RULE} == {9}
     assert not calls_ready(made.models)
     assert written(Work(made.models.plan)) != "nothing"
+
+
+def test_an_index_that_stands_before_its_array_is_followed() -> None:
+    models = plan_of("indexes/q.c", {"P3": "D9", "P4": "D7", "P5": "D2", "P6": "D4"}, project=False)
+    assert [b.sourcePin for b in models.plan.portBindings] == [3, 4, 5, 6]
+    assert [f.message for f in fired(models)] == []
+
+
+def test_calls_whose_ports_only_the_running_program_knows_are_not_said_to_need_nothing() -> None:
+    work = Work(plan_of("indexes/run_time.c", {"P3": "D9"}, project=False).plan)
+    assert work.calls["waits_for_port"] == 2
+    assert "nothing" not in decided(work)
+
+
+def test_a_program_that_calls_main_has_a_task(tmp_path: Path) -> None:
+    made = robosmi.migrate([HOSTILE / "main_called" / "f04_mainrec.c"], tmp_path / "out")
+    assert "RS337" in {f.rule for f in made.findings}
+    assert written(Work(made.models.plan)) != "nothing"
+
+
+@pytest.mark.parametrize("name", ["reg.c", "compound.c"])
+def test_each_compound_assignment_of_a_register_compiles(name: str, tmp_path: Path) -> None:
+    require_tools("avr-gcc", "arduino-core-avr")
+    made = robosmi.migrate([HOSTILE / "registers_nothing_open" / name], tmp_path / "out", bind={"P3": "D9"})
+    assert robosmi.compile_sketch(made.sketch).ok

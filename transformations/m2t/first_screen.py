@@ -180,10 +180,14 @@ def decided(work: Work) -> str:
     """A phrase on how many choices are open."""
     choices, left = work.choices()
     total = len(choices)
-    if not total:
+    if not total and not work.calls[WAITS]:
         return "nothing to choose"
+    made = f"{total} choice{'s are' if total != 1 else ' is'} made"
+    if not left and (waiting := work.calls[WAITS]):
+        calls = f"{waiting} call{'s' * (waiting != 1)}"
+        return f"{made}; {calls} may reach ports that have no pin yet: bind them by number (RS326, RS327)"
     if not left:
-        return f"nothing is open; {total} choice{'s are' if total != 1 else ' is'} made"
+        return f"nothing is open; {made}"
     return f"{len(left)} open of {total} choice{'s' * (total != 1)}"
 
 
