@@ -38,6 +38,8 @@ FUNCTION_KINDS = (
 )  # with templates and sets of overloaded functions
 TYPE_REF = cursor_kinds.TYPE_REF
 
+_POINTERS = frozenset((101, 112, 114))
+"""CXTypeKind of pointers, and of arrays with and without a size."""
 UNARY_OPERATORS = ("", "++", "--", "++", "--", "&", "*", "+", "-", "~", "!", "__real", "__imag", "__extension__", "co_await")
 BINARY_OPERATORS = (
     "", ".*", "->*", "*", "/", "%", "+", "-", "<<", ">>", "<=>", "<", ">", "<=", ">=", "==", "!=", "&", "^", "|", "&&", "||",
@@ -187,6 +189,9 @@ def _index(context: UnitContext, node: Node) -> ccode.Expression | None:
     if len(children) != 2:
         return None
     array, index = expression(context, children[0]), expression(context, children[1])
+    type_ = context.lib.getCanonicalType(context.lib.getCursorType(children[1].cursor))
+    if type_.kind in _POINTERS:  # 1[row] is row[1]
+        array, index = index, array
     return ccode.Index(array=array, index=index, **context.source.place(node.start, node.end))
 
 
