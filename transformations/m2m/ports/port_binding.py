@@ -413,7 +413,8 @@ def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
         seat.binding.options.append(
             migration.Option(
                 label=connection.name, score=0.5 if found.points > 0 else 0.1,
-                reasons=[*(found.reasons or ["weak match: only input/output agrees"]), *filter(None, [misleading_title(connection)])],
+                reasons=[*(found.reasons or ["weak match: only input/output agrees"]),
+                    *filter(None, [misleading_title(connection)])],
             )
         )  # fmt: skip
 
