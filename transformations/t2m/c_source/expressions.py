@@ -283,7 +283,7 @@ BUILDERS: Mapping[int, ExpressionBuilder] = {
     COMPOUND_ASSIGN: _binary,
     cursor_kinds.CONDITIONAL_OPERATOR: _conditional,
     UNEXPOSED: _omitted,
-    cursor_kinds.STMT_EXPR: _statement_expression,
+    cursor_kinds.StmtExpr: _statement_expression,
     CAST: _cast,
     COMPOUND_LITERAL: _cast,
     cursor_kinds.INIT_LIST_EXPR: _initializer_list,
