@@ -1,8 +1,8 @@
-"""The prototypes that a sketch's builder makes of functions that are used above their definition, before the first function.
+"""The prototypes that a platform's builder makes of functions that a sketch uses above their definition.
 
-A sketch file may call what is defined further down. Only such functions get a prototype here;
-they stand on the line of the first function, so that lines keep their numbers. Templates, methods, functions in namespaces and
-those with default arguments get none, as they need none or the builder makes none that compiles.
+Such builders put them before the first function; a toolchain's data say whether it has such a builder. Only
+functions that need one get one, on the line of the first function, so that lines keep their numbers. Templates, methods,
+functions in namespaces and those with default arguments get none, as they need none or no prototype of them would compile.
 """
 
 from __future__ import annotations
