@@ -20,7 +20,7 @@ _DIRECTIVES = (
 )
 _OPERANDS = r"[-\w.$,+@%()*: \t]*"
 _ORDINARY = re.compile(
-    rf"[ \t]*(?:{_NAME}:|{_DIRECTIVES}(?:[ \t]+{_OPERANDS}(?:{_TEXT}[\w.,@% \t]*)?)?|[a-z]\w*(?:[ \t]+{_OPERANDS})?)?", re.ASCII
+    rf"[ \t]*(?:{_NAME}:|{_DIRECTIVES}(?:[ \t]{_OPERANDS}(?:{_TEXT}[\w.,@% \t]*)?)?|[a-z]\w*(?:[ \t]{_OPERANDS})?)?", re.ASCII
 )
 """Nearly every line of a compiler; what others say is looked at statement by statement."""
 _STATEMENT = re.compile(rf'(?:{_TEXT}|[^"#;])*')

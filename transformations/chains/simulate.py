@@ -72,7 +72,8 @@ class Simulated(Struct):
         """The contract's part of the document."""
         trace = self.trace
         if trace is None:
-            return {"engine": None, "simulated_s": 0.0, "console": "", "events": [], "events_total": 0, "device_events": []}
+            nothing: dict[str, Any] = {"engine": None, "simulated_s": 0.0, "console": "", "events": [], "events_total": 0}
+            return {**nothing, "released": [], "device_events": []}
         events = _events(trace)
         return {
             "engine": trace.engine,
@@ -81,6 +82,7 @@ class Simulated(Struct):
             "console": trace.text,
             "events": events[:MOST_EVENTS],
             "events_total": len(events),
+            "released": _released(trace)[:MOST_EVENTS],
             "device_events": [
                 {"t_us": round(e.at_us, 3), "device": e.device, "what": e.what, "value": e.value}
                 for e in trace.device_events[:MOST_EVENTS]
@@ -141,6 +143,18 @@ def _events(trace: PinTrace) -> list[dict[str, Any]]:
         for w in trace.waves
     ]
     return [event for _, event in sorted(found, key=lambda each: each[0])]
+
+
+def _released(trace: PinTrace) -> list[dict[str, Any]]:
+    """Where the program stops driving a pin or changes its pull-up then, in order of time; for pins that it drove before."""
+    driven: set[str] = set()
+    found = []
+    for change in trace.changes:
+        if change.level in (0, 1):
+            driven.add(change.pin)
+        elif change.pin in driven:
+            found.append({"t_us": round(change.at_us, 3), "pin": change.pin, "pull_up": change.level == "p"})
+    return found
 
 
 def simulate(

@@ -15,7 +15,7 @@ from robosmi.transformations.constraints.code_move import Move, is_narrower, mov
 from robosmi.transformations.queries.expression_type import element_type, type_of
 from robosmi.validate import Fail
 
-_CONVERSION = re.compile(r"%[-+ #0']*(\*|\d+)?(?:\.(\*|-?\d+)?)?(hh|h|ll|l|j|z|t|L)?([a-zA-Z%\[])")
+_CONVERSION = re.compile(r"%[-+ #0']*+(\*|\d+)?(?:\.(\*|-?\d+)?)?(hh|h|ll|l|j|z|t|L)?([a-zA-Z%\[])")
 _INTEGERS = frozenset("diuxXobc")
 _TEXT = re.compile(r"\s*(?:const\s+)?char\s*(?:const\s*)?\*")
 

@@ -86,6 +86,44 @@ def KeepsItsLayout(unit: ccode.SourceUnit) -> bool | Fail:
     return together(f"structures that the program treats as bytes have another layout on the target: {'; '.join(told)}", some)
 
 
+@units.constraint(
+    id="RS349", severity=Severity.warning, location=place,
+    advice="check what the program does with the number; write it out where the source's size is meant",
+)  # fmt: skip
+def KeepsItsSizes(unit: ccode.SourceUnit) -> bool | Fail:
+    """No number that the program computes is a size that differs on the target."""
+    found = {id(each): (each, said) for each in the_move().view(unit).of_kind(ccode.SizeOf) if (said := _differs(each))}
+    if not found:
+        return True
+    told = list(dict.fromkeys(said for _, said in found.values()))
+    return together(f"sizeof has another value on the target: {'; '.join(told)}", [each for each, _ in found.values()])
+
+
+def _differs(size: ccode.SizeOf) -> str:
+    """The message that a size differs between the platforms and is a number of the program; else empty."""
+    plan = the_move().plan
+    here, there = on_source(plan), on_target(plan)
+    use = size.measured if size.operand is None else named_type(size.operand)
+    if here is None or use is None or _is_amount(size):
+        return ""
+    if isinstance(size.operand, ccode.NameReference) and isinstance(size.operand.target, ccode.Parameter) and use.arrayDims:
+        return ""  # the type that is declared is not the one that is measured
+    before, after = here.of(use), there.of(use)
+    if before is None or after is None or before == after:
+        return ""
+    return f"{str(use.spelling).strip()} has {after} bytes, not {before}"
+
+
+def _is_amount(size: ccode.SizeOf) -> bool:
+    """Whether a size is an amount of memory or a divisor, which are right on each platform by themselves."""
+    parent = size.eContainer()
+    while isinstance(parent, ccode.Cast) or (isinstance(parent, ccode.Binary) and parent.operator in ("*", "+")):
+        parent = parent.eContainer()
+    if isinstance(parent, ccode.Binary) and parent.operator in ("/", "%"):
+        return True
+    return isinstance(parent, ccode.Call) and (parent.calleeName in TAKING or parent.calleeName in _COPYING | {"memset"})
+
+
 def _sizes(record: ccode.Record) -> str:
     """The message that a structure's size differs between the platforms; empty if it does not or is unknown."""
     plan = the_move().plan

@@ -298,6 +298,11 @@ def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
                 line=finding.line,
                 column=finding.column,
             )
+        elif finding.rule == "RS102":
+            yield Task(
+                rule="RS504", severity=Level.warning, effort="small", message=f"write what could not be read: {finding.message}",
+                fix=finding.fix, path=finding.path, line=finding.line, column=finding.column,
+            )  # fmt: skip
         elif finding.rule in ("RS312", "RS337", "RS342"):
             yield Task(
                 rule="RS504",

@@ -185,10 +185,13 @@ def decided(work: Work) -> str:
     """A phrase on how many choices are open."""
     choices, left = work.choices()
     total = len(choices)
-    if not total:
+    waiting = work.calls[WAITS]
+    if not total and not waiting:
         return "no choices"
     if not left:
-        return f"all {total} decided" if total != 1 else "1 decided"
+        made = "no choices" if not total else f"all {total} decided" if total != 1 else "1 decided"
+        calls = f"{waiting} call{'s' * (waiting != 1)}"
+        return f"{made}; {calls} may reach ports that have no pin: bind them by number (RS326, RS327)" if waiting else made
     return f"{len(left)} of {total} choice{'s' * (total != 1)} open"
 
 

@@ -33,7 +33,7 @@ from robosmi.recommend.library_record import HeaderRecord, LibraryRecord
 from robosmi.transformations.knowledge.platforms.api_spelling import spelled
 from robosmi.transformations.t2m.library_rows import LibraryRow
 
-_ADDRESS = re.compile(r"\s*[<(][^<>()]*@[^<>()]*[>)]|\S+@\S+")
+_ADDRESS = re.compile(r"\s*[<(][^<>()@]*@[^<>()]*[>)]|[^\s@]+@\S+")
 _FIX = "use a file with one library per line; the README next to the index has the format"
 
 

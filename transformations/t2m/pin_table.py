@@ -319,9 +319,9 @@ def _rows(path: Path, data: bytes) -> tuple[str, list[_Row]]:
     return _toml_rows(path, text) if path.suffix.lower() == ".toml" else _csv_rows(path, text)
 
 
-_ANNOUNCED = re.compile(r"""(?i:\s*"?sep=(.)"?[,;\t]*)\s*""")
+_ANNOUNCED = re.compile(r"""(?i:\s*"?sep=(.)"?[,;\t]*+)\s*""")
 """Matches the line with which Excel says what separates the cells."""
-_CELL = r'(?:"(?:[^"]|"")*"(?!")[^,;\t]*|[^",;\t][^,;\t]*|)'
+_CELL = r'(?:"[^"]*+(?:""[^"]*+)*+"(?:[^",;\t][^,;\t]*)?|[^",;\t][^,;\t]*|)'
 _CLOSED = re.compile(rf"{_CELL}(?:[,;\t]{_CELL})*")
 """Matches a line at whose end no quoted cell is open."""
 

@@ -28,7 +28,7 @@ MOST = 5000
 _SOURCES = (*ENDINGS, ".c", ".cc", ".cpp", ".cxx", ".ino")
 _INCLUDE = re.compile(rb"^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)[>\"]", re.MULTILINE)
 _RECORDS = {"structType": "struct", "unionType": "union", "classType": "class"}
-_ADDRESS = re.compile(r"\*\s*\(\s*(?:\(\s*)?[\w\s]*\bvolatile\b[\w\s]*\*")
+_ADDRESS = re.compile(r"\*\s*+\(\s*+(?:\(\s*+)?(?=[\w\s]*\bvolatile\b)[\w\s]*+\*")
 
 
 class ApiFound:

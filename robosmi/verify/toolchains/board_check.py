@@ -28,7 +28,7 @@ from robosmi.verify.toolchains.tools import Installed
 
 _ELEMENT = re.compile(r"(\w+)\[(.+)\]")
 _LABEL = re.compile(r"^(\w+):$")
-_DATA = re.compile(r"^\s+\.(byte|word|short|long|zero|skip)\s+(.+?)\s*$")
+_DATA = re.compile(r"^\s+\.(byte|word|short|long|zero|skip)\s+(\S(?:.*\S)?)\s*$")
 _SIZES = {"byte": 1, "word": 2, "short": 2, "long": 4}
 _TOLD = "told_of_board"
 _LONGEST = 200
@@ -168,7 +168,7 @@ def _list_findings(board: Board, check: DataTable, installed: Installed) -> Iter
     if not full or not path.is_file():
         return
     text = inputs.read_text(path, inputs.OUTPUT, "utf-8", "replace")
-    entries = {entry[1]: entry[2] for entry in re.finditer(r"^([\w.]+)=(.*?)\s*$", text, re.MULTILINE)}
+    entries = {entry[1]: entry[2].rstrip() for entry in re.finditer(r"^([\w.]+)=(.*)", text, re.MULTILINE)}
     short, _, option = full.removeprefix(prefix).partition(":")
     known = {key.partition(".")[0] for key in entries if key.endswith(".name") and key.count(".") == 1}
     if short not in known:

@@ -26,6 +26,7 @@ from robosmi.errors import PlatformDataError, SourceError, UsageError
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.output_paths import Places
 from robosmi.verify.toolchains.boards import Board, find_board
+from robosmi.verify.toolchains.prototypes import with_prototypes
 from robosmi.verify.toolchains.toolchain_data import Toolchain
 
 
@@ -52,7 +53,7 @@ class Sketch(NamedTuple):
         return self.main.stem == self.folder.resolve().name
 
     def text(self, toolchain: Toolchain) -> str:
-        """The program text that is compiled: the toolchain's prologue, then each file under its own name.
+        """The program text that is compiled: the toolchain's prologue, then each file under its own name, with prototypes.
 
         Raises:
             SourceError: a file cannot be read.
@@ -65,7 +66,7 @@ class Sketch(NamedTuple):
             except OSError as error:
                 raise SourceError(f"the file cannot be read: {error}", location=Location(str(path))) from error
             text += line.replace("{file}", path.name) + content + ("" if content.endswith("\n") else "\n")
-        return text
+        return with_prototypes(text) if toolchain.sketch.flag("prototypes", False) else text
 
 
 def find_sketch(path: Path, toolchains: Sequence[Toolchain]) -> tuple[Sketch, Toolchain]:
@@ -204,7 +205,7 @@ def choose_board(sketch: Sketch, boards: list[Board], toolchain: Toolchain, want
 
 
 _QUOTED = re.compile(r"\"(?:\\.|[^\"\\])*\"|'(?:''|[^'])*'")
-_KEY = re.compile(rf"^(?P<key>{_QUOTED.pattern}|\w[^:#]*?)\s*:(?:\s+(?P<value>.*))?$")
+_KEY = re.compile(rf"^(?P<key>{_QUOTED.pattern}|\w(?:[^:#]*[^:#\s])?)\s*:(?:\s++(?P<value>.*))?$")
 PROJECT_KEYS = ("profiles", "default_profile", "default_board", "board", "libraries")
 """What a toolchain says of the keys of its project files."""
 _FLOW = ("{", "[", "&", "*", "!", "|", ">", "%", "@", "`")

@@ -200,7 +200,7 @@ def _label(connection: migration.Connection) -> str:
 TOOL = "wokwi"
 _OWN = "chip-"
 _DIGITS = re.compile(r"\[(\d)-(\d)\]")
-_VALUED = re.compile(r"(\d{1,9}(?:[.,]\d{1,6})?)\s*([kKMR]?)(\d{0,3})\s*(?:ohms?|Ohms?|[\u03a9\u2126])?")
+_VALUED = re.compile(r"(\d{1,9}(?:[.,]\d{1,6})?)\s*+([kKMR]?)(\d{0,3})\s*+(?:ohms?|Ohms?|[\u03a9\u2126])?")
 _POWERED = ("supply", "ground")
 
 

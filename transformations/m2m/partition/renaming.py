@@ -86,7 +86,7 @@ def _in_c_alone(macro: ccode.Macro, unit: ccode.SourceUnit) -> bool:
     return any(_C_ALONE.match(condition) for condition in conditions)
 
 
-_C_ALONE = re.compile(r"ifndef\s+__cplusplus\b|if\s+!\s*defined\s*\(?\s*__cplusplus\b")
+_C_ALONE = re.compile(r"ifndef\s+__cplusplus\b|if\s+!\s*defined\s*+\(?\s*+__cplusplus\b")
 
 
 def _declarations(views: Iterable[CodeView]) -> Iterator[tuple[ccode.Declaration | ccode.Macro | ccode.Label, bool]]:

@@ -28,6 +28,7 @@ from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
 from robosmi.transformations.m2m.ports.port_evidence import Fit, Seat, fit, may_meet
+from robosmi.transformations.queries.circuits.component_kinds import misleading_title
 from robosmi.transformations.queries.flows.value_flows import PinArgument
 from robosmi.transformations.queries.plans.binding_edits import referred, trace_binding
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED
@@ -191,6 +192,10 @@ def _layer(layer: UserPins, ports: list[Port], program: ProgramPorts, api: ApiIn
             ports.append(port)
         if port is None:
             known = sorted({alias for p in ports for alias in (p.name, *p.names)})
+            if name in program.shared:
+                numbers = ", ".join(f"P{pin}" for pin in program.shared[name])
+                with placed(layer.places.get(name)):
+                    raise UsageError(f"'{name}' means several ports of the program: {numbers}", fix="bind each by its number")
             with placed(layer.places.get(name), _ANOTHER_PROGRAM):
                 raise UsageError(
                     f"'{name}' is no port of the program{did_you_mean(name, known)}",
@@ -379,12 +384,12 @@ def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: f
         fits = {(i, k): f for i, s in enumerate(waiting) for k, c in enumerate(left) if (f := fit(s, c)) is not None}
         best = _single_bests(fits)
         pairs = [(i, k) for (i, k), f in fits.items() if f.points > 0 and (i, k) in best]
-        pairs = [p for p in pairs if _confidence(fits[p], first) >= limit]
+        pairs = [p for p in pairs if _confidence(fits[p], first) >= limit and not misleading_title(left[p[1]])]
         pins = [left[k].pin for _, k in pairs]
         pairs = [(i, k) for i, k in pairs if left[k].pin is None or pins.count(left[k].pin) == 1]  # several parts on one pin
         left_over = not pairs and complete and limit <= LEFT_CONFIDENCE
         if left_over:
-            pairs = _only_pairs(fits, waiting, left)
+            pairs = [(i, k) for i, k in _only_pairs(fits, waiting, left) if not misleading_title(left[k])]
             fits.update({(i, k): Fit(1.0, (_usual_components(waiting[i]), *fits[i, k].reasons), False) for i, k in pairs})
         if not pairs:
             break
@@ -408,7 +413,8 @@ def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
         seat.binding.options.append(
             migration.Option(
                 label=connection.name, score=0.5 if found.points > 0 else 0.1,
-                reasons=list(found.reasons) or ["weak match: only input/output agrees"],
+                reasons=[*(found.reasons or ["weak match: only input/output agrees"]),
+                    *filter(None, [misleading_title(connection)])],
             )
         )  # fmt: skip
 

@@ -95,6 +95,8 @@ class FlowReader:
 
     def key(self, thing: Element | None) -> Hashable:
         """The key of a declaration or expression in the flows; the same one for a thing that several files declare."""
+        if isinstance(thing, ccode.Variable) and thing.storage is ccode.Storage.externStorage:
+            return self._outer(thing)
         if isinstance(thing, (ccode.Variable, ccode.Function)) and isinstance(
             thing.eContainer(), (ccode.SourceUnit, ccode.Program)
         ):
@@ -105,6 +107,15 @@ class FlowReader:
             if isinstance(function, ccode.Function):
                 return ("Parameter", self.key(function), list(function.parameters).index(thing))
         return ("element", id(thing))
+
+    def _outer(self, declared: ccode.Variable) -> Hashable:
+        """The key of the variable that an `extern` declaration means, in a block too."""
+        unit = ancestor_of_kind(declared, ccode.SourceUnit)
+        for other in unit.declarations if unit is not None else ():
+            static = isinstance(other, ccode.Variable) and other.storage is ccode.Storage.staticStorage
+            if static and other.name == declared.name:
+                return ("element", id(other))
+        return ("Variable", str(declared.name))
 
     def value(self, expression: ccode.Located | None) -> Hashable:
         """The key of the thing that an expression takes its value from, such as a variable, a member or a function's result."""
@@ -363,7 +374,10 @@ class FlowReader:
     def _pin(self, function: str, pin: PinParameter, call: ccode.Call, view: CodeView) -> None:
         """Let the flow of a call's argument end in a pin parameter of a platform function."""
         text, arguments = self.texts[view.unit.path], list(call.arguments)
-        places = text.arguments(text.at(int(call.startOffset)))
+        if call.calleeExpression is not None:  # which may have parentheses of its own
+            places = text.last_arguments(int(call.endOffset))
+        else:
+            places = text.arguments(text.at(int(call.startOffset)))
         argument = arguments[pin.position]
         start, end = int(argument.startOffset), int(argument.endOffset)
         if places is not None and len(places) == len(arguments) and places[pin.position]:

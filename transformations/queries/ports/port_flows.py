@@ -320,7 +320,7 @@ def _directive(text: str, reader: FlowReader, bodies: dict[str, set[str]]) -> No
             if [t[3] for t in body.tokens] != [t[3] for t in known.tokens]:
                 bodies.setdefault(found[1], set()).add(found[2])
         return
-    for name in sorted(names_in(re.sub(r"\bdefined\s*\(?\s*\w+\s*\)?", " ", match[2]))):
+    for name in sorted(names_in(re.sub(r"\bdefined\s*+\(?\s*+\w+\s*+\)?", " ", match[2]))):
         if name in reader.macros:
             reader.flows.freeze(("macro", name), f"'{name}' is tested by #{match[1]}")
 

@@ -193,6 +193,8 @@ def _constant_size(variable: ccode.Variable) -> bool:
 
 def is_constant(expression: ccode.Expression) -> bool:
     """Whether an expression may stand as the initial value of a global: literals, constants and operators on them."""
+    if isinstance(expression, ccode.UnknownExpression) and expression.text.startswith("[]"):
+        return True  # a lambda that captures nothing
     for inner in all_contents(expression):
         if isinstance(inner, (ccode.Call, ccode.Assignment, ccode.UnknownExpression, ccode.Member, ccode.Index)):
             return False

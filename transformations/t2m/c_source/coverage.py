@@ -15,9 +15,11 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import KEYWORDS
 from robosmi.transformations.t2m.c_source.context import UnitContext
+from robosmi.transformations.t2m.c_source.parsing.translation_unit import Diagnostic
 
 _NO_CALL = KEYWORDS | {
     "defined",
+    "__attribute",
     "__builtin_offsetof",
     "__alignof__",
     "_Alignof",
@@ -82,7 +84,7 @@ def problems(context: UnitContext) -> list[ccode.SyntaxProblem]:
             continue
         said.add((start, diagnostic.message))
         place = context.source.place(start, start)
-        fatal = diagnostic.syntax and not _before_a_cut(context, start)
+        fatal = (diagnostic.syntax or _of_a_number(context, diagnostic)) and not _before_a_cut(context, start)
         found.append(ccode.SyntaxProblem(message=diagnostic.message, fatal=fatal or None, **place))
         if _is_error_directive(context, start):
             message = f"#error: {diagnostic.message.strip(chr(34))}"
@@ -93,6 +95,15 @@ def problems(context: UnitContext) -> list[ccode.SyntaxProblem]:
         elif fatal:
             context.find("RS101", Severity.error, f"syntax error: {diagnostic.message}", start, None, "correct the source text")
     return found
+
+
+_THROUGH_NUMBER = re.compile(rb"\*\s*[0-9]")
+
+
+def _of_a_number(context: UnitContext, diagnostic: Diagnostic) -> bool:
+    """Whether a number is used as a pointer: what stood before `*` was ended by a macro with a semicolon."""
+    said = diagnostic.message.startswith("indirection requires pointer operand")
+    return said and _THROUGH_NUMBER.match(context.source.parsed, diagnostic.offset) is not None
 
 
 def _before_a_cut(context: UnitContext, offset: int) -> bool:

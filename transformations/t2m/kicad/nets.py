@@ -146,7 +146,7 @@ def _passes(wire: Wire, place: Point) -> bool:
     return (x2 - x1) * (place.y - y1) == (y2 - y1) * (place.x - x1)
 
 
-_VECTOR = re.compile(r"(.*)\[([0-9]{1,4})\.\.([0-9]{1,4})\](.*)")
+_VECTOR = re.compile(r"(.*)\[([0-9]{1,4})\.\.([0-9]{1,4})\]((?s:.*))")
 _GROUP = re.compile(r"([^{}]*(?<!\$))\{(.*)\}")  # `${NAME}` is a text variable
 _ESCAPES = frozenset(("slash", "backslash", "space", "tab", "return", "colon", "brace", "lt", "gt", "quote", "dblquote", "bar"))
 _MOST_MEMBERS = 1_000
