@@ -420,7 +420,7 @@ def test_a_link_that_leads_to_itself_is_refused(command: str, tmp_path: Path) ->
 
 def test_a_model_cannot_be_stored_over_a_folder(line_follower: Path, tmp_path: Path) -> None:
     (tmp_path / "code.xmi").mkdir()
-    check_refused(run("analyse", line_follower, "-o", tmp_path / "code.xmi"), 3, "code.xmi", "no ordinary file")
+    check_refused(run("analyse", line_follower, "-o", tmp_path / "code.xmi"), 3, "code.xmi", "ordinary file")
     assert tree(tmp_path / "code.xmi") == {}
 
 
