@@ -1,4 +1,4 @@
-"""Opening a file to read it: what is not an ordinary file, what is too large, and what changes between the look and the opening."""
+"""Opening a file to read it: what is no ordinary file, what is too large, and what changes between the look and the opening."""
 
 from __future__ import annotations
 
