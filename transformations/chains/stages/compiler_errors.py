@@ -6,13 +6,20 @@ from collections.abc import Mapping
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration
+from robosmi.model.elements.ordering import post_order
 from robosmi.transformations.m2m.plan_tasks import plan_findings
 from robosmi.transformations.m2t.program_text import file_name
+from robosmi.transformations.queries.expression_type import of_use
 from robosmi.transformations.queries.plans.plan import target_of
 from robosmi.transformations.t2m.c_source.parsing.compiler_complaints import CompilerComplaint, compiler_complaints
 
 RULE = "RS337"
 _CODE = (".ino", ".cpp", ".h")
+_MOST_MEMBERS = 100_000
+"""Members of a structure, those of its members included, beyond which libclang is not asked: it takes memory for each.
+
+No microcontroller has the memory for such a variable.
+"""
 _MOST = 10
 """Limit on the reported lines."""
 _TOLD_BEFORE = frozenset({"RS101", "RS312"})
@@ -28,7 +35,7 @@ def compiler_errors(
         texts: path in the output folder -> the text that was made.
         sources: path of a unit -> its bytes.
     """
-    if target_of(plan).language == "C" or plan.program is None:
+    if target_of(plan).language == "C" or plan.program is None or _most_members(plan.program, sources) > _MOST_MEMBERS:
         return []
     folder = f"{plan.name}/"
     made = {
@@ -53,6 +60,24 @@ def compiler_errors(
         found = [*(f for number, f in enumerate(found) if number < _MOST - 1)]
         found.append(Finding(RULE, Severity.warning, more, first.location, fix=first.fix))
     return plan_findings(plan, found, {str(unit.path): str(unit.path) for unit in plan.program.units})
+
+
+def _most_members(program: ccode.Program, sources: Mapping[str, bytes]) -> int:
+    """The number of numbers and pointers in the largest structure of a program."""
+    if not any(b"struct" in data or b"union" in data for data in sources.values()):
+        return 0
+    counts: dict[ccode.Record, int] = {}
+
+    def parts(record: ccode.Record) -> list[ccode.Record]:
+        kinds = [of_use(field.valueType) for field in record.fields]
+        found = [kind.declaration for kind in kinds if kind is not None and not kind.depth]
+        return [each for each in found if isinstance(each, ccode.Record)]
+
+    records = [each for unit in program.units for each in unit.eAllContents() if isinstance(each, ccode.Record)]
+    for record in post_order(records, parts):
+        inner = parts(record)
+        counts[record] = sum(counts.get(each, 0) for each in inner) + len(record.fields) - len(inner)
+    return max(counts.values(), default=0)
 
 
 def _place(refused: CompilerComplaint, made: str, unit: ccode.SourceUnit | None, sources: Mapping[str, bytes]) -> Location | None:

@@ -207,6 +207,7 @@ def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> None:
     for place in places:
         if place.name:
             meant.setdefault(place.name, set()).add(place.value)
+    named: set[tuple[int, str]] = set()
     for place in places:
         port = found[place.value]
         name = _full_name(place, meant)
@@ -215,7 +216,8 @@ def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> None:
         elif port.origin != "declaration":
             port.origin, port.element, port.name = "declaration", place.element, name
             port.names = [f"P{port.pin}"]
-        elif name != port.name and name not in port.names:
+        elif name != port.name and (port.pin, name) not in named and name not in port.names[-1:]:
+            named.add((port.pin, name))
             port.names.insert(len(port.names) - 1, name)
 
     for each in through:
