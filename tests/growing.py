@@ -295,6 +295,37 @@ def _table(folder: Path, n: int) -> Words:
     return ["query", path, "books.all.select(lambda b: b.title == 't1').size()"]
 
 
+def _pins(row: Callable[[int], str], command: str) -> Callable[[Path, int], Words]:
+    """Rows of a pin table."""
+
+    def make(folder: Path, n: int) -> Words:
+        path = folder / "pins.csv"
+        path.write_text("pin,part,title,connector,driver,through\n" + "".join(f"{row(i)}\n" for i in range(n)))
+        if command == "migrate":
+            return [
+                "migrate",
+                program(folder, _MAIN + "void f(int x) { high(x); low(3); }\n"),
+                "--hardware",
+                path,
+                "-o",
+                folder / "out",
+            ]
+        return [command, path]
+
+    return make
+
+
+PIN_TABLES: dict[str, tuple[Callable[[int], str], int]] = {
+    "equal rows": (lambda i: "D9,Red LED,A,a,,R1", 5900),
+    "rows with a connector each": (lambda i: f"D9,Red LED,A,a{i},,R1", 4500),
+    "rows with a pin each": (lambda i: f"X{i},Red LED,A,a,,", 4500),
+    "rows with a part each": (lambda i: "D9,Red LED,,,,", 1900),
+    "rows with a driver each": (lambda i: f"X{i},L293D,M{i},in,true,", 1900),
+    "rows with a resistor each": (lambda i: f"D9,Red LED,A,a,,R{i}", 1900),
+    "rows with a chain of resistors each": (lambda i: f"D9,Red LED,A,a,,{f'R{i};' * 99}", 19),
+}
+
+
 def _components(folder: Path, n: int) -> Words:
     path = folder / "components.json"
     path.write_text(json.dumps([{"id": f"c{i}", "title": f"Servo {i}"} for i in range(n)]))
@@ -349,6 +380,11 @@ FAMILIES: tuple[Growing, ...] = (
         Growing(f"{name}: {command}", _drawn(parts, command), n)
         for name, (parts, n) in DRAWINGS.items()
         for command in ("svg", "check", "recommend", "migrate")
+    ),
+    *(
+        Growing(f"{name}: {command}", _pins(row, command), n)
+        for name, (row, n) in PIN_TABLES.items()
+        for command in ("hardware", "check", "recommend", "migrate")
     ),
     *(Growing(name, make, n) for name, (make, n) in OTHERS.items()),
 )

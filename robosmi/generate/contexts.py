@@ -184,7 +184,7 @@ _RULES: dict[str, tuple[tuple[re.Pattern[str], str], ...]] = {
         (re.compile(rf"&#?\w*{VALUE}"), "would be part of a character's reference"),
         (re.compile(rf"[\"'][^\"'/?#:]*{VALUE}[^\"'/?#:]*:"), "could be the scheme of an address"),
         (
-            re.compile(rf"(?i)[\"']\s*(?!(?:https?|mailto|ftp):)[^\"'/?#:{VALUE}]*:[^\"']*{VALUE}"),
+            re.compile(rf"(?i)[\"']\s*+(?!(?:https?|mailto|ftp):)[^\"'/?#:{VALUE}]*+:[^\"']*{VALUE}"),
             "would go on such an address",
         ),
     ),

@@ -260,12 +260,17 @@ def _kept(piece: str | Region, there: dict[str, Region]) -> str | Region:
     return piece.with_contents(old.contents, True)
 
 
+_BEGIN = re.compile(
+    r"^((?>.*?(?=(?:controlled|protected) region )))(controlled|protected) region (.*) (?:on|off) begin(.*)", re.MULTILINE
+)
+
+
 def styles_in(text: str) -> list[CommentStyle]:
     """The comments that the regions of a text have, judged by the text alone."""
     found: dict[CommentStyle, None] = {}
     if not any(f"{kind} region " in text for kind in (CONTROLLED, PROTECTED)):
         return []  # which most texts have not, and the expression tries each of their characters
-    for begin in re.finditer(r"^(.*?)(controlled|protected) region (.*) (?:on|off) begin(.*)$", text, re.MULTILINE):
+    for begin in _BEGIN.finditer(text):
         style = CommentStyle(begin[1].strip(), begin[4].strip())
         if style.end_line(begin[2], begin[3]) in text:
             found[style] = None

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-_REAL = re.compile(r"[+-]?(NaN|Infinity|(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?[fFdD]?)")
+_REAL = re.compile(r"[+-]?(NaN|Infinity|(\d+(?:\.\d*)?|\.\d+)([eE][+-]?\d+)?[fFdD]?)")
 
 
 def is_defined(value: Answer) -> bool:
@@ -162,7 +162,7 @@ def as_date(value: Answer, pattern: str) -> datetime:
         raise OperandError(f"'{as_string(value)}' is no date of the form {pattern}") from error
 
 
-_CONVERSION = re.compile(r"%(?P<flags>[-#+ 0,(]*)(?P<width>\d+)?(?:\.(?P<digits>\d+))?(?P<kind>[a-zA-Z%])")
+_CONVERSION = re.compile(r"%(?P<flags>[-#+ 0,(]*+)(?P<width>\d+)?(?:\.(?P<digits>\d+))?(?P<kind>[a-zA-Z%])")
 _TAKES: dict[str, Callable[[Any], bool]] = {
     **dict.fromkeys("dxXo", lambda x: isinstance(x, int) and not isinstance(x, bool)),
     **dict.fromkeys("feEgG", lambda x: isinstance(x, float)),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from robosmi.base.data_text import Json, json_written
-from robosmi.quoting.text import one_line, visible
+from robosmi.quoting.text import one_line, replace_unseen, visible
 
 _PLAIN = re.compile(r"[A-Za-z0-9_/(][\w./()+:@,;=<>~^*&!?$%-]*(?: +[\w./()+:@,;=<>~^*&!?$%-]+)*")
 _OTHER = re.compile(
@@ -89,10 +89,10 @@ def _unseen_as_escapes(text: str, *, lines: bool = False, long: str = "") -> str
 
     def escape(letter: str) -> str:
         code = ord(letter)
-        if visible(letter) == letter or (lines and letter == "\n"):
+        if lines and letter == "\n":
             return letter
         if code < 0x10000:
             return f"\\u{code:04x}"
         return f"\\{long}{code:08x}" if long else json_written(letter)[1:-1]
 
-    return text if visible(text) == text else "".join(escape(letter) for letter in text)
+    return replace_unseen(text, escape)

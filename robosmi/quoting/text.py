@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 BREAKS = r"\n\r\v\f\x1c-\x1e\x85\u2028\u2029"
 """What ends a line for some reader: C's and Unicode's line breaks, as a character class."""
@@ -52,6 +53,11 @@ def visible(text: str) -> str:
     '\\x1b[2Jred\\u202e'
     """
     return _UNSEEN.sub(_escape, text)
+
+
+def replace_unseen(text: str, replacement: Callable[[str], str]) -> str:
+    """The text with what `visible` escapes replaced, character by character."""
+    return _UNSEEN.sub(lambda found: replacement(found[0]), text)
 
 
 def _escape(found: re.Match[str]) -> str:

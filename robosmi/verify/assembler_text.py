@@ -20,7 +20,7 @@ _DIRECTIVES = (
 )
 _OPERANDS = r"[-\w.$,+@%()*: \t]*"
 _ORDINARY = re.compile(
-    rf"[ \t]*(?:{_NAME}:|{_DIRECTIVES}(?:[ \t]+{_OPERANDS}(?:{_TEXT}[\w.,@% \t]*)?)?|[a-z]\w*(?:[ \t]+{_OPERANDS})?)?", re.ASCII
+    rf"[ \t]*(?:{_NAME}:|{_DIRECTIVES}(?:[ \t]{_OPERANDS}(?:{_TEXT}[\w.,@% \t]*)?)?|[a-z]\w*(?:[ \t]{_OPERANDS})?)?", re.ASCII
 )
 """Nearly every line of a compiler; what others say is looked at statement by statement."""
 _STATEMENT = re.compile(rf'(?:{_TEXT}|[^"#;])*')
@@ -81,6 +81,6 @@ def _check_statement(statement: str) -> None:
 
 def _refused(what: str) -> VerificationError:
     return VerificationError(
-        f"the program has assembler text that is not compiled on this machine: {what.strip()!r}",
-        fix="take assembler text out of the program",
+        f"the program has assembler text that cannot be compiled on this machine: {what.strip()!r}",
+        fix="remove assembler text from the program",
     )

@@ -126,5 +126,5 @@ def _ask(program: OriginalProgram, data: Path) -> dict[str, Any]:
     try:
         answer: dict[str, Any] = as_table(json_of(done.stdout))
     except ValueError:
-        raise InternalError(f"'{tool}' answered what is no coverage: {done.stderr.strip()[-300:]}") from None
+        raise InternalError(f"'{tool}' printed no coverage data: {done.stderr.strip()[-300:]}") from None
     return answer

@@ -82,7 +82,7 @@ def test_choices_for_one_of_several_programs_in_a_folder_are_told_with_their_lin
     assert outcome.code == 2
     line = project.read_text().splitlines().index('lamp = "D4"') + 1
     assert f"{project}:{line}: 'lamp' is no port of the program" in outcome.err
-    assert "take it out there, or give each program a folder of its own" in outcome.err
+    assert "give each program its own folder" in outcome.err
     assert "its ports are: horn" in outcome.err
     outcome = run("migrate", tmp_path / "lamp.c", "-o", tmp_path / "two", "--bind", "lamb=D4")
     assert outcome.code == 2

@@ -149,7 +149,7 @@ def test_a_board_has_its_pins_in_order_and_its_platform_its_names() -> None:
 
 
 def test_an_unknown_board() -> None:
-    with pytest.raises(UsageError, match=r"no board is called 'unno' \(did you mean 'uno'\?\)"):
+    with pytest.raises(UsageError, match=r"no board is called 'unno'"):
         load_board("unno")
 
 
@@ -182,7 +182,7 @@ def test_a_board_is_found_by_each_of_its_names(name: str) -> None:
 
 
 def test_a_board_with_another_chip_is_not_taken_for_it() -> None:
-    with pytest.raises(UsageError, match="no board is called"):
+    with pytest.raises(UsageError, match="unknown board"):
         find_board("arduino:avr:nano:cpu=atmega168", load_boards(ARDUINO))
 
 

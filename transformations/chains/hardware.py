@@ -18,7 +18,7 @@ from robosmi.transformations.chains.stages.constraint_sets import added_hardware
 from robosmi.transformations.chains.stages.reading import HEADERS_ONLY, NO_BOARD, Drawing, read_drawing
 from robosmi.transformations.constraints.electrical import electrical_findings
 from robosmi.transformations.queries.circuits.circuit import boards, hardware_report, of_board, pin_label, the_board
-from robosmi.transformations.queries.circuits.connector_names import displayed_name, displayed_names
+from robosmi.transformations.queries.circuits.connector_names import ConnectorNames
 
 if TYPE_CHECKING:
     from robosmi.transformations.knowledge.platforms.target_platform import TargetFacts
@@ -35,7 +35,7 @@ class HardwareAnalysis(Struct, frozen=True):
 
     def lines(self) -> list[str]:
         """The text for a person: the components with their roles, parts that only pass a signal on, and the wiring table."""
-        drawn = boards(self.circuit)
+        drawn, known = boards(self.circuit), ConnectorNames()
         titles = ", ".join(b.title for b in drawn)
         shown = [c for c in self.circuit.components if c.role not in (hw.Role.Decoration, hw.Role.Passive)]
         between = [c for c in self.circuit.components if c.role is hw.Role.Passive]
@@ -46,9 +46,9 @@ class HardwareAnalysis(Struct, frozen=True):
         if between:
             lines.append(f"  in between: {', '.join(_title(c) for c in between)}")
         if not drawn:
-            nets = [(net.title or net.voltage or net.name, _pins(net)) for net in self.circuit.nets]
+            nets = [(net.title or net.voltage or net.name, _pins(net, known)) for net in self.circuit.nets]
             return [*lines, "", *table(("net", "pins"), nets)]
-        wires = [_wire(connection, len(drawn) > 1) for connection in self.connections]
+        wires = [_wire(connection, known, len(drawn) > 1) for connection in self.connections]
         return [*lines, "", *table(("pin", "name", "signal", "wired to", "through"), wires)]
 
     def picture(self) -> str:
@@ -84,11 +84,11 @@ def _title(component: hw.Component) -> str:
     return component.title or component.partTitle or f"#{component.elementId}"
 
 
-def _wire(connection: migration.Connection, several: bool) -> tuple[str, str, str, str, str]:
+def _wire(connection: migration.Connection, known: ConnectorNames, several: bool) -> tuple[str, str, str, str, str]:
     """A row of the wiring table; if there are several boards, the pin names the board."""
     board = connection.boardConnectors[0].component if connection.boardConnectors else None
     component = connection.component
-    names = ", ".join(filter(None, displayed_names(connection.connectors)))
+    names = ", ".join(filter(None, map(known.of, connection.connectors)))
     wired_to = component.title or f"#{component.elementId}" if component is not None else "#"
     return (
         f"{board.title} {pin_label(connection)}" if several and board is not None else pin_label(connection),
@@ -99,9 +99,9 @@ def _wire(connection: migration.Connection, several: bool) -> tuple[str, str, st
     )
 
 
-def _pins(net: hw.Net) -> str:
+def _pins(net: hw.Net, known: ConnectorNames) -> str:
     placed = [(c, c.component) for c in net.connectors if c.component is not None]
-    return ", ".join(f"{part.title or '#' + part.elementId} {displayed_name(c) or c.connectorId}" for c, part in placed)
+    return ", ".join(f"{part.title or '#' + part.elementId} {known.of(c) or c.connectorId}" for c, part in placed)
 
 
 def hardware_chain() -> Chain:

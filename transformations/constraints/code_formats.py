@@ -15,7 +15,7 @@ from robosmi.transformations.constraints.code_move import Move, is_narrower, mov
 from robosmi.transformations.queries.expression_type import element_type, type_of
 from robosmi.validate import Fail
 
-_CONVERSION = re.compile(r"%[-+ #0']*(\*|\d+)?(?:\.(\*|-?\d+)?)?(hh|h|ll|l|j|z|t|L)?([a-zA-Z%\[])")
+_CONVERSION = re.compile(r"%[-+ #0']*+(\*|\d+)?(?:\.(\*|-?\d+)?)?(hh|h|ll|l|j|z|t|L)?([a-zA-Z%\[])")
 _INTEGERS = frozenset("diuxXobc")
 _TEXT = re.compile(r"\s*(?:const\s+)?char\s*(?:const\s*)?\*")
 
@@ -26,7 +26,7 @@ calls = moved.context(
 
 @calls.constraint(
     id="RS316", severity=Severity.warning, location=place,
-    advice="cast the argument to what the text names: (int) for %d, (long) for %ld",
+    advice="cast the argument to the type in the format: (int) for %d, (long) for %ld",
 )  # fmt: skip
 def NamesWhatIsPassed(call: ccode.Call) -> bool | Fail:
     """Every integer argument is as wide as its conversion in the format says."""
@@ -39,7 +39,7 @@ def NamesWhatIsPassed(call: ccode.Call) -> bool | Fail:
     for (letters, wanted), value in zip(_conversions(m, text), values, strict=False):
         bits = _bits(m, value)
         if wanted and bits and bits != wanted:
-            wrong.append(f"{letters} takes {wanted} bits, but is given {bits}")
+            wrong.append(f"{letters} takes {wanted} bits, but gets {bits}")
     return not wrong or Fail(f"{call.calleeName}: on the target {'; '.join(wrong)}")
 
 

@@ -71,7 +71,7 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
     path = board_file(name, project)
     if path is None:
         known = board_names(project)
-        raise UsageError(f"no board is called '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(known)}")
+        raise UsageError(f"unknown board '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(known)}")
     table = table_of(path)
     check_keys(table, (*_BOARD_KEYS, *_MAPPING_KEYS))
     chip = load_microcontroller(table.text("mcu"), project, table)

@@ -94,7 +94,7 @@ _NOT_PINS = re.compile(
     r"(?i)(icsp.*|isp\d*|jtag.*|jp\d.*|boot\d*|id_s[cd]"
     r"|[+]?\d+(\.\d+)?v\d*|[+]?5 v|3v|[+]?\d+v\d|v?3[.]3( v)?|\d\.\d|v(in|cc|dd|bus|bat|batt|ss|usb|[+-])\d*|v|batt?|raw|ext_vdd"
     r"|usb_?(vin|vcc)|usb ?[+-]|usb[-_ ]?(dp|dm)|av(cc|dd)|[adp]?gnd.*|g|ground|[+-]"
-    r"|aref.*|io[ _]?ref|.*reset.*\d*|n?rst\d*|run|en|chip_en|global_en|n/?c|n\.c\.?|nc\d*|reserved|unused|no name yet)"
+    r"|aref.*|io[ _]?ref|.*reset(?s:.*)|n?rst\d*|run|en|chip_en|global_en|n/?c|n\.c\.?|nc\d*|reserved|unused|no name yet)"
 )
 _DIGITAL = re.compile(r"(?i)(?:io|d|~|pin)?~?(\d{1,2})(?:[(~].*|rx\d*|tx\d*|pwm)?")
 _ANALOG = re.compile(r"(?i)(?:a|ad|adc|analog)(\d{1,2})(?:[(].*)?")

@@ -102,6 +102,9 @@ class PartNames(Struct, frozen=True):
     numbered_labels: Phrases
     not_numbered_labels: Phrases
     device_properties: frozenset[str] = frozenset()
+    number_properties: frozenset[str] = frozenset()
+    transistors: tuple[str, ...] = ()
+    transistor_numbers: tuple[str, ...] = ()
     headers: tuple[str, ...] = ()
     solder_jumpers: tuple[str, ...] = ()
     symbols: Mapping[str, tuple[str, ...]] = {}
@@ -239,6 +242,9 @@ def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
         numbered_labels=_phrases(boards.texts("arduino_labels", ())),
         not_numbered_labels=_phrases(boards.texts("not_arduino_labels", ())),
         device_properties=frozenset(drawn.texts("device", ())),
+        number_properties=frozenset(drawn.texts("number", ())),
+        transistors=drawn.texts("transistors", ()),
+        transistor_numbers=drawn.texts("transistor_numbers", ()),
         headers=drawn.texts("headers", ()),
         solder_jumpers=drawn.texts("solder_jumpers", ()),
         symbols={means: symbols.texts(means) for means in symbols.values},

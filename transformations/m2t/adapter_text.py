@@ -13,7 +13,7 @@ WIDTH = 125
 INTERRUPTS = "ADAPTERS_INTERRUPTS"
 """The macro that is defined in the one file of several in which the adapters' interrupt handlers are compiled."""
 _STATE = re.compile(r"static (?!inline\b|const\b|constexpr\b)(?!(?:[\w*]+ )+\*?\w+\([^;]*\)(?: \{|;))")
-_VECTOR = re.compile(r"^ISR\((?:.*\}|.*\{(?:.*\n)*?\})$", re.MULTILINE)
+_VECTOR = re.compile(r"^ISR\((?:.*\}|(?>.*\{)(?:.*\n)*?\})$", re.MULTILINE)
 
 
 def adapter_text(

@@ -14,7 +14,7 @@ from robosmi.transformations.queries.expression_type import ARITHMETIC, Function
 _WORD = re.compile(r"[A-Za-z_]\w*")
 _TAGGED = frozenset({"struct", "union", "enum", "const", "volatile"})
 _DIMENSION = re.compile(r"\[[^]]*\]")
-_HEAD = re.compile(r"^(?P<returns>.*?[\s*])(?P<name>[A-Za-z_]\w*)\((?P<rest>.*)\)$", re.DOTALL)
+_HEAD = re.compile(r"^(?P<returns>(?>.*?[\s*](?=[A-Za-z_]\w*\()))(?P<name>\w+)\((?P<rest>.*)\)$", re.DOTALL)
 
 
 def split(parameters: str) -> list[str]:

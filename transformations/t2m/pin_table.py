@@ -11,6 +11,7 @@ from __future__ import annotations
 import csv
 import hashlib
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -36,6 +37,12 @@ from robosmi.transformations.t2m.given_roles import given_roles
 
 COLUMNS = ("pin", "part", "role", "title", "connector", "driver", "through", "rest", "board")
 """The columns; the first two must be there."""
+
+MOST_THROUGH = 100
+"""Passive parts that a signal may go through one after another; drawings have one or two."""
+
+MOST_PARTS = 2_000
+"""Parts that a table may have: each is looked up in tables of parts, and by some commands in the index of libraries."""
 
 _FIX = "see docs/reference/pin-tables.md for the columns"
 _NO_PIN = "pin = []"
@@ -64,6 +71,8 @@ def recognises(head: bytes) -> bool:
     ]
     if "[[pin]]" in lines or _NO_PIN in lines:
         return True
+    if lines and lines[0].lower().lstrip('"').startswith("sep="):
+        lines = lines[1:]
     return bool(lines) and {*COLUMNS[:2]} <= {cell.strip().lower() for cell in re.split("[,;\t]", lines[0])}
 
 
@@ -103,6 +112,20 @@ def read_circuit(
     return circuit, table.findings
 
 
+class _Group(Struct, frozen=True):
+    """Connectors that are wired together.
+
+    Attributes:
+        name: the net's name: the board, the pin and the parts on the way.
+        connectors: the connectors.
+        beyond: what is wired to the other side of a passive part on the way, by the part's title.
+    """
+
+    name: str
+    connectors: list[hardware.Connector]
+    beyond: dict[str, _Group] = {}
+
+
 class _Table:
     """Collects the rows of a table and makes the model of them."""
 
@@ -115,8 +138,10 @@ class _Table:
             word.lower(): pin.label for pin in board.pins for word in (*pin.aliases, pin.label.removeprefix("D"), pin.label)
         }
         self.rows: dict[str, list[_Row]] = {}
+        self.numbers: Counter[str] = Counter()
         self.given: dict[str, str] = {}
         self.findings: list[Finding] = []
+        self.found: list[_Group] = []
 
     def add(self, row: _Row) -> None:
         for column in ("pin", "part"):
@@ -130,36 +155,34 @@ class _Table:
             raise self._error(row, f"driver is '{row['driver']}'", "write true or false")
         title = row["title"] or row["part"]
         if not row["title"]:  # a component by itself, with a title that no other has
-            number = 1
             while title in self.rows:
-                number += 1
+                number = self.numbers[row["part"]] = max(2, self.numbers[row["part"]] + 1)
                 title = f"{row['part']} {number}"
         self.rows.setdefault(title, []).append(row)
+        self._count(row, len(self.rows))
 
     def components(self) -> Iterator[tuple[str, str, list[_Row]]]:
         """Identity, title and rows of each component, in the table's order; 1 is the board."""
         yield from ((str(number), title, rows) for number, (title, rows) in enumerate(self.rows.items(), 2))
 
     def circuit(self, name: str) -> hardware.Circuit:
-        groups: dict[tuple[str, ...], list[hardware.Connector]] = {}
+        groups: dict[str, _Group] = {}
         parts = [self._board(groups)]
-        passives: dict[tuple[str, ...], hardware.Component] = {}
+        passives: list[hardware.Component] = []
         for identity, title, rows in self.components():
             parts.append(self._component(identity, title, rows, groups, passives))
-        parts += passives.values()
-        nets = [
-            hardware.Net(name=f"1.{'.'.join(key)}", connectors=connectors) for key, connectors in groups.items() if connectors
-        ]
+        parts += passives
+        nets = [hardware.Net(name=group.name, connectors=group.connectors) for group in self.found if group.connectors]
         return hardware.Circuit(name=name, path=self.path, tool=PIN_TABLE, view="", components=parts, nets=nets)
 
-    def _board(self, groups: dict[tuple[str, ...], list[hardware.Connector]]) -> hardware.Component:
+    def _board(self, groups: dict[str, _Group]) -> hardware.Component:
         used = {self._label(row): None for rows in self.rows.values() for row in rows}
         connectors = []
         for label in [pin.label for pin in self.board.pins] + [u for u in used if u not in self.labels.values()]:
             connector = hardware.Connector(connectorId=label, name=label, kind=hardware.ConnectorKind.signal, pin=label)
             connectors.append(connector)
             if label in used:
-                groups[(label,)] = [connector]
+                groups[label] = self._group(f"1.{label}", connector)
         return hardware.Component(
             elementId="1",
             title=self.board.title,
@@ -176,8 +199,8 @@ class _Table:
         identity: str,
         title: str,
         rows: Sequence[_Row],
-        groups: dict[tuple[str, ...], list[hardware.Connector]],
-        passives: dict[tuple[str, ...], hardware.Component],
+        groups: dict[str, _Group],
+        passives: list[hardware.Component],
     ) -> hardware.Component:
         part = self._role(identity, title, rows)
         rest = next((row["rest"] for row in rows if row["rest"]), "")
@@ -187,7 +210,7 @@ class _Table:
             kind = enum_literal(hardware.ConnectorKind, connector_kind(name, self.names) if name else "signal")
             connector = hardware.Connector(connectorId=str(number), name=name, kind=kind)
             connectors.append(connector)
-            groups[self._through(row, groups, passives)].append(connector)
+            self._through(row, groups, passives).connectors.append(connector)
         return hardware.Component(
             elementId=identity,
             title=title,
@@ -205,20 +228,20 @@ class _Table:
         found = classify(Part("", title=rows[0]["part"]), self.project)
         driver = any(row["driver"].lower() in _TRUE for row in rows)
         if told:
-            why = GIVEN if given else "the table says so"
+            why = GIVEN if given else "given in the table"
             if not any(row["driver"] for row in rows):
                 driver = found.driver and found.role == told
             return Part("", found.title, role=told, evidence=why, driver=driver)
         unclear = f"no rule fits the part '{rows[0]['part']}'"
         if found.role in _SILENT and any(self._label(row) in self.labels.values() for row in rows):
-            unclear = f"the part '{rows[0]['part']}' is taken for {found.role} by its name, but a pin is wired to it"
+            unclear = f"the part '{rows[0]['part']}' has the role {found.role} by its name, but a pin is wired to it"
             found = Part("", found.title, role="Unknown", evidence=unclear)
         if found.role == "Unknown":
             self.findings.append(
                 Finding(
                     "RS203",
                     Severity.warning,
-                    f"what '{title}' does is unknown: {unclear}",
+                    f"the role of '{title}' is unknown: {unclear}",
                     Location(self.path, rows[0].line),
                     fix="give its role in the table or in robosmi.toml under [roles]",
                 )
@@ -228,27 +251,41 @@ class _Table:
     def _through(
         self,
         row: _Row,
-        groups: dict[tuple[str, ...], list[hardware.Connector]],
-        passives: dict[tuple[str, ...], hardware.Component],
-    ) -> tuple[str, ...]:
-        """Add the passive parts that a row's signal goes through; returns the key of the net behind them."""
-        key: tuple[str, ...] = (self._label(row),)
-        for title in filter(None, (piece.strip() for piece in row["through"].split(";"))):
-            beyond = (*key, title)
-            if beyond not in groups:
+        groups: dict[str, _Group],
+        passives: list[hardware.Component],
+    ) -> _Group:
+        """Add the passive parts that a row's signal goes through; returns the connectors behind them."""
+        group = groups[self._label(row)]
+        titles = [title for piece in row["through"].split(";") if (title := piece.strip())]
+        if len(titles) > MOST_THROUGH:
+            raise self._error(
+                row, f"the signal goes through {len(titles)} parts one after another", f"name {MOST_THROUGH} parts at most"
+            )
+        for title in titles:
+            if title not in group.beyond:
                 near, far = (hardware.Connector(connectorId=end, kind=hardware.ConnectorKind.unknown) for end in ("1", "2"))
-                passives[beyond] = hardware.Component(
+                part = hardware.Component(
                     elementId=str(2 + len(self.rows) + len(passives)),
                     title=title,
                     partTitle=passive_named(title, self.names),
                     role=hardware.Role.Passive,
-                    roleEvidence="the signal goes through it, as the table says",
+                    roleEvidence="the signal goes through it, by the table",
                     connectors=[near, far],
                 )
-                groups[key].append(near)
-                groups[beyond] = [far]
-            key = beyond
-        return key
+                passives.append(part)
+                self._count(row, len(self.rows) + len(passives))
+                group.connectors.append(near)
+                group.beyond[title] = self._group(f"{group.name}.{title}", far)
+            group = group.beyond[title]
+        return group
+
+    def _group(self, name: str, connector: hardware.Connector) -> _Group:
+        self.found.append(group := _Group(name, [connector]))
+        return group
+
+    def _count(self, row: _Row, parts: int) -> None:
+        if parts > MOST_PARTS:
+            raise self._error(row, f"the table has more than {MOST_PARTS:,} parts", "leave out what the program does not use")
 
     def _label(self, row: _Row) -> str:
         return self.labels.get(row["pin"].lower()) or normalised_label(row["pin"]) or row["pin"]
@@ -282,7 +319,9 @@ def _rows(path: Path, data: bytes) -> tuple[str, list[_Row]]:
     return _toml_rows(path, text) if path.suffix.lower() == ".toml" else _csv_rows(path, text)
 
 
-_CELL = r'(?:"(?:[^"]|"")*"(?!")[^,;\t]*|[^",;\t][^,;\t]*|)'
+_ANNOUNCED = re.compile(r"""(?i:\s*"?sep=(.)"?[,;\t]*+)\s*""")
+"""Matches the line with which Excel says what separates the cells."""
+_CELL = r'(?:"[^"]*+(?:""[^"]*+)*+"(?:[^",;\t][^,;\t]*)?|[^",;\t][^,;\t]*|)'
 _CLOSED = re.compile(rf"{_CELL}(?:[,;\t]{_CELL})*")
 """Matches a line at whose end no quoted cell is open."""
 
@@ -306,8 +345,10 @@ def _records(text: str) -> list[tuple[int, str]]:
 
 def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
     lines = _records(text)
+    announced = _ANNOUNCED.fullmatch(lines[0][1]) if lines else None
+    lines = lines[1:] if announced is not None else lines
     sample = lines[0][1] if lines else ""
-    separator = max(",;\t", key=sample.count)
+    separator = announced[1] if announced is not None else max(",;\t", key=sample.count)
     header = [cell.strip().lower() for cell in next(csv.reader([sample], delimiter=separator), [])]
     _check_columns(header, Location(str(path), lines[0][0] if lines else 1))
     rows: list[_Row] = []
@@ -318,14 +359,14 @@ def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
             raise SourceError(f"not valid CSV: {error}", location=Location(str(path), number), fix=_FIX) from error
         if len(cells) > len(header):
             raise SourceError(
-                f"a row has {len(cells)} cells, the head {len(header)}",
+                f"a row has {len(cells)} cells, but the header has {len(header)}",
                 location=Location(str(path), number),
-                fix="put a cell with a comma in it in quotes",
+                fix="put cells that contain a comma in quotes",
             )
         rows.append(_Row(number, dict(zip(header, (csv_text(cell.strip()) for cell in cells), strict=False))))
     boards = list(dict.fromkeys(row["board"] for row in rows if row["board"]))
     if len(boards) > 1:
-        raise SourceError(f"the rows name {len(boards)} boards", location=Location(str(path)), fix="keep one table a board")
+        raise SourceError(f"the rows name {len(boards)} boards", location=Location(str(path)), fix="use one table per board")
     return boards[0] if boards else "", [row for row in rows if any(row[column] for column in COLUMNS if column != "board")]
 
 
@@ -338,14 +379,14 @@ def _toml_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
         raise SourceError("the table has no row", location=Location(str(path)), fix=_FIX)
     entries = table.get("pin", [])
     if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
-        raise SourceError("'pin' is no list of tables", location=Location(str(path)), fix="write each row as [[pin]]")
+        raise SourceError("'pin' is not a list of tables", location=Location(str(path)), fix="write each row as [[pin]]")
     for entry in entries:
         _check_columns([*entry], Location(str(path)))
     heads = [number for number, line in enumerate(text.splitlines(), 1) if line.strip() == "[[pin]]"]
     places = heads if len(heads) == len(entries) else [1] * len(entries)
     board = table.get("board", "")
     if not isinstance(board, str):
-        raise SourceError("'board' is no text", location=Location(str(path)), fix='write board = "uno"')
+        raise SourceError("'board' is not a text", location=Location(str(path)), fix='write board = "uno"')
     return board, [_Row(place, {k: _cell(v) for k, v in e.items()}) for place, e in zip(places, entries, strict=True)]
 
 
@@ -356,7 +397,7 @@ def _cell(value: object) -> str:
 def _check_columns(columns: Sequence[str], place: Location) -> None:
     for column in columns:
         if column not in COLUMNS:
-            raise SourceError(f"no column is called '{column}'{did_you_mean(column, COLUMNS)}", location=place, fix=_FIX)
+            raise SourceError(f"unknown column '{column}'{did_you_mean(column, COLUMNS)}", location=place, fix=_FIX)
     for column in COLUMNS[:2]:
         if column not in columns:
-            raise SourceError(f"there is no column '{column}'", location=place, fix=_FIX)
+            raise SourceError(f"the column '{column}' is missing", location=place, fix=_FIX)

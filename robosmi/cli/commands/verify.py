@@ -20,13 +20,11 @@ def configure(parser: Options) -> None:
     parser.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate")
     parser.add_argument(
         "--scenario", dest="scenarios", action="append", default=[], metavar="FILE", type=Path,
-        help="a scenario (TOML); those stored with the models and generated ones if none is given",
+        help="a scenario (TOML); repeatable (default: the stored and the generated scenarios)",
     )  # fmt: skip
-    parser.add_argument("--engine", metavar="NAME", help="simulator; the first that is installed if not given")
-    parser.add_argument("--seed", metavar="N", type=int, default=1, help="of the search for scenarios (default: 1)")
-    parser.add_argument(
-        "--trust-original", action="store_true", help="run the original also where this system has no sandbox for it"
-    )
+    parser.add_argument("--engine", metavar="NAME", help="simulator (default: the first that is installed)")
+    parser.add_argument("--seed", metavar="N", type=int, default=1, help="seed of the scenario search (default: 1)")
+    parser.add_argument("--trust-original", action="store_true", help="run the original even without a sandbox")
     parser.add_argument("-o", dest="vcd", metavar="FILE.vcd", type=Path, help="write both traces of the first difference")
 
 

@@ -50,7 +50,7 @@ _ABSENT = {
     "EResourceSet",
     "ETreeIterator",
 }
-_REAL = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?[fFdD]?|[+-]?Infinity|NaN")
+_REAL = re.compile(r"[+-]?([0-9]+(?:\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?[fFdD]?|[+-]?Infinity|NaN")
 
 
 _MOST_DIGITS = 4000

@@ -225,13 +225,13 @@ class Verdict(Struct):
     def sentence(self) -> str:
         """The verdict in one sentence, for lists of findings."""
         if self.verdict == NOT_COMPILED:
-            return "the migrated program does not compile, so that it was not compared"
+            return "the migrated program does not compile, so it was not compared"
         said = {
-            NO_DIFFERENCE: "no difference was found between the original and the migrated program",
-            DIFFERENT_VERDICT: "the migrated program does something else than the original",
-            NOT_DECIDABLE: "whether the migrated program does the same cannot be decided",
+            NO_DIFFERENCE: "no difference found between the original and the migrated program",
+            DIFFERENT_VERDICT: "the migrated program differs from the original",
+            NOT_DECIDABLE: "the comparison is undecided",
         }[self.verdict]
-        many = f"{len(self.scenarios)} scenario{'s' * (len(self.scenarios) != 1)}"
+        many = f"{len(self.scenarios)} test case{'s' * (len(self.scenarios) != 1)}"
         said += f" in {many}, {self.simulated_s:.1f} s simulated"
         said += "; ".join(["", self._reached(), *self._missed()])
         if (first := self.first_difference) is not None:
@@ -241,12 +241,12 @@ class Verdict(Struct):
     def _stood_in(self) -> list[str]:
         """The libraries that were replaced by stand-ins, in words."""
         names = ", ".join(f"'{name}'" for name in self.stand_ins)
-        return [f"simulated with stand-ins for libraries that are not installed here: {names}"] if names else []
+        return [f"simulated with stand-ins for missing libraries: {names}"] if names else []
 
     def _reached(self) -> str:
         """The coverage of the source, in words."""
         if not self.counted:
-            return "no source line counts as reached: no scenario could be decided"
+            return "no source line counts as reached, since no test case was decided"
         return f"source lines {self.lines_pct:.1f} %, branches {self.branches_pct:.1f} %"
 
     def _missed(self, whole: bool = False) -> list[str]:
@@ -254,7 +254,7 @@ class Verdict(Struct):
         told = {
             "lines not reached": self.missed_lines,
             "branches not taken": self.untaken,
-            "branches taken only where the source differs from itself, and not compared": self.racy_branches,
+            "branches not compared, since the original is not repeatable there": self.racy_branches,
         }
         return [f"{what}: {format_ranges(places, whole)}" for what, places in told.items() if places and self.counted]
 
@@ -270,7 +270,7 @@ class Verdict(Struct):
         """
         if self.verdict == NOT_COMPILED:
             return ["NOT COMPILED: the migrated program does not compile"]
-        what = f"in {len(self.scenarios)} scenario{'s' * (len(self.scenarios) != 1)}, {self.simulated_s:.1f} s simulated"
+        what = f"in {len(self.scenarios)} test case{'s' * (len(self.scenarios) != 1)}, {self.simulated_s:.1f} s simulated"
         what += f"; {self._reached()}"
         lines = [f"{self.verdict.replace('-', ' ').upper()} {what}", f"  {self.engine}; {self.compiler}; {self.original}"]
         lines += [f"  {told}" for told in (*self._missed(verbose), *self._stood_in())]
@@ -282,28 +282,29 @@ class Verdict(Struct):
                 lines.append(f"    likely cause: {cause}")
             functions = self.functions.get(difference.channel, ())
             if self.calls.made is not None:
-                lines.append(f"    called for that channel by the source: {self.calls.made}")
+                lines.append(f"    call in the original: {self.calls.made}")
             elif functions:
-                lines.append(f"    functions of that channel: {', '.join(functions)}")
+                lines.append(f"    functions that drive it: {', '.join(functions)}")
             if self.calls.around:
-                lines.append(f"    called around it: {', '.join(str(call) for call in self.calls.around)}")
+                lines.append(f"    calls around it: {', '.join(str(call) for call in self.calls.around)}")
             if self.calls.made is not None or functions:
-                lines.append("    (which of these the cause is, if it is one of them, cannot be seen from outside)")
+                lines.append("    (any of these may be the cause; the trace does not show which)")
             lines += [f"    {name}: {value}" for name, value in inputs_until(scenario.scenario, difference.at_ms).items()]
         lines += [f"  {reason}" for reason in self.all_reasons()]
         if self.racy:
-            lines.append(f"  {self.racy} generated scenarios were dropped: the source differs from itself there")
+            many, them = (f"{self.racy} test cases", "them") if self.racy != 1 else ("1 test case", "it")
+            lines.append(f"  {many} discarded: the original is not repeatable in {them}")
         lines += ["", "channels:"]
         lines += [
             f"  {c['status']:14} {c['name']}{_counted(c['events'], c['status'])}{_ended(c['until_ms'])}" for c in self.channels()
         ]
         because = {name: f" ({why})" for name, why in self.why_not_compared.items()}
         lines += [f"  not compared   {name}{because.get(name, '')}" for name in self.not_compared]
-        lines += ["", "binding (please look whether it is right):"]
+        lines += ["", "pin assignment used here - please check:"]
         for each in self.binding:
-            device = f", played by {each['device']}" if each["device"] else ""
-            where = each["target"] or "not wired"
-            lines.append(f"  {each['port']}: {each['source']} is {where} {each['component'] or ''}".rstrip() + device)
+            device = f", simulated as {each['device']}" if each["device"] else ""
+            where = each["target"] or "not connected"
+            lines.append(f"  {each['port']}: {each['source']} -> {where} {each['component'] or ''}".rstrip() + device)
         return lines
 
 

@@ -14,7 +14,7 @@ from robosmi.transformations.knowledge.lexer import tokens
 
 _WORDS = ("name", "number", "string", "char")
 _LITERAL = re.compile(
-    r"""(?:\(\s*u?int(?:8|16|32|64)_t\s*\)\s*)?[-+~]?\s*(?:
+    r"""(?:\(\s*u?int(?:8|16|32|64)_t\s*\)\s*+)?[-+~]?\s*+(?:
         (?:0[xX][0-9a-fA-F]+|0[bB][01]+|\d+)[uUlL]*|\d*\.\d+(?:[eE][-+]?\d+)?[fFlL]?|\d+\.(?:[eE][-+]?\d+)?[fFlL]?|\d+[eE][-+]?\d+[fFlL]?
         |B[01]{1,8}|A\d{1,2}|NULL|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])+'|true|false)""",
     re.VERBOSE,

@@ -50,7 +50,7 @@ def decided_conditions(views: Sequence[CodeView], sources: Mapping[str, bytes], 
             texts = [str(directive.condition or ""), *(bodies[word] for word in words if word in bodies)]
             foreign += [text for each in texts for text in _CHARACTER.findall(each) if _has_sign(text)]
             if foreign and directive not in linked:
-                reason = f"'{foreign[0]}' is another one on the target: the condition stays decided as on the source"
+                reason = f"'{foreign[0]}' differs on the target: the condition keeps its result from the source"
                 yield Change(directive, RULE, "", reason)
 
 

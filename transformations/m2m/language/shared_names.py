@@ -214,9 +214,9 @@ def linkage(view: CodeView, data: bytes, functions: Mapping[str, FunctionType]) 
             yield Change(opening, "linkage-of-c", "", "all files of the program are C++ in the sketch")
 
 
-_FOR_CPLUSPLUS = re.compile(r"__cplusplus|defined\s*\(?\s*__cplusplus\s*\)?")
+_FOR_CPLUSPLUS = re.compile(r"__cplusplus|defined\s*+\(?\s*+__cplusplus\s*+\)?")
 _OPEN = re.compile(r"\[\s*\]")
-_LINKAGE = re.compile(rb'\s*(?:#?\s*extern\s*"C"\s*\{?|\})\s*')
+_LINKAGE = re.compile(rb'\s*+(?:#?\s*+extern\s*"C"\s*+\{?|\})\s*')
 _COMMENTS = re.compile(rb"/\*.*?\*/|//[^\n]*", re.DOTALL)
 
 

@@ -13,7 +13,7 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.replacements import Replacement
-from robosmi.transformations.m2m.language import compound_literals, early_functions, excess_initialisers
+from robosmi.transformations.m2m.language import compound_literals, early_functions, excess_initialisers, linker_sections
 from robosmi.transformations.m2m.language.decided_conditions import as_decided
 from robosmi.transformations.m2m.language.declared_lists import without
 from robosmi.transformations.m2m.language.designated_lists import positional
@@ -152,7 +152,7 @@ def _convert_compound(element: ccode.Located, choice: str, text: SourceText) -> 
 
 
 def _parentheses(element: ccode.Declaration, choice: str, text: SourceText) -> list[Replacement]:
-    found = re.compile(rb"\b%s(?:\s*\[[^\]]*\])*\s*\)?\s*\(\s*\)" % re.escape(element.name.encode())).search(
+    found = re.compile(rb"\b%s(?:\s*\[[^\]]*\])*\s*+\)?\s*+\(\s*\)" % re.escape(element.name.encode())).search(
         text.data, element.startOffset, element.endOffset
     )
     return [Replacement(found.end() - 1, found.end() - 1, choice)] if found else []
@@ -319,6 +319,7 @@ RULES: dict[str, EditRule] = {
     "compound-of-enumeration": _compound,
     "compound-of-bytes": _compound,
     "source-assembler": _comment,
+    linker_sections.RULE: lambda element, choice, text: linker_sections.without_section(element, text.data),
     "return-with-value": _behind_return,
     "return-without-value": _void_value,
     "zero-value": lambda element, choice, text: [Replacement(element.endOffset, element.endOffset, f" = {choice}")],

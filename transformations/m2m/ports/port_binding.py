@@ -14,12 +14,14 @@ pair is computed in `port_evidence`.
 
 from __future__ import annotations
 
+import heapq
+from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
 
 from msgspec import Struct
 
 from robosmi.diagnostics import Location
-from robosmi.errors import UsageError, did_you_mean, placed
+from robosmi.errors import SourceError, UsageError, did_you_mean, placed
 from robosmi.metamodels import migration, platform
 from robosmi.model.elements.strict import enum_literal
 from robosmi.transformations.knowledge.api_facts import PinParameter
@@ -34,7 +36,7 @@ from robosmi.transformations.queries.ports.ports import Port, ProgramPorts, conv
 from robosmi.transformations.queries.ports.split_wires import wires_of
 
 _SIGNALS = {"in": "read", "out": "write"}
-_ANOTHER_PROGRAM = "take it out there, or give each program a folder of its own with its project file"
+_ANOTHER_PROGRAM = "remove it there, or give each program its own folder with its project file"
 
 
 class UserPins(Struct, frozen=True):
@@ -158,7 +160,7 @@ def _split(
     assert asked is not None
     assert heard is not None
     binding.answer = wires["read"]
-    binding.evidence.append(f"its component is asked at {asked.label} and answers at {heard.label}")
+    binding.evidence.append(f"trigger on {asked.label}, echo on {heard.label}")
 
 
 def _is_split(port: Port, functions: frozenset[str]) -> bool:
@@ -204,7 +206,7 @@ def _layer(layer: UserPins, ports: list[Port], program: ProgramPorts, api: ApiIn
             raise UsageError(
                 f"the port '{port.name}' is bound to two pins: {earlier[0]} = {earlier[1]} and {name} = {pin}",
                 location=layer.places.get(name),
-                fix="leave out one of them",
+                fix="remove one of them",
             )
     return {port: _Pin(pin, layer.places.get(name)) for port, (name, pin) in found.items()}
 
@@ -351,6 +353,8 @@ def _role(port: Port, roles: Mapping[str, str], api: ApiIndex) -> str:
 
 NAME_CONFIDENCE = 0.9
 """Confidence of a binding by name alone, or by a role that fits one free component only."""
+MOST_PAIRS = 50_000
+"""Pairs of an open port and a connection that are compared; people draw some dozens of each."""
 BOTH_CONFIDENCE = 0.95
 """Confidence of a binding for which both role and name speak."""
 LEFT_CONFIDENCE = 0.85
@@ -365,30 +369,37 @@ def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: f
         free: the connections that no port is bound to.
         limit: a binding is made when its confidence is at least this.
         complete: whether no other port can be reached; else nothing is bound because it is left over.
+
+    Raises:
+        SourceError: there are more pairs of a port and a connection than any program has.
     """
+    if len(seats) * len(free) > MOST_PAIRS:
+        raise SourceError(
+            f"{len(seats)} open ports and {len(free)} connections are too many to match",
+            location=_drawing(free[0]),
+            fix="take what the program does not use out of the drawing, or bind the ports in robosmi.toml",
+        )
     waiting, left, first = list(seats), list(free), True
     while True:
         fits = {(i, k): f for i, s in enumerate(waiting) for k, c in enumerate(left) if (f := fit(s, c)) is not None}
-        pairs = [(i, k) for (i, k), f in fits.items() if f.points > 0 and _best(fits, i, k)]
+        best = _single_bests(fits)
+        pairs = [(i, k) for (i, k), f in fits.items() if f.points > 0 and (i, k) in best]
         pairs = [p for p in pairs if _confidence(fits[p], first) >= limit and not doubt(left[p[1]])]
         pins = [left[k].pin for _, k in pairs]
         pairs = [(i, k) for i, k in pairs if left[k].pin is None or pins.count(left[k].pin) == 1]  # several parts on one pin
         left_over = not pairs and complete and limit <= LEFT_CONFIDENCE
         if left_over:
-            pairs = [(i, k) for i, k in fits if _only(fits, waiting, left, i, k) and not doubt(left[k])]
+            pairs = [(i, k) for i, k in _only_pairs(fits, waiting, left) if not doubt(left[k])]
             fits.update({(i, k): Fit(1.0, (_usual_components(waiting[i]), *fits[i, k].reasons), False) for i, k in pairs})
         if not pairs:
             break
         for i, k in pairs:
             _bind(waiting[i].binding, left[k], fits[i, k], first and not left_over)
-        taken = [left[k] for _, k in pairs]
-        whole = [left[k].component for i, k in pairs if waiting[i].split and left[k].component is not None]
-        waiting = [s for i, s in enumerate(waiting) if i not in {p[0] for p in pairs}]
-        left = [
-            c
-            for c in left
-            if c not in taken and c.component not in whole and (c.pin is None or c.pin not in [t.pin for t in taken])
-        ]
+        taken = {left[k] for _, k in pairs}
+        whole = {left[k].component for i, k in pairs if waiting[i].split and left[k].component is not None}
+        used, seated = {connection.pin for connection in taken}, {i for i, _ in pairs}
+        waiting = [s for i, s in enumerate(waiting) if i not in seated]
+        left = [c for c in left if c not in taken and c.component not in whole and (c.pin is None or c.pin not in used)]
         first = False
     for seat in waiting:
         rank(seat, left)
@@ -402,30 +413,48 @@ def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
         seat.binding.options.append(
             migration.Option(
                 label=connection.name, score=0.5 if found.points > 0 else 0.1,
-                reasons=[*(found.reasons or ["fits in direction only"]), *filter(None, [doubt(connection)])],
+                reasons=[*(found.reasons or ["weak match: only input/output agrees"]), *filter(None, [doubt(connection)])],
             )
         )  # fmt: skip
 
 
-def _best(fits: dict[tuple[int, int], Fit], i: int, k: int) -> bool:
-    """Whether a port and a connection are each other's single best match."""
-    points = fits[i, k].points
-    return all(f.points < points for (a, b), f in fits.items() if (a == i) != (b == k))
+def _single_bests(fits: Mapping[tuple[int, int], Fit]) -> set[tuple[int, int]]:
+    """The pairs of a port and a connection that are each other's single best match."""
+    ports: defaultdict[int, list[float]] = defaultdict(list)
+    connections: defaultdict[int, list[float]] = defaultdict(list)
+    for (i, k), found in fits.items():
+        ports[i].append(found.points)
+        connections[k].append(found.points)
+    best = [{key: heapq.nlargest(2, [*points, -1.0]) for key, points in side.items()} for side in (ports, connections)]
+
+    def is_single(points: float, two: list[float]) -> bool:
+        return two[0] == points > two[1]
+
+    return {(i, k) for (i, k), f in fits.items() if is_single(f.points, best[0][i]) and is_single(f.points, best[1][k])}
 
 
-def _only(
-    fits: Mapping[tuple[int, int], Fit], seats: Sequence[Seat], free: Sequence[migration.Connection], i: int, k: int
-) -> bool:
-    """Whether a port is usually on such a component, and neither of them could be matched with any other that is left."""
-    component = free[k].component
-    if not may_meet(seats[i], free[k]) or sum(c.component is component for c in free) > 1:
-        return False
-    rivals = [(a, b) for a, b in fits if (a == i) != (b == k)]
-    return not any(may_meet(seats[a], free[b]) is not False for a, b in rivals)
+def _only_pairs(
+    fits: Mapping[tuple[int, int], Fit], seats: Sequence[Seat], free: Sequence[migration.Connection]
+) -> list[tuple[int, int]]:
+    """The pairs of which the port is usually on such a component, and neither could be matched with any other that is left."""
+    met = {(i, k): may_meet(seats[i], free[k]) for i, k in fits}
+    ports = Counter(i for (i, _), may in met.items() if may is not False)
+    connections = Counter(k for (_, k), may in met.items() if may is not False)
+    components = Counter(c.component for c in free)
+    return [
+        (i, k)
+        for (i, k), may in met.items()
+        if may and components[free[k].component] == 1 and ports[i] == 1 and connections[k] == 1
+    ]
+
+
+def _drawing(connection: migration.Connection) -> Location | None:
+    circuit = connection.component.circuit if connection.component is not None else None
+    return Location(circuit.path) if circuit is not None else None
 
 
 def _usual_components(seat: Seat) -> str:
-    return f"such a port is usually on: {', '.join(sorted(seat.usual or [seat.role]))}"
+    return f"such a port usually connects to: {', '.join(sorted(seat.usual or [seat.role]))}"
 
 
 def _confidence(found: Fit, first: bool) -> float:
@@ -438,4 +467,4 @@ def _bind(binding: migration.PortBinding, connection: migration.Connection, foun
     binding.connection, binding.pin = connection, connection.pin
     binding.choice, binding.open = connection.name, False
     binding.confidence, binding.chosenBy = _confidence(found, first), migration.ChosenBy.rule
-    binding.evidence.extend([*found.reasons, "no other free component fits as well, and no other port"])
+    binding.evidence.extend([*found.reasons, "best match both ways"])

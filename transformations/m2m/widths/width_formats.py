@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator
 from robosmi.transformations.queries.numbers import Machine, Number
 from robosmi.transformations.queries.typed import TypedExpression
 
-_PRINTED = re.compile(r"%[-+ #0']*(\*|\d+)?(?:\.(\*|-?\d+)?)?(hh|h|ll|l|j|z|t|L)?([a-zA-Z%])")
+_PRINTED = re.compile(r"%[-+ #0']*+(\*|\d+)?(?:\.(\*|-?\d+)?)?(hh|h|ll|l|j|z|t|L)?([a-zA-Z%])")
 _READ = re.compile(r"%(\*)?\d*(hh|h|ll|l|j|z|t|L)?([a-zA-Z%]|\[\^?\]?[^\]]*\])")
 _NUMBERS = frozenset("diuxXo")
 Conversion = tuple[str, str, int]

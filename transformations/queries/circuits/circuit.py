@@ -16,7 +16,7 @@ from robosmi.query import Q, root_of
 from robosmi.quoting import toml
 from robosmi.transformations.knowledge.part import GIVEN
 from robosmi.transformations.queries.circuits.circuit_walk import beyond_driver, either_side
-from robosmi.transformations.queries.circuits.connector_names import displayed_name
+from robosmi.transformations.queries.circuits.connector_names import ConnectorNames
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -41,22 +41,22 @@ def the_board(circuit: hardware.Circuit) -> hardware.Component:
         unknown = Q(circuit.components).select(lambda c: c.role is hardware.Role.Unknown)
         likely = max(unknown, key=lambda c: sum(wire.net is not None for wire in c.connectors), default=None)
         hint = (
-            f"; what '{likely.title}' (#{likely.elementId}, {likely.partTitle or likely.partId}) is nobody knows"
+            f"; the role of '{likely.title}' (#{likely.elementId}, {likely.partTitle or likely.partId}) is unknown"
             if likely
             else ""
         )
         line = f': {toml("#" + likely.elementId)} = "Board"' if likely else ""
         raise SourceError(
-            f"there is no board in this drawing{hint}",
+            f"this drawing has no board{hint}",
             location=place,
-            fix=f"draw the board that is to run the program, or give a part the role Board in robosmi.toml under [roles]{line}",
+            fix=f"draw the board that runs the program, or give a part the role Board in robosmi.toml under [roles]{line}",
         )
     if len(found) > 1:
         names = ", ".join(f"'{board.title}' (#{board.elementId})" for board in found)
         raise SourceError(
-            f"there are {len(found)} boards in this drawing: {names}",
+            f"this drawing has {len(found)} boards: {names}",
             location=place,
-            fix=f'name the one that runs the program in robosmi.toml under [roles]: {toml("#" + found[0].elementId)} = "Board"',
+            fix=f'name the one that runs the program under [roles] in robosmi.toml: {toml("#" + found[0].elementId)} = "Board"',
         )
     return found[0]
 
@@ -86,7 +86,7 @@ def component_named(circuit: hardware.Circuit, name: str) -> hardware.Component:
         raise UsageError(f"{len(found)} components are called '{name}'", fix=f"use one of: {choices}")
     titles = sorted({c.title for c in circuit.components if c.title and c.role is not hardware.Role.Decoration})
     raise UsageError(
-        f"no component is called '{name}'{did_you_mean(name, titles)}", fix=f"use one of: {', '.join(titles) or 'none is there'}"
+        f"no component is called '{name}'{did_you_mean(name, titles)}", fix=f"use one of: {', '.join(titles) or 'there are none'}"
     )
 
 
@@ -157,6 +157,7 @@ def circuit_graph(
 def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.Connection]) -> dict[str, Any]:
     """The result of the command `hardware`, JSON values only (`boards`, `components`, `mappings`, `nets`)."""
     beyond = {c: beyond_driver(c) for c in circuit.components if c.driver}
+    names = ConnectorNames()
     return {
         "boards": [{"title": b.title, "model_index": b.elementId, "module_id": b.partId} for b in boards(circuit)],
         "components": [
@@ -171,21 +172,21 @@ def hardware_report(circuit: hardware.Circuit, connections: Iterable[migration.C
             }
             for c in circuit.components
         ],
-        "mappings": [_mapping(connection, beyond) for connection in connections],
+        "mappings": [_mapping(connection, beyond, names) for connection in connections],
         "nets": [
-            {"name": net.name, "title": net.title, "rail": net.rail, "voltage": net.voltage, "connectors": _ends(net)}
+            {"name": net.name, "title": net.title, "rail": net.rail, "voltage": net.voltage, "connectors": _ends(net, names)}
             for net in circuit.nets
         ],
     }
 
 
-def _ends(net: hardware.Net) -> list[dict[str, str]]:
+def _ends(net: hardware.Net, names: ConnectorNames) -> list[dict[str, str]]:
     return [
         {
             "component": c.component.title,
             "component_model_index": c.component.elementId,
             "id": c.connectorId,
-            "name": displayed_name(c),
+            "name": names.of(c),
         }
         for c in net.connectors
         if c.component is not None
@@ -193,7 +194,9 @@ def _ends(net: hardware.Net) -> list[dict[str, str]]:
 
 
 def _mapping(
-    connection: migration.Connection, beyond: dict[hardware.Component, tuple[list[hardware.Component], list[hardware.Component]]]
+    connection: migration.Connection,
+    beyond: dict[hardware.Component, tuple[list[hardware.Component], list[hardware.Component]]],
+    names: ConnectorNames,
 ) -> dict[str, Json]:
     board = connection.boardConnectors[0].component if connection.boardConnectors else None
     component = connection.component
@@ -202,10 +205,10 @@ def _mapping(
         "board": board.title if board else "",
         "board_model_index": board.elementId if board else "",
         "pin": pin_label(connection),
-        "board_connectors": _connectors(connection.boardConnectors),
+        "board_connectors": _connectors(connection.boardConnectors, names),
         "component": component.title if component else "",
         "component_model_index": component.elementId if component else "",
-        "connectors": _connectors(connection.connectors),
+        "connectors": _connectors(connection.connectors, names),
         "role": role_on(connection),
         "driver": bool(component and component.driver),
         "signal": connection.signal.name,
@@ -216,8 +219,8 @@ def _mapping(
     }
 
 
-def _connectors(connectors: Iterable[hardware.Connector]) -> list[dict[str, str]]:
-    return [{"id": connector.connectorId, "name": displayed_name(connector)} for connector in connectors]
+def _connectors(connectors: Iterable[hardware.Connector], names: ConnectorNames) -> list[dict[str, str]]:
+    return [{"id": connector.connectorId, "name": names.of(connector)} for connector in connectors]
 
 
 def _components(components: Iterable[hardware.Component]) -> list[dict[str, str]]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections import deque
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from msgspec import Struct
 
@@ -26,6 +26,22 @@ class ReachedComponent(Struct, frozen=True):
     via: tuple[hardware.Component, ...]
 
 
+class _Path(Struct, frozen=True):
+    """A passive part that a path goes through, and the path before it."""
+
+    part: hardware.Component
+    before: _Path | None
+
+
+def _components_of(path: _Path | None) -> tuple[hardware.Component, ...]:
+    """The parts of a path, the first one first."""
+    found = []
+    while path is not None:
+        found.append(path.part)
+        path = path.before
+    return tuple(reversed(found))
+
+
 def pins_of(board: hardware.Component) -> dict[str, list[hardware.Connector]]:
     """The connectors of each signal pin of a board, by its label, digital before analogue and both by number."""
     pins: dict[str, list[hardware.Connector]] = {}
@@ -35,30 +51,31 @@ def pins_of(board: hardware.Component) -> dict[str, list[hardware.Connector]]:
     return dict(sorted(pins.items(), key=lambda item: _label_order(item[0])))
 
 
-def walk(start: Iterable[hardware.Net], blocked: Iterable[hardware.Net], ignore: hardware.Component) -> list[ReachedComponent]:
+def walk(
+    start: Iterable[hardware.Net], is_blocked: Callable[[hardware.Net], bool], ignore: hardware.Component
+) -> list[ReachedComponent]:
     """What is reached from some nets, nearest first: across two-terminal passive parts, never into a rail or a blocked net.
 
     Args:
         start: where to begin; rails among them are left out.
-        blocked: nets that passive parts do not lead into.
+        is_blocked: whether passive parts do not lead into a net.
         ignore: the component that is asked about.
     """
     found: dict[hardware.Component, ReachedComponent] = {}
-    closed = {id(net) for net in blocked}
-    todo = deque((net, ()) for net in start if not net.rail)  # type: deque[tuple[hardware.Net, tuple[hardware.Component, ...]]]
-    closed.update(id(net) for net, _ in todo)
+    todo: deque[tuple[hardware.Net, _Path | None]] = deque((net, None) for net in start if not net.rail)
+    closed = {id(net) for net, _ in todo}
     while todo:
-        net, via = todo.popleft()
+        net, path = todo.popleft()
         for component, connectors in _by_component(net):
             if component is ignore or component.role in _SILENT or component in found:
                 continue
             if component.role is not Role.Passive:
-                found[component] = ReachedComponent(component, tuple(connectors), via)
+                found[component] = ReachedComponent(component, tuple(connectors), _components_of(path))
                 continue
             beyond = _other_side(component, net)
-            if beyond is not None and not beyond.rail and id(beyond) not in closed:
+            if beyond is not None and not beyond.rail and id(beyond) not in closed and not is_blocked(beyond):
                 closed.add(id(beyond))
-                todo.append((beyond, (*via, component)))
+                todo.append((beyond, _Path(component, path)))
     return list(found.values())
 
 
@@ -69,8 +86,7 @@ def beyond_driver(driver: hardware.Component) -> tuple[list[hardware.Component],
     """
     nets = list(dict.fromkeys(c.net for c in driver.connectors if c.net is not None and not c.net.rail))
     free = [net for net in nets if not any(c.component.role is Role.Board for c in net.connectors)]  # type: ignore[union-attr]
-    signals = [c.net for board in _boards_of(driver) for c in board.connectors if c.pin and c.net is not None]
-    reached = [r.component for r in walk(free, signals, driver) if not r.component.driver]
+    reached = [r.component for r in walk(free, _is_on_board, driver) if not r.component.driver]
     reached.sort(key=lambda component: natural_key(component.elementId))
     return [c for c in reached if c.role is Role.Output], [c for c in reached if c.role is Role.Input]
 
@@ -109,8 +125,9 @@ def _other_side(component: hardware.Component, net: hardware.Net) -> hardware.Ne
     return others[0] if len(others) == 1 else None
 
 
-def _boards_of(component: hardware.Component) -> list[hardware.Component]:
-    return [c for c in component.circuit.components if c.role is Role.Board] if component.circuit is not None else []
+def _is_on_board(net: hardware.Net) -> bool:
+    """Whether a net is on a signal pin of a board."""
+    return any(c.pin and c.component is not None and c.component.role is Role.Board for c in net.connectors)
 
 
 def natural_key(text: str) -> tuple[tuple[int, str], ...]:

@@ -253,11 +253,11 @@ def way(reference: ccode.NameReference) -> str:
 _UNUSED = re.compile(r"\(void\)\s*\w+\s*;")
 _BEGINNING = (
     r"\{\s*(?:\w+ \w+\(\w+\);\s*)?(?:\w+(?:\(\w+\))?\.(?:drive|set)\([^;]*\);\s*)*"
-    r"(?:if \([^;]*\.wired\(\)[^;]*\) return(?: (?P<given>-?\d+)| [^;]+)?;|return \w+(?:\(\w+\))?\.\w+\(\);|(?P<end>\}))"
+    r"(?:if \((?>(?>[^;]*?\.wired\(\))[^;]*\) return)(?: (?P<given>-?\d+)| [^;]+)?;|return \w+(?:\(\w+\))?\.\w+\(\);|(?P<end>\}))"
 )
 """How a body begins that does nothing when its port has no pin: it returns early, or only reads that pin."""
 _CALLED = re.compile(r"\w+(?=\()")
-_DEFINED = re.compile(r"\((?P<parameters>[^{;]*)\)[^{;]*\{(?P<body>.*)", re.DOTALL)
+_DEFINED = re.compile(r"\((?>(?P<parameters>[^{;]*)\))[^{;]*\{(?P<body>.*)", re.DOTALL)
 """The rest of a function's definition behind its name."""
 _HANDED_ON = re.compile(r"\{\s*(?:return )?(?P<name>\w+)\([^;]*\);\s*\}")
 

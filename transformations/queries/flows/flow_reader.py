@@ -121,7 +121,7 @@ class FlowReader:
         """The key of the thing that an expression takes its value from, such as a variable, a member or a function's result."""
         if expression is None:  # in text that the parser could not read
             self._unread += 1
-            return self._once(("unread", self._unread), "it stands in text that could not be read")
+            return self._once(("unread", self._unread), "it is in text that could not be parsed")
         if isinstance(expression, ccode.Cast):
             return self.value(expression.operand)
         if isinstance(expression, ccode.Index):
@@ -288,7 +288,7 @@ class FlowReader:
         if code is function and code.parameters:
             parameter = self.key(code.parameters[0])
             self._give(parameter, handed)
-            self.flows.freeze(parameter, f"it is handed to '{code.name}' on another core")
+            self.flows.freeze(parameter, f"it is passed to '{code.name}' on another core")
             return
         why = f"'{function.name}' is called through a pointer"
         for position, parameter in enumerate(function.parameters):

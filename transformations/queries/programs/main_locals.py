@@ -154,7 +154,7 @@ def _stays(variable: ccode.Variable, assigned: bool) -> str:
     if use is not None and use.arrayDims and not _constant_size(variable):
         return f"the size of '{variable.name}' is not constant"
     if use is not None and assigned and use.arrayDims:
-        return f"the array '{variable.name}' has values that are not constant, or that it is given again"
+        return f"the array '{variable.name}' has values that are not constant, or gets new ones"
     if declared is not None and ancestor_of_kind(declared, ccode.Function) is not None:
         return f"the type of '{variable.name}' is declared in main"
     return ""

@@ -132,7 +132,7 @@ class _Groups:
             kept.functions.append(defined)
             resolved, shown = parameters_of(defined)
             kept.lists[resolved] = shown
-            kept.unknown = kept.unknown or not (defined.definition or re.search(r"\(.*\w.*\)$", function.signature))
+            kept.unknown = kept.unknown or not (defined.definition or re.search(r"\([^\n\w]*\w.*\)$", function.signature))
         elif from_other is not None:
             self._join(kept, from_other)
         elif not _is_null(value) and (other is None or not _say(kept, other)):

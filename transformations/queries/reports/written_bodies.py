@@ -22,7 +22,7 @@ _NOTHING = re.compile(r"\{ (?:\( void \) \w+ ; )*(?:return [^;]*; )?\}\Z")
 """The code of a body that does nothing."""
 AS_BYTES = "surrogateescape"
 """The error handler that carries bytes that are no UTF-8 through these texts."""
-_TASK = re.compile(r"- \[(?P<tick>[ xX])\] (?P<said>.*`(?P<rule>RS\d+)`.*)")
+_TASK = re.compile(r"- \[(?P<tick>[ xX])\] (?P<said>.*`(?P<rule>RS\d+)`(?s:.*))")
 _CODE = re.compile(r"(?<!\\)`[^`]*`")
 """A code span in a line of a report: what to type, or a line of the source."""
 _QUOTED = re.compile(r"'([^']*)'")

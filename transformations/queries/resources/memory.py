@@ -53,7 +53,7 @@ _DEFINED = re.compile(r"^inline [\w ]*?[ *](\w+)\([^;{]*\) \{", re.MULTILINE)
 """The functions that the text of a piece defines."""
 _LOOK_UPS = frozenset(["port", "ports"])
 """Names of the pieces that look up a port's pin at run time."""
-_NUMBER = re.compile(r"static (?:struct \{[^{}]*\}|[^;{(]*?[\w\]]*?) ?(\w+)(?:\[\w*\])*(?: = [^;]*)?;(?:\s*//.*)?")
+_NUMBER = re.compile(r"static (?:struct \{[^{}]*\} ?|(?:[^;{(=\[]*[^\w;{(=\[])?)(\w+)(?:\[\w*\])*(?: = [^;]*)?;(?:\s*//.*)?")
 """Matches the text of a piece that declares one variable and nothing else."""
 
 

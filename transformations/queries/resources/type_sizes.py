@@ -158,8 +158,8 @@ def _character(escape: str) -> str:
 
 _RECORD = re.compile(r"struct (?P<name>\w+) \{(?P<members>.*?)\} ?;", re.DOTALL)
 _OTHER_NAME = re.compile(r"typedef (?:struct )?(?P<type>\w+) (?P<name>\w+) ?;")
-_METHOD = re.compile(r"[^;{}]*\([^;{}]*\)[^;{}]*(?:\{[^{}]*\}|;)")
-_MEMBER = re.compile(r"(?:(?:volatile|const|struct) )*(?P<type>(?:(?:unsigned|signed|long|short) )*\w+) (?P<rest>.+)")
+_METHOD = re.compile(r"[^;{}(]*\((?>[^;{}]*\))[^;{}]*(?:\{[^{}]*\}|;)")
+_MEMBER = re.compile(r"(?:(?:volatile|const|struct) )*(?P<type>(?:(?:unsigned|signed|long|short) )*\w+) (?P<rest>(?s:.+))")
 _FIXED_WIDTH = re.compile(r"u?int(8|16|32|64)_t")
 _DECLARED_DIMENSION = re.compile(r"\[ ?(\d+) ?\]")
 _NOTHING = 1

@@ -86,7 +86,7 @@ def _unfinished(covered: SourceCoverage, plan: migration.MigrationPlan, open_now
         if not open_now.get(str(use.targetName or use.name), without):
             continue
         if any((Path(_unit(call)).name, int(call.line)) in lines for call in use.calls):
-            found.append(f"{use.name} is called and has no body yet")
+            found.append(f"the program calls {use.name}, which has no body yet")
     return found
 
 

@@ -13,7 +13,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 _HEAD = re.compile(r"^([0-9a-f]+) <(.+)>:$")
-_CODE = re.compile(r"^ +([0-9a-f]+):\t(\w+)(?:\t([^;\n]*?)\s*(?:;.*)?)?$")
+_CODE = re.compile(r"^ +([0-9a-f]+):\t(\w+)(?:\t((?:[^;\n]*[^;\s])?)\s*(?:;.*)?)?$")
 _RELOCATION = re.compile(r"^\s+([0-9a-f]+): R_AVR_(\w+)\t([^\s+]+)(?:\+0x([0-9a-f]+))?$")
 _SYMBOL = re.compile(r"^([0-9a-f]{8}) .{6}(.) (\.\w+)\t[0-9a-f]+ (?:\.hidden )?(\S+)$")
 _HERE = re.compile(r"^\.([+-]\d+)$")

@@ -14,21 +14,25 @@ from typing import NamedTuple
 from robosmi.transformations.t2m.c_source.parsing import clang
 from robosmi.transformations.t2m.c_source.parsing.generated_program import SKETCH, GeneratedProgram
 
+_NAMED = r"'[^']*'(?:\ \(aka\ '[^']*'\))?"
+"""A name or type in a message."""
 _SURE = re.compile(
-    r"""redefinition\ of\ '|definition\ of\ type\ '.*'\ conflicts\ with\ typedef|functions\ that\ differ\ only\ in\ their\ return
+    rf"""redefinition\ of\ '|definition\ of\ type\ {_NAMED}\ conflicts\ with\ typedef
+    |functions\ that\ differ\ only\ in\ their\ return
     |excess\ elements\ in|too\ (?:many|few)\ arguments\ to\ function\ call|no\ matching\ function\ for\ call\ to\ '
     |expression\ is\ not\ assignable|cannot\ assign\ to\ (?:variable|non-static\ data\ member|return\ value)
     |function\ definition\ is\ not\ allowed\ here|comparison\ (?:of\ distinct\ pointer\ types|between\ pointer\ and\ integer)
     |cannot\ initialize\ an?\ (?:parameter|variable|member\ subobject|array\ element|return\ object)
-    |assigning\ to\ '.*'\ from\ (?:incompatible\ type\ )?'[^']*'(?:\ \(aka\ '[^']*'\))?$|cannot\ cast\ from\ type
-    |indirection\ requires\ pointer\ operand|member\ reference\ base\ type\ '.*'\ is\ not\ a\ structure
-    |cannot\ jump\ from|default\ initialization\ of\ an\ object\ of\ const|static\ declaration\ of\ '.*'\ follows\ non-static
+    |assigning\ to\ {_NAMED}\ from\ (?:incompatible\ type\ )?{_NAMED}$|cannot\ cast\ from\ type
+    |indirection\ requires\ pointer\ operand|member\ reference\ base\ type\ {_NAMED}\ is\ not\ a\ structure
+    |cannot\ jump\ from|default\ initialization\ of\ an\ object\ of\ const|static\ declaration\ of\ {_NAMED}\ follows\ non-static
     |conflicting\ types\ for|variable-sized\ object\ may\ not\ be\ initialized|array\ is\ too\ small\ to\ include
     |initializer-string\ for\ char\ array\ is\ too\ long|use\ of\ undeclared\ label|redeclaration\ of\ '
-    |cannot\ increment\ value\ of\ type|array\ type\ '.*'\ is\ not\ assignable|array\ has\ incomplete\ element
-    |invalid\ operands\ to\ binary\ expression|void\ function\ '.*'\ should\ not\ return|non-void\ function\ '.*'\ should\ return
-    |called\ object\ type\ '.*'\ is\ not\ a\ function|subscripted\ value\ is\ not|incompatible\ (?:pointer|integer|operand)
-    |conversion\ from\ '.*'\ to\ '.*'\ is\ not\ allowed""",
+    |cannot\ increment\ value\ of\ type|array\ type\ {_NAMED}\ is\ not\ assignable|array\ has\ incomplete\ element
+    |invalid\ operands\ to\ binary\ expression|void\ function\ {_NAMED}\ should\ not\ return
+    |non-void\ function\ {_NAMED}\ should\ return
+    |called\ object\ type\ {_NAMED}\ is\ not\ a\ function|subscripted\ value\ is\ not|incompatible\ (?:pointer|integer|operand)
+    |conversion\ from\ {_NAMED}\ to\ {_NAMED}\ is\ not\ allowed""",
     re.VERBOSE,
 )
 """Matches errors that are about the program itself, not about a missing header."""
@@ -53,6 +57,8 @@ class CompilerComplaint(NamedTuple):
 
 def compiler_complaints(program: GeneratedProgram) -> list[CompilerComplaint]:
     """The lines of a program's files that a compiler refuses, each once, in the order of the files.
+
+    None are told of a program that nests too deep for libclang; reading it has reported that.
 
     Args:
         program: the program, in C++.

@@ -10,8 +10,10 @@ import re
 import weakref
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
+from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.queries.source_text import ADAPTERS_FILE
 from robosmi.transformations.t2m.c_source.parsing import clang
+from robosmi.transformations.t2m.c_source.parsing.bounds import cuts, shallow
 
 _TYPES = b"""
 typedef __INT8_TYPE__ int8_t; typedef __INT16_TYPE__ int16_t; typedef __INT32_TYPE__ int32_t; typedef __INT64_TYPE__ int64_t;
@@ -30,7 +32,9 @@ _FLAGS = (
 )  # fmt: skip
 _LANGUAGE = {"C": ("-xc", "-std=gnu11"), "C++": ("-xc++", "-std=gnu++11", "-nostdinc++", "-fpermissive")}
 _INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
-_BODIES = re.compile(rb"^((?:static )?inline [^\n]*\)) \{(?:[^\n]*\n(?:[ \t#][^\n]*\n|\n)*\}|[^\n]*\})$", re.MULTILINE)
+_BODIES = re.compile(
+    rb"^((?:static )?inline (?>[^\n]*?\)(?= \{))) \{(?:[^\n]*\n(?:[ \t#][^\n]*\n|\n)*\}|[^\n]*\})$", re.MULTILINE
+)
 """Matches inline functions of the adapters."""
 _CONSTANT = re.compile(r"use of undeclared identifier '([A-Z][A-Z0-9_]+)'")
 _ON_AFTER_MISSING = 0x200
@@ -88,9 +92,16 @@ class GeneratedProgram:
     def _parsed(self, flags: Sequence[str]) -> list[tuple[str, int]]:
         virtual = clang.unsaved(self.texts)
         names = [name for name in self.files if not name.endswith(".h")]
+        if any(_nests_too_deep(path, text) for path, text in self.texts.items()):
+            self.unread = names  # libclang would overrun its stack
+            return []
         read = [(name, clang.parse(f"{SKETCH}/{name}", flags, virtual, _ON_AFTER_MISSING)) for name in names]
         self.unread = [name for name, unit in read if unit is None]
         return [(name, unit) for name, unit in read if unit is not None]
+
+
+def _nests_too_deep(path: str, text: bytes) -> bool:
+    return not (shallow(text) and b"define" not in text) and bool(cuts(path, text, tokens(text)))
 
 
 def _undeclared(unit: int) -> Iterator[str]:
