@@ -147,14 +147,14 @@ class EmfModel(TypedModel):
             SourceError: the file cannot be written.
         """
         from robosmi.files.files import write_atomic
-        from robosmi.model.xmi.saved_places import metamodel_places, models_beside
+        from robosmi.model.xmi.saved_places import metamodel_places, neighbouring_models
         from robosmi.model.xmi.xmi_writer import to_xmi
 
         target = self._target(path)
         roots = self.roots
         content = roots[0] if len(roots) == 1 else roots
         read = self._read_with | (self._open_files.places() if self._open_files is not None else {})
-        models = {target.name: content, **models_beside(target, roots, others or {}, read)}
+        models = {target.name: content, **neighbouring_models(target, roots, others or {}, read)}
         places = metamodel_places(self.path or target, self._schema_locations, target)
         write_atomic(target, to_xmi(models, [target.name], schema_locations=places)[target.name])
 

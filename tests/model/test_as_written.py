@@ -70,8 +70,10 @@ def test_a_session_saves_references_between_its_models(tmp_path: Path) -> None:
     session = Session()
     first = session.open_model(tmp_path / "none.xmi", metamodel=tmp_path / "empty_default.ecore")
     second = session.open_model(tmp_path / "located.xmi", metamodel=tmp_path / "empty_default.ecore")
+    assert isinstance(first, EmfModel)
+    assert isinstance(second, EmfModel)
     second.save()
-    first.roots[0].other = second.roots[0]  # type: ignore[attr-defined]
+    first.roots[0].other = second.roots[0]
     first.save()
     assert 'href="located.xmi#/"' in (tmp_path / "none.xmi").read_text(encoding="utf-8")
     assert 'href="none.xmi#/"' in (tmp_path / "located.xmi").read_text(encoding="utf-8")

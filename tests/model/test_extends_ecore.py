@@ -32,8 +32,8 @@ def test_annotated_and_named_elements_have_ecores_features() -> None:
     part = lab.Part(name="wheel", size=3)
     plan = lab.Plan(items=[part], eAnnotations=[EAnnotation("note")])
     assert isinstance(part, ENamedElement)
-    assert (part.name, plan.getEAnnotation("note").eContainer()) == ("wheel", plan)  # type: ignore[attr-defined]
-    assert not isinstance(lab, lab.Plan)  # type: ignore[arg-type]
+    assert (part.name, plan.getEAnnotation("note").eContainer()) == ("wheel", plan)
+    assert not isinstance(lab, lab.Plan)
     with pytest.raises(ModelError, match="did you mean 'size'"):
         lab.Part(sice=3)
 
@@ -60,7 +60,8 @@ def test_references_between_files_of_such_models(tmp_path: Path) -> None:
         EmfModel([root], lab).save(tmp_path / name, {other: models[other] for other in models if other != name})
     assert '<first href="parts.xmi#//@items.0"/>' in (tmp_path / "plan.xmi").read_text(encoding="utf-8")
     again = session.open_model(tmp_path / "plan.xmi", metamodel=LAB)
-    assert again.roots[0].first.name == "wheel"  # type: ignore[attr-defined]
+    assert isinstance(again, EmfModel)
+    assert again.roots[0].first.name == "wheel"
 
 
 @pytest.mark.parametrize(

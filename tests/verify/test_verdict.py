@@ -116,3 +116,27 @@ def test_a_channel_that_is_the_same_says_how_many_events_were_compared() -> None
     lines = Verdict(scenarios=[told("no-difference-found", "same", "not-exercised")]).lines()
     assert "  same           c0 (0 events)" in lines
     assert "  not-exercised  c1" in lines
+
+
+@pytest.mark.parametrize(
+    ("outputs", "missed", "counted", "partial"),
+    [
+        ({"lamp": True, "wheel": True}, [], 1, False),
+        ({"lamp": True, "wheel": False}, [], 1, True),
+        ({"lamp": True}, ["a.c:3"], 1, True),
+        ({"lamp": True}, [], 0, True),
+    ],
+)
+def test_a_comparison_is_partial_unless_all_outputs_and_lines_were_compared(
+    outputs: dict[str, bool], missed: list[str], counted: int, partial: bool
+) -> None:
+    found = Verdict(
+        scenarios=[told("no-difference-found", "same")], outputs=outputs, missed_lines=missed, counted=counted, lines_pct=80.0
+    )
+    assert found.to_json()["partial"] is partial
+    assert found.to_json()["compared"] == {"outputs": sum(outputs.values()), "of": len(outputs), "lines_pct": 80.0}
+    assert found.lines()[0].startswith("PARTLY COMPARED") is partial
+    assert found.sentence().startswith("partly compared") is partial
+    assert found.exit_code == 0
+    assert found.covers(80.0) is (counted > 0 and all(outputs.values()))
+    assert not found.covers(80.5)

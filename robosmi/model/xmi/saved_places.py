@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 _SCHEME = re.compile("[A-Za-z][A-Za-z0-9+.-]*:")
 
 
-def models_beside(
+def neighbouring_models(
     target: Path, own: Iterable[DynamicEObject], given: Mapping[str, Root], read: Mapping[Path, Sequence[DynamicEObject]]
 ) -> dict[str, Root]:
     """The models that references of a model may lead to, by their file names seen from its folder.

@@ -1,8 +1,8 @@
-"""The prototypes that Arduino's builder makes of functions that are used above their definition, before the first function.
+"""The prototypes that a platform's builder makes of functions that a sketch uses above their definition.
 
-A sketch file may call what is defined further down (Arduino: "Sketch build process"). Only such functions get a prototype here;
-they stand on the line of the first function, so that lines keep their numbers. Templates, methods, functions in namespaces and
-those with default arguments get none, as they need none or the builder makes none that compiles.
+Such builders put them before the first function; a toolchain's data say whether it has such a builder. Only
+functions that need one get one, on the line of the first function, so that lines keep their numbers. Templates, methods,
+functions in namespaces and those with default arguments get none, as they need none or no prototype of them would compile.
 """
 
 from __future__ import annotations
@@ -14,7 +14,9 @@ from typing import NamedTuple
 _HIDDEN = re.compile(
     r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])*'|^[ \t]*#(?:\\\n|[^\n])*", re.DOTALL | re.MULTILINE
 )
-_HEAD = re.compile(r"\s*((?:[\w:<>,*&\s])*?[\w>*&][\s*&]+([A-Za-z_]\w*)\s*\(((?:[^()=]|\([^()]*\))*)\))\s*", re.ASCII)
+_HEAD = re.compile(r"([^()=]*+)\((?:[^()=]++|\([^()]*+\))*+\)\s*+")
+"""Matches what precedes a body: type and name, and parameters without default values."""
+_TYPE = re.compile(r"[\w:<>,*&\s]++", re.ASCII)
 _WITHOUT = re.compile(r"\s*(?:template|typedef|using|namespace|extern)\b")
 
 
@@ -46,14 +48,27 @@ def _definitions(plain: str) -> Iterator[_Definition]:
     depth = start = 0
     for mark in re.finditer(r"[{};]", plain):
         if mark[0] == "{":
-            head = _HEAD.fullmatch(plain, start, mark.start()) if depth == 0 else None
-            if head is not None and _WITHOUT.match(head[1]) is None and "::" not in head[1].partition("(")[0]:
-                yield _Definition(head.start(1), head[1], head[2])
+            head = _head(plain[start : mark.start()]) if depth == 0 else None
+            if head is not None:
+                yield head._replace(start=start + head.start)
             depth += 1
         elif mark[0] == "}":
             depth = max(depth - 1, 0)
         if depth == 0:
             start = mark.end()
+
+
+def _head(piece: str) -> _Definition | None:
+    """The function whose body follows a piece of text, if a prototype can be made of it."""
+    found = _HEAD.fullmatch(piece)
+    if found is None or _WITHOUT.match(piece) is not None or "::" in found[1]:
+        return None
+    before = found[1].strip()
+    name = re.split(r"\W+", before, flags=re.ASCII)[-1]
+    kind = before.removesuffix(name).rstrip()
+    if not name or name[0].isdigit() or _TYPE.fullmatch(kind) is None or kind[-1] in ":,<":
+        return None
+    return _Definition(len(piece) - len(piece.lstrip()), piece.strip(), name)
 
 
 def _outside(plain: str) -> str:

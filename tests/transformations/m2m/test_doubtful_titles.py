@@ -8,7 +8,7 @@ import pytest
 
 from robosmi.metamodels import hardware, migration
 from robosmi.transformations.chains.migrate import plan_migration
-from robosmi.transformations.queries.circuits.component_kinds import doubt
+from robosmi.transformations.queries.circuits.component_kinds import misleading_title
 
 CASES = Path(__file__).parent / "doubtful_titles"
 
@@ -31,4 +31,4 @@ def test_a_servo_with_a_doubtful_title_is_bound_by_no_rule(table: str, bound: di
 )  # fmt: skip
 def test_which_titles_are_doubtful(title: str, doubtful: bool) -> None:
     connection = migration.Connection(name="P1", component=hardware.Component(title=title))
-    assert bool(doubt(connection)) is doubtful
+    assert bool(misleading_title(connection)) is doubtful

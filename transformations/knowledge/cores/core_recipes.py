@@ -121,8 +121,10 @@ class CoreRecipes:
         )
 
     def _hooks(self, name: str) -> Iterable[Command]:
-        pattern = re.compile(rf"recipe\.hooks\.{re.escape(name)}\.(?:(\d+)\.)?pattern$")
-        found = [(int(match[1] or 0), key) for key in self._properties if (match := pattern.match(key)) is not None]
+        start, end = f"recipe.hooks.{name}.", "pattern"
+        keys = [key for key in self._properties if key.startswith(start) and key.endswith(end)]
+        numbers = {key: key[len(start) : -len(end)].rstrip(".") or "0" for key in keys}
+        found = [(int(number), key) for key, number in numbers.items() if number.isdigit()]
         commands = (self._command(key) for _, key in sorted(found) if self._properties[key])
         return [command for command in commands if command]
 
@@ -199,11 +201,19 @@ class CoreRecipes:
 
     def sizes(self, printed: str) -> tuple[int, int]:
         """See `Recipes`: the sums of what the core's two regular expressions find."""
-        flash, ram = (
-            sum(int(number) for number in re.findall(self._properties.get(key) or r"(?!)()", printed, re.MULTILINE))
-            for key in ("recipe.size.regex", "recipe.size.regex.data")
-        )
+        flash, ram = (self._sum(key, printed) for key in ("recipe.size.regex", "recipe.size.regex.data"))
         return flash, ram
+
+    def _sum(self, key: str, printed: str) -> int:
+        """The sum of the numbers that a regular expression of the core finds; 0 if the core has none."""
+        pattern = self._properties.get(key)
+        try:
+            return sum(int(number) for number in re.findall(pattern, printed, re.MULTILINE)) if pattern else 0
+        except (re.error, TypeError, ValueError) as error:  # no pattern, or not one group with a number
+            raise PlatformDataError(
+                f"'{key}' of the core {self.core_title} finds no sizes: {error}",
+                location=Location(str(self.core / "platform.txt")), fix="install the core again, or another version",
+            ) from error  # fmt: skip
 
     def disassemble(self, elf: Path) -> Command | None:
         """See `Recipes`: there is no analysis for these processors."""

@@ -72,8 +72,18 @@ def cpp_incompatibilities(view: CodeView, data: bytes) -> list[Form]:
     for function in left_early(view, data):
         message = f"'{function.name}' runs before main, before the target starts its clock: a wait in it never ends"
         found.append((int(function.startOffset), message, "call it at the beginning of main"))
+    found += _uses_of_main(view)
     found += [*_rows_of_parameters(view, data), *_flexible_values(view), *_record_casts(view)]
     return sorted(set(found))
+
+
+def _uses_of_main(view: CodeView) -> Iterator[Form]:
+    """Calls of main and references to it: C++ forbids them, and a sketch has no function of that name."""
+    uses = [call for call in view.calls if call.calleeName == "main"]
+    named = [each for each in view.of_kind(ccode.NameReference) if each.name == "main"]
+    for use in (*uses, *(each for each in named if isinstance(each.target, ccode.Function))):
+        message = "the program uses main as a function, which C++ forbids: in the sketch its statements are in setup() and loop()"
+        yield int(use.startOffset), message, "move the statements of main to a function of their own, and let main call it"
 
 
 def _choices_by_type(data: bytes) -> Iterator[Form]:

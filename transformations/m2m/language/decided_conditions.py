@@ -29,7 +29,7 @@ _OF_LANGUAGE = frozenset({
     "or", "or_eq", "xor", "xor_eq",
 })  # fmt: skip
 """Names that a condition of C++ reads differently, and that depend on the sign of plain char."""
-_CHARACTER = re.compile(r"'(?:\\(?:x[0-9a-fA-F]+|[0-7]+|.)|[^'\\])+'")
+_CHARACTER = re.compile(r"'(?:\\(?>x[0-9a-fA-F]++|[0-7]++|.)|[^'\\])++'")
 
 
 def decided_conditions(views: Sequence[CodeView], sources: Mapping[str, bytes], names: TargetNames) -> Iterator[Change]:

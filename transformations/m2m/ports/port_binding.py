@@ -28,7 +28,7 @@ from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
 from robosmi.transformations.m2m.ports.port_evidence import Fit, Seat, fit, may_meet
-from robosmi.transformations.queries.circuits.component_kinds import doubt
+from robosmi.transformations.queries.circuits.component_kinds import misleading_title
 from robosmi.transformations.queries.flows.value_flows import PinArgument
 from robosmi.transformations.queries.plans.binding_edits import referred, trace_binding
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED
@@ -384,12 +384,12 @@ def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: f
         fits = {(i, k): f for i, s in enumerate(waiting) for k, c in enumerate(left) if (f := fit(s, c)) is not None}
         best = _single_bests(fits)
         pairs = [(i, k) for (i, k), f in fits.items() if f.points > 0 and (i, k) in best]
-        pairs = [p for p in pairs if _confidence(fits[p], first) >= limit and not doubt(left[p[1]])]
+        pairs = [p for p in pairs if _confidence(fits[p], first) >= limit and not misleading_title(left[p[1]])]
         pins = [left[k].pin for _, k in pairs]
         pairs = [(i, k) for i, k in pairs if left[k].pin is None or pins.count(left[k].pin) == 1]  # several parts on one pin
         left_over = not pairs and complete and limit <= LEFT_CONFIDENCE
         if left_over:
-            pairs = [(i, k) for i, k in _only_pairs(fits, waiting, left) if not doubt(left[k])]
+            pairs = [(i, k) for i, k in _only_pairs(fits, waiting, left) if not misleading_title(left[k])]
             fits.update({(i, k): Fit(1.0, (_usual_components(waiting[i]), *fits[i, k].reasons), False) for i, k in pairs})
         if not pairs:
             break
@@ -413,7 +413,8 @@ def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
         seat.binding.options.append(
             migration.Option(
                 label=connection.name, score=0.5 if found.points > 0 else 0.1,
-                reasons=[*(found.reasons or ["weak match: only input/output agrees"]), *filter(None, [doubt(connection)])],
+                reasons=[*(found.reasons or ["weak match: only input/output agrees"]),
+                    *filter(None, [misleading_title(connection)])],
             )
         )  # fmt: skip
 

@@ -111,7 +111,7 @@ def component_texts(connection: migration.Connection) -> list[str]:
     return [component.title, component.partTitle, component.family]
 
 
-def doubt(connection: migration.Connection) -> str:
+def misleading_title(connection: migration.Connection) -> str:
     """Why the title of a component is no evidence; empty if it is.
 
     A letter of another alphabet looks like one of the word that it stands in, and is another; a letter without width is not seen.

@@ -131,7 +131,7 @@ class GeneratedNames:
     def arrays(self, nodes: Sequence[GeneratedNode]) -> list[GeneratedNode]:
         """The nodes that are arrays or pointers, of an index or of a sum."""
         library = self.library
-        found = [n for n in nodes if library.getCanonicalType(library.getCursorType(bare(n).cursor)).kind in POINTERS]
+        found = [n for n in nodes if library.getCanonicalType(library.getCursorType(unwrapped(n).cursor)).kind in POINTERS]
         return found or list(nodes[:1])
 
 
@@ -145,7 +145,7 @@ def plain(node: GeneratedNode) -> GeneratedNode:
     return node
 
 
-def bare(node: GeneratedNode) -> GeneratedNode:
+def unwrapped(node: GeneratedNode) -> GeneratedNode:
     """An expression without what the parser adds around it, such as the conversion of an array to a pointer."""
     while node.kind in (kinds.PAREN_EXPR, kinds.UNEXPOSED_EXPR) and len(node.expressions) == 1:
         node = node.expressions[0]

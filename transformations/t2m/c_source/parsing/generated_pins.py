@@ -30,8 +30,8 @@ from robosmi.transformations.t2m.c_source.parsing.generated_names import (
     SUBTRACT,
     Key,
     Origin,
-    bare,
     plain,
+    unwrapped,
 )  # fmt: skip
 from robosmi.transformations.t2m.c_source.parsing.generated_program import SKETCH, GeneratedProgram
 from robosmi.transformations.t2m.c_source.parsing.generated_tree import GeneratedNode, own_nodes
@@ -166,7 +166,7 @@ class _Flows(GeneratedValues):
 
     def _leaves(self, argument: GeneratedNode) -> Iterable[Origin]:
         """The origins of an argument's value; those of a thing are found once."""
-        first = self._step(bare(argument))
+        first = self._step(unwrapped(argument))
         if len(first) == 1 and not isinstance(first[0], (GeneratedNode, Origin)):
             key = first[0]
             if key not in self._known:
@@ -285,7 +285,12 @@ class _Flows(GeneratedValues):
     def _result(self, node: GeneratedNode) -> list[GeneratedNode | Key | Origin]:
         called = self.library.getCursorReferenced(node.cursor)
         inner = node.expressions
-        if inner and called.kind in FUNCTIONS and bare(inner[0]).kind == kinds.CALL_EXPR and called.kind != kinds.CONSTRUCTOR:
+        if (
+            inner
+            and called.kind in FUNCTIONS
+            and unwrapped(inner[0]).kind == kinds.CALL_EXPR
+            and called.kind != kinds.CONSTRUCTOR
+        ):
             return [self.origin("what a function returns through a pointer", node)]
         name = self.spelling(called) if called.kind in FUNCTIONS else ""
         if not name and inner:

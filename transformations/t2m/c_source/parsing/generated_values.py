@@ -22,8 +22,8 @@ from robosmi.transformations.t2m.c_source.parsing.generated_names import (
     GeneratedNames,
     Key,
     Origin,
-    bare,
     plain,
+    unwrapped,
 )  # fmt: skip
 from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
 from robosmi.transformations.t2m.c_source.parsing.generated_tree import GeneratedNode
@@ -231,7 +231,7 @@ class GeneratedValues(GeneratedNames):
             return
         if not inner:
             return
-        callee = bare(inner[0])
+        callee = unwrapped(inner[0])
         arguments = inner[1:]
         if called.kind in FUNCTIONS and callee.kind in (kinds.DECL_REF_EXPR, kinds.MEMBER_REF_EXPR):
             self._callees.add(id(callee))
