@@ -189,7 +189,12 @@ def test_a_board_with_another_chip_is_not_taken_for_it() -> None:
 @pytest.mark.parametrize(
     ("part", "old", "new", "message"),
     [
-        ("arduino/boards", "ram_bytes = 2048", "ram_byte = 2048", r"'ram_byte' is not a key .*'ram_bytes'"),
+        (
+            "arduino/boards",
+            "ram_bytes = 2048",
+            "ram_byte = 2048",
+            r"'ram_byte' is not a key of it \(did you mean 'ram_bytes'\?\)",
+        ),
         ("arduino/boards", "ram_bytes = 2048", 'ram_bytes = "2 K"', "'ram_bytes' must be a whole number"),
         ("arduino/boards", "interrupts = { D2", "interrupts = { D99", "'interrupts.D99' is not a pin of this board"),
         ("arduino/boards", 'define = "AVR_UNO"', "", "'define' is missing"),

@@ -177,6 +177,8 @@ def verify(
             verdict.reasons.append(f"the original cannot be run here: {error.message}{where}")
             return Verified(verdict, report)
         verdict.original = f"{program.model.title}, {program.compiler}"
+        called = {str(use.name) for use in plan.adapterUses}
+        verdict.not_compared += [what for what, functions in program.model.stored.items() if called.intersection(functions)]
         cases, made = _cases(
             program, ports, plan, given, plan_file.parent / FOLDER, seed if generate else None, verdict, budget_s
         )

@@ -27,7 +27,7 @@ def terminal_lines(
     screen = first_screen(plan, sources, known=known)
     lines = [f"{'generated' if made else 'would generate'} {sketch} for {board}"]
     lines += [_sum("too big", short) for short in screen.shortages]
-    lines.append(_sum("works", screen.works))
+    lines.append(_sum("works", screen.works + ("; not compiled yet" if plan.build is None else "")))
     for word, each in (("decide", screen.decide), ("write", screen.write), ("check", screen.check)):
         lines += _list(word, each)
     if screen.needs:

@@ -7,8 +7,10 @@ text, and that no call with a pin was missed. What does not hold is a finding, a
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import accumulate
 
 from robosmi.diagnostics import Finding, Location, Severity
 from robosmi.metamodels import ccode, migration, platform
@@ -44,7 +46,11 @@ def pin_findings(
         sources: path of a unit -> its bytes.
     """
     checked = follow_pins(program, pin_names(plan))
-    calls = {str(use.targetName or use.name): list(use.calls) for use in plan.adapterUses}
+    dropped = _dropped(plan)
+    calls = {
+        str(use.targetName or use.name): [call for call in use.calls if not dropped(_path(call), int(call.startOffset))]
+        for use in plan.adapterUses
+    }
     made: list[tuple[Finding, Sequence[ccode.Call]]] = []
     for each in checked.wrong:
         at = place(each.file, each.line)
@@ -110,8 +116,10 @@ def _missing_changes(
 ) -> Iterator[tuple[Finding, Sequence[ccode.Call]]]:
     """Ports that the plan calls moved or looked up, whose change is not in the text as often as it was decided."""
     wanted: dict[str, list[migration.TextChange]] = {}
+    dropped = _dropped(plan)
     for change in effective(all_changes(plan)):
-        if change.rule in (MOVED, LOOK_UP) and (word := _word(change)):
+        gone = change.unit is not None and dropped(str(change.unit.path), int(change.startOffset))
+        if change.rule in (MOVED, LOOK_UP) and not gone and (word := _word(change)):
             wanted.setdefault(word, []).append(change)
     texts = [data for name, data in program.files.items() if name != program.adapters]
     counts = Counter(token for data in texts for token in _TOKENS.findall(_COMMENT.sub(" ", data.decode("utf-8", "replace"))))
@@ -131,6 +139,25 @@ def _missing_changes(
             if not any(change.rule == MOVED for change in binding.changes):
                 message = f"the port '{binding.name}' is to be moved with '{flow.name}', and no number of the text changes"
                 yield _finding(message, _place_of(binding.element)), list(flow.calls)
+
+
+def _dropped(plan: migration.MigrationPlan) -> Callable[[str, int], bool]:
+    """The function from a unit's path and an offset to whether the plan leaves out what stands there."""
+    elements = [d.element for d in plan.dispositions if d.action is migration.Action.drop and d.element is not None]
+    ranges: dict[str, list[tuple[int, int]]] = {}
+    for element in elements:
+        ranges.setdefault(_path(element), []).append((int(element.startOffset), int(element.endOffset)))
+    starts, reach = {}, {}
+    for path, found in ranges.items():
+        found.sort()
+        starts[path] = [start for start, _ in found]
+        reach[path] = list(accumulate((end for _, end in found), max))
+
+    def dropped(path: str, offset: int) -> bool:
+        last = bisect_right(starts.get(path, []), offset) - 1
+        return last >= 0 and offset < reach[path][last]
+
+    return dropped
 
 
 def _word(change: migration.TextChange) -> str:
