@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any, Protocol, TypedDict, TypeVar, Unpack
 
 from robosmi.plugins import content
 
@@ -195,6 +195,18 @@ class UploadOptions(TypedDict, total=False):
     project: Path | None
 
 
+_T = TypeVar("_T", bound="str | Path")
+
+
+def _listed(given: _T | Sequence[_T]) -> list[_T]:
+    """A list where a list is wanted; one path or text stands for itself."""
+    return [given] if isinstance(given, (str, Path)) else list(given)
+
+
+def _listed_options(options: Mapping[str, Any]) -> dict[str, Any]:
+    return {key: _listed(value) if key in ("include_dirs", "defines") else value for key, value in options.items()}
+
+
 def load_code(
     *files: str | Path, source_platform: str | None = None, include_dirs: Sequence[Path] = (), defines: Sequence[str] = ()
 ) -> ccode.Program:
@@ -212,7 +224,8 @@ def load_code(
     Raises:
         SourceError: a file cannot be read as a program.
     """
-    paths = [Path(f) for f in files]
+    paths = [Path(f) for given in files for f in _listed(given)]
+    include_dirs, defines = [Path(folder) for folder in _listed(include_dirs)], _listed(defines)
     found: AnalysedCode = content("chain", "analyse")(
         paths, source_platform=source_platform, include_dirs=include_dirs, defines=defines
     )
@@ -273,7 +286,7 @@ def plan_migration(files: Sequence[str | Path], **options: Unpack[PlanOptions]) 
         SourceError: an input cannot be read or used.
         UsageError: a choice names what does not exist.
     """
-    planned: PlannedMigration = content("chain", "plan")(files, **options)
+    planned: PlannedMigration = content("chain", "plan")(_listed(files), **_listed_options(options))
     return planned
 
 
@@ -293,7 +306,7 @@ def migrate(files: Sequence[str | Path], output: str | Path, **options: Unpack[M
         UsageError: a choice names what does not exist.
         StoppedError: a choice is open under `strict`, or a person's edit would be lost.
     """
-    made: MigratedSketch = content("chain", "migrate")(files, output, **options)
+    made: MigratedSketch = content("chain", "migrate")(_listed(files), output, **_listed_options(options))
     return made
 
 

@@ -7,6 +7,7 @@ then. Files are written by `robosmi.files.files` and `commit`.
 
 from __future__ import annotations
 
+import codecs
 import errno
 import os
 import re
@@ -207,6 +208,8 @@ _OLD_END = re.compile(rb"\r(?!\n)")
 def read_text(path: str | os.PathLike[str], kind: Kind, encoding: str = "utf-8", errors: str = "strict") -> str:
     """The text of an ordinary file, its line ends as line feeds.
 
+    Settings and tables may begin with a byte order mark, as tools of Windows write them: it says the encoding and is left out.
+
     Args:
         path: the file.
         kind: what it is, which says how many bytes it may have.
@@ -217,4 +220,17 @@ def read_text(path: str | os.PathLike[str], kind: Kind, encoding: str = "utf-8",
         OSError: as for `read_bytes`.
         UnicodeDecodeError: it is no text in that encoding.
     """
-    return read_bytes(path, kind).decode(encoding, errors).replace("\r\n", "\n").replace("\r", "\n")
+    data = read_bytes(path, kind)
+    if encoding == "utf-8" and kind in (SETTINGS, TABLE):
+        encoding = next((name for mark, name in _MARKS.items() if data.startswith(mark)), encoding)
+    return data.decode(encoding, errors).replace("\r\n", "\n").replace("\r", "\n")
+
+
+_MARKS = {
+    codecs.BOM_UTF8: "utf-8-sig",
+    codecs.BOM_UTF32_LE: "utf-32",
+    codecs.BOM_UTF32_BE: "utf-32",
+    codecs.BOM_UTF16_LE: "utf-16",
+    codecs.BOM_UTF16_BE: "utf-16",
+}
+"""Byte order mark -> encoding; that of UTF-32 goes before that of UTF-16, with which it begins."""

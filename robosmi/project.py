@@ -149,7 +149,7 @@ def _project(path: Path, text: str, data: dict[str, Json]) -> Project:
             )
     return Project(
         path=path,
-        hardware=(folder / migrate["hardware"]) if "hardware" in migrate else None,
+        hardware=_path_in(folder, migrate["hardware"]) if "hardware" in migrate else None,
         target=migrate.get("target"),
         source_platform=migrate.get("source_platform"),
         libraries=_table(path, data, "libraries", text),
@@ -160,6 +160,12 @@ def _project(path: Path, text: str, data: dict[str, Json]) -> Project:
         accept=tuple(_accepted(path, entry) for entry in _list_of_tables(path, data, "accept")),
         text=text,
     )
+
+
+def _path_in(folder: Path, name: str) -> Path:
+    """A path of the file; one that was written on Windows has backslashes between its folders."""
+    path = folder / name
+    return path if os.path.lexists(path) else folder / name.replace("\\", "/")
 
 
 def _table(path: Path, data: dict[str, Json], name: str, text: str) -> dict[str, str]:

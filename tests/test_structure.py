@@ -68,7 +68,13 @@ INSIDE: dict[str, dict[str, tuple[str, ...]]] = {
     "robosmi/query": {"": (), "rules": ("",)},
     "robosmi/verify": {"toolchains": (), "": ("toolchains",), "uploads": ("toolchains",), "traces": ("",)},
     "transformations/chains": {"stages": (), "": ("stages",)},
-    "transformations/knowledge": {"": (), "adapters": ("",), "platforms": ("adapters", ""), "libraries": ("platforms",)},
+    "transformations/knowledge": {
+        "": (),
+        "adapters": ("",),
+        "cores": (),
+        "platforms": ("adapters", ""),
+        "libraries": ("platforms",),
+    },
     "transformations/m2m": {
         "circuits": (),
         "choices": (),

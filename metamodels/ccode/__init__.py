@@ -1641,6 +1641,8 @@ class UnknownExpression(Expression):
 
     text: str = EAttribute(eType=EString, default_value="")
     """The expression as written."""
+    body: Block | None = EReference(containment=True)
+    """The statements within it, of GNU C's statement expression."""
 
     if TYPE_CHECKING:
 
@@ -1654,6 +1656,7 @@ class UnknownExpression(Expression):
             endLine: int | None = None,
             endColumn: int | None = None,
             text: str | None = None,
+            body: Block | None = None,
         ) -> None: ...
 
 
@@ -1731,6 +1734,7 @@ if not TYPE_CHECKING:  # pyecore's descriptors, which the annotations above hide
     SizeOf.measured.eType = TypeUse
     SizeOf.operand.eType = Expression
     InitializerList.elements.eType = Expression
+    UnknownExpression.body.eType = Block
     Program.units.eOpposite = SourceUnit.program
     Macro.uses.eOpposite = MacroUse.macro
     Declaration.references.eOpposite = NameReference.target

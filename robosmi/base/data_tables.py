@@ -50,7 +50,7 @@ class DataTable(Struct, frozen=True):
 
     def error(self, key: str, problem: str) -> PlatformDataError:
         """An error about a key of this table, to be raised by the caller."""
-        fix = "mend the entry, or remove the file if it is your own"
+        fix = "correct the entry, or remove the file if it is your own"
         return PlatformDataError(f"'{self.prefix}{key}' {problem}", location=Location(str(self.path)), fix=fix)
 
     def _no_nul(self, key: str, *texts: str) -> None:

@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 def add_source_options(parser: Options) -> None:
     """The options that say how a program is read."""
     parser.add_argument("files", nargs="+", metavar="FILE", type=Path, help="source file(s) of one program")
-    parser.add_argument("--source-platform", metavar="NAME", help="platform the program was written for")
+    parser.add_argument("--source-platform", metavar="NAME", help="platform that the program is written for")
     parser.add_argument(
         "-I", dest="include_dirs", action="append", default=[], metavar="DIR", type=Path, help="folder with headers"
     )
-    parser.add_argument("-D", dest="defines", action="append", default=[], metavar="NAME", help="macro defined from outside")
+    parser.add_argument("-D", dest="defines", action="append", default=[], metavar="NAME", help="define a macro")
 
 
 def output_folder(text: str) -> Path:
@@ -32,7 +32,7 @@ def output_folder(text: str) -> Path:
         UsageError: it is empty, or no path.
     """
     if not text.strip() or "\0" in text:
-        raise UsageError("the output folder has no name", fix="give a folder: -o OUT (or -o . for the current one)")
+        raise UsageError("the name of the output folder is empty", fix="give a folder: -o OUT (or -o . for the current one)")
     return Path(text)
 
 
@@ -46,9 +46,9 @@ def pairs(texts: list[str], option: str) -> dict[str, str]:
     for text in texts:
         name, equals, value = text.partition("=")
         if not equals or not name.strip() or not value.strip():
-            raise UsageError(f"{option} {text}: this is no NAME=VALUE", fix=f'write {option} "NAME=VALUE"')
+            raise UsageError(f"{option} {text}: not of the form NAME=VALUE", fix=f'write {option} "NAME=VALUE"')
         if result.setdefault(name.strip(), value.strip()) != value.strip():
-            raise UsageError(f"{option} gives '{name.strip()}' two values", fix="give one of them")
+            raise UsageError(f"{option} gives '{name.strip()}' two values", fix="give only one of them")
     return result
 
 
@@ -76,7 +76,7 @@ def check_replaced(path: Path | None, mark: bytes, what: str) -> None:
     except OSError:  # it is not there, or writing it will say what is wrong
         return
     if head.strip() and mark not in head:
-        raise StoppedError(f"there is a file already, and it is no {what}", location=Location(str(path)), fix=ANOTHER_NAME)
+        raise StoppedError(f"a file exists there that is not a {what}", location=Location(str(path)), fix=ANOTHER_NAME)
 
 
 def write_model(root: EObject, path: Path) -> dict[str, str]:

@@ -54,34 +54,34 @@ if TYPE_CHECKING:
 
 
 COMMANDS = {
-    "analyse": "what a program uses of its platform",
-    "hardware": "which pin of a drawn board drives which component",
-    "recommend": "which library drives which component",
+    "analyse": "list what a program uses of its platform",
+    "hardware": "list which pin of a drawn board drives which component",
+    "recommend": "recommend a library for each component",
     "migrate": "move a program to the board of a drawing",
-    "choose": "make a choice of a migration's plan, and the sketch again",
-    "open": "decide and check on a page in the browser",
-    "report": "the page of a migration as one file, to read and to print",
-    "generate": "make the sketch again from a stored plan",
-    "wiring": "hand the wiring of a migration back: for another tool, as a table or as a picture",
-    "undo": "put an output folder back as it was before the last run",
-    "check": "hold a drawing, a plan or any model against its constraints",
+    "choose": "change a decision of a migration and update the sketch",
+    "open": "decide and check in the browser",
+    "report": "save the page of a migration as one file, to read or print",
+    "generate": "generate the sketch from a stored plan",
+    "wiring": "export the wiring for another tool, as a table or as a picture",
+    "undo": "restore an output folder to its state before the last run",
+    "check": "check a drawing, a plan or a model",
     "compile": "compile a generated sketch",
-    "upload": "put a compiled sketch on its board",
-    "simulate": "run a generated program on a simulator, and see its console and pins",
-    "verify": "compare what the original and the migrated program do",
-    "adapters": "what does on the target what the source platform's functions do, and bodies of your own",
-    "history": "earlier choices of libraries",
+    "upload": "upload a compiled sketch to its board",
+    "simulate": "simulate a generated program and show its console and pins",
+    "verify": "compare the behaviour of the original and the migrated program",
+    "adapters": "list, show and save adapters (replacements for the source platform's functions)",
+    "history": "list, export and import earlier library choices",
     "libraries": "add installed libraries to the index",
-    "run": "run a chain of load, validate, transform and generate; only what has changed",
-    "query": "ask a model of any technology",
-    "parts": "add the parts of a drawing tool to the catalogue",
-    "platform": "make a source platform of your own from its headers",
-    "metamodels": "hand out the metamodels, or generate Python packages from one",
-    "trust": "let what a found folder holds run, as it is now",
-    "mcp": "a server for assistants, whose tools are the commands, held to one folder",
-    "explain": "what a rule's findings mean, with an example and what to do",
-    "doctor": "what is installed and what is missing",
-    "completion": "a script that lets bash, zsh or fish complete commands and options",
+    "run": "run the steps of a chain that have changed",
+    "query": "query a model of any technology",
+    "parts": "add a drawing tool's parts to the catalogue",
+    "platform": "create a source platform from its headers",
+    "metamodels": "export the metamodels, or generate Python packages from one",
+    "trust": "allow a folder's own code to run",
+    "mcp": "serve the commands as tools for assistants, confined to one folder",
+    "explain": "explain a rule, with an example and what to do",
+    "doctor": "report what is installed and what is missing",
+    "completion": "print a completion script for bash, zsh or fish",
 }
 
 ERROR_RULES: tuple[tuple[type[RobosmiError], str], ...] = (
@@ -132,12 +132,14 @@ def build_parser(command: str | None = None) -> argparse.ArgumentParser:
             name, help=summary, description=summary[0].upper() + summary[1:] + ".", epilog=f"example: {EXAMPLES[name]}",
             formatter_class=_Help,
         )  # fmt: skip
-        sub.add_argument("--json", action="store_true", help="print one JSON document to stdout and nothing else")
+        sub.add_argument("--json", action="store_true", help="print only one JSON document to stdout")
         sarif_file.add_option(sub)
-        sub.add_argument("-v", "--verbose", action="store_true", help="show every finding, and not only the first of many alike")
+        sub.add_argument(
+            "-v", "--verbose", action="store_true", help="show every finding, not only the first of many similar ones"
+        )
         sub.add_argument(
             "--fail-on", choices=("info", "warning", "error", "never"), default="error",
-            help="exit with 1 when there is a finding of at least this severity (default: error)",
+            help="exit with 1 on a finding of at least this severity (default: error)",
         )  # fmt: skip
         if name == command:
             importlib.import_module(f"robosmi.cli.commands.{name}").configure(sub)

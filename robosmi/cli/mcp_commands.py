@@ -63,11 +63,9 @@ class Commands:
             message = f"an argument has {len(too_long)} characters: '{too_long[:60]}...'"
             return refusal(command, "RS901", 2, message, f"give at most {LONGEST} characters")
         if any(not is_text(word) for word in words):
-            return refusal(
-                command, "RS901", 2, "an argument is no text", "leave out NUL and halves of characters (U+D800 to U+DFFF)"
-            )
+            return refusal(command, "RS901", 2, "an argument is not a text", "remove NUL and surrogates (U+D800 to U+DFFF)")
         if (size := sum(len(word.encode()) + _WORD for word in words)) > (most := os.sysconf("SC_ARG_MAX") // 2):
-            return refusal(command, "RS901", 2, f"the arguments have {size} bytes together", f"give at most {most} bytes")
+            return refusal(command, "RS901", 2, f"the arguments have {size} bytes in total", f"give at most {most} bytes")
         own = Path(self._own.name)
         with tempfile.TemporaryDirectory(dir=own, prefix="call-") as temporary:
             program = ["robosmi.cli.confined", str(self.root.path), str(own)] if self.confined else ["robosmi"]
@@ -86,14 +84,14 @@ class Commands:
                 with anyio.CancelScope(shield=True):
                     await _end(process)
         if in_time.cancelled_caught:
-            message = f"{command} did not end within {self.limit_s:g} s and was stopped; nothing half-written is left"
-            return refusal(command, "RS902", 3, message, "give it less to do, or start the server with a longer --limit")
+            message = f"{command} exceeded {self.limit_s:g} s and was stopped; no file is half-written"
+            return refusal(command, "RS902", 3, message, "give it less work, or start the server with a longer --limit")
         try:
             document = as_table(json_of(bytes(said)))
             return {**document, "exit_code": process.returncode}
         except (ValueError, TypeError):
-            last = (complained.decode(errors="replace").strip().splitlines() or ["it said nothing"])[-1]
-            return refusal(command, "RS970", 70, f"{command} gave no document: {last}", "report it")
+            last = (complained.decode(errors="replace").strip().splitlines() or ["no message"])[-1]
+            return refusal(command, "RS970", 70, f"{command} printed no JSON document: {last}", "report this bug")
 
     def _environment(self, own: Path, temporary: str) -> dict[str, str]:
         """No data of the person's is in it: neither earlier choices nor what was imported, trusted or named by ROBOSMI_PATH.

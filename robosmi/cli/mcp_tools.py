@@ -32,13 +32,13 @@ INSTRUCTIONS = """\
 RoboSMi moves a robot's C program to another board by models. All paths are below the root folder, relative to it.
 
 1. analyse: what the program uses of its platform. hardware: which pin of the drawing drives what.
-2. migrate: makes OUT with the sketch, the plan and a list of what is left; result.plan.choices[] are open decisions.
+2. migrate: generates OUT with the sketch, the plan and a list of remaining work; result.plan.choices[] are open decisions.
 3. choose (or migrate with bind and library): settle a decision by its id and the value of one of its options. plan_show: the
    plan.
-4. Write bodies of adapters in OUT/NAME/adapters.h, where a TODO stands; then generate, which keeps and counts them.
-5. compile: does it build for the board, does it fit. verify: does it do what the original does; a difference has its first place.
+4. Write bodies of adapters in OUT/NAME/adapters.h, where a TODO stands; then generate, which preserves and counts them.
+5. compile: build for the board and report the size. verify: compare with the original and report the first difference.
 
-A body counts as right when verify says no-difference-found, not before. explain tells what a finding's rule means. Findings
+A body is right only when verify reports no-difference-found. explain describes a finding's rule. Findings
 have a place, a cause (message) and what to do (fix); exit_code 0 is done, 1 findings, 2 arguments, 3 input, 4 a missing tool,
 5 stopped, 6 does not compile or differs.
 """
@@ -63,21 +63,21 @@ class Tools:
         self, files: list[str], source_platform: str | None = None, include_dirs: list[str] | None = None,
         defines: list[str] | None = None,
     ) -> Document:  # fmt: skip
-        """What a C program uses of its platform: calls, pins, code on other cores, what no header declares.
+        """List what a C program uses of its platform: calls, pins, code on other cores, undeclared functions.
 
         files: the sources of one program. include_dirs: folders with headers. defines: macros, NAME or NAME=VALUE.
         """
         return await self._run("analyse", lambda: self._source(files, source_platform, include_dirs, defines))
 
     async def hardware(self, sketch: str) -> Document:
-        """Which pin of the drawn board drives which component, and what is electrically wrong with the wiring.
+        """List which pin of the drawn board drives which component, and electrical errors in the wiring.
 
         sketch: a drawing or a pin table.
         """
         return await self._run("hardware", lambda: [self._path(sketch)])
 
     async def recommend(self, sketch: str | None = None, components: str | None = None, ranker: str | None = None) -> Document:
-        """Which library drives which component, ranked with reasons; give a drawing or a JSON file of components."""
+        """Recommend libraries for each component, with reasons; give a drawing or a JSON file of components."""
         return await self._run(
             "recommend",
             lambda: [
@@ -93,7 +93,7 @@ class Tools:
         library: list[str] | None = None, bind: list[str] | None = None, adapters: str | None = None, widths: str | None = None,
         bench: bool = False, dry_run: bool = False, strict: bool = False,
     ) -> Document:  # fmt: skip
-        """Move a program to the board of a drawing: makes the folder out with sketch, plan and list of what is left.
+        """Move a program to the board of a drawing: generates the folder out with sketch, plan and remaining tasks.
 
         hardware: the drawing or pin table. library: COMPONENT=LIBRARY. bind: NAME=PIN, for a port of the source. adapters:
         filled or placeholders. widths: fix or keep. Edits in out that you made are kept, or it stops. Nothing is asked;
@@ -110,11 +110,11 @@ class Tools:
         )  # fmt: skip
 
     async def plan_show(self, plan: str) -> Document:
-        """The stored plan of a migration (OUT/models/plan.xmi): choices, bindings, tasks; writes nothing."""
+        """Show the stored plan of a migration (OUT/models/plan.xmi): choices, bindings, tasks. Writes nothing."""
         return await self._run("generate", lambda: [self._path(plan), "-o", self._out_of(plan), "--dry-run"])
 
     async def choose(self, out: str, answers: dict[str, str], why: str = "") -> Document:
-        """Settle decisions of a migration, and make the sketch again.
+        """Change decisions of a migration and update the sketch.
 
         answers: id of a choice (result.plan.choices[].id) to the value of one of its options, to `none` for a port that is not
         wired, or to an empty text to open it again. why: the reason, kept with the decision.
@@ -129,14 +129,14 @@ class Tools:
         )  # fmt: skip
 
     async def generate(self, plan: str, out: str, bench: bool = False, dry_run: bool = False, strict: bool = False) -> Document:
-        """Make the sketch again from a stored, perhaps edited plan and the models beside it alone."""
+        """Generate the sketch from a stored plan, edited or not, and the models next to it."""
         return await self._run(
             "generate",
             lambda: [self._path(plan), "-o", self._path(out), *_flags(bench=bench, dry_run=dry_run, strict=strict)],
         )
 
     async def compile(self, out: str, board: str | None = None) -> Document:
-        """Compile a generated sketch with the target's toolchain: does it build, its flash and RAM, does it fit the board."""
+        """Compile a generated sketch with the target's toolchain; report errors, flash and RAM, and whether it fits the board."""
         return await self._run("compile", lambda: [self._path(out), *_option("--board", board)])
 
     async def verify(
@@ -157,7 +157,7 @@ class Tools:
         )  # fmt: skip
 
     async def explain(self, rule: str) -> Document:
-        """What the findings of a rule (RS311, or its name) mean, with an example and what to do."""
+        """Explain a rule (RS311, or its name), with an example and what to do."""
         return await self._run("explain", lambda: _no_options([rule]))
 
     def _source(
@@ -165,7 +165,7 @@ class Tools:
         defines: Sequence[str] | None,
     ) -> list[str]:  # fmt: skip
         if not files:
-            raise UsageError("no files are given", fix="name the sources of the program")
+            raise UsageError("no source files are given", fix="give the program's source files")
         folders = [word for path in include_dirs or () for word in ("-I", self._path(path))]
         macros = [f"-D{macro}" for macro in defines or ()]
         return [*(self._path(file) for file in files), *_option("--source-platform", source_platform), *folders, *macros]
@@ -189,7 +189,9 @@ def make_server(commands: Commands) -> Server:
     Args:
         commands: runs the commands.
     """
-    held = "held to the root folder by the kernel (Landlock), without TCP" if commands.confined else "NOT confined by the kernel"
+    held = (
+        "confined to the root folder by the kernel (Landlock), without TCP" if commands.confined else "NOT confined by the kernel"
+    )
     native = (
         f"Runs native code: the original is compiled for this machine and run with the server's account, {held}; "
         f"a call ends after {commands.limit_s:g} s."
@@ -227,7 +229,7 @@ def _no_options(words: list[str]) -> list[str]:
         UsageError: one begins like an option.
     """
     if odd := next((word for word in words if word.startswith("-") or not word), None):
-        raise UsageError(f"'{odd[:60]}' is no rule and no choice", fix="give a name")
+        raise UsageError(f"'{odd[:60]}' is neither a rule nor a choice", fix="give a name")
     return words
 
 
@@ -304,9 +306,7 @@ class Answered:
 _NO_IDENTITY = JSONRPCError(
     jsonrpc="2.0",
     id=None,
-    error=ErrorData(
-        code=INVALID_REQUEST, message="the request has no id that can be answered: give a text or a whole number as its id"
-    ),
+    error=ErrorData(code=INVALID_REQUEST, message="the request's id is not usable: give a text or a whole number"),
 )
 
 
@@ -326,16 +326,16 @@ def answer_to(error: Exception) -> JSONRPCError:
     given = next((fault for fault in faults if fault["type"] == "json_invalid"), None)
     if given is None:  # a part that the message as a whole lacks is told with the whole message
         request = next((fault["input"] for fault in faults if fault["type"] == "missing" and len(fault["loc"]) == 2), None)
-        said = ErrorData(code=INVALID_REQUEST, message="the message is none of JSON-RPC 2.0: give jsonrpc, id, method and params")
+        said = ErrorData(code=INVALID_REQUEST, message="the message is not JSON-RPC 2.0: give jsonrpc, id, method and params")
         return JSONRPCError(jsonrpc="2.0", id=_identity(request), error=said)
     why = str(given["msg"]).removeprefix("Invalid JSON: ")
     try:
         request = json_of(str(given["input"]))
     except (ValueError, RecursionError):
-        said = ErrorData(code=PARSE_ERROR, message=f"the line is no JSON ({why}): send one message a line, in UTF-8")
+        said = ErrorData(code=PARSE_ERROR, message=f"the line is not JSON ({why}): send one message per line, in UTF-8")
         return JSONRPCError(jsonrpc="2.0", id=None, error=said)
-    advice = "leave out halves of characters (\\ud800 to \\udfff without its other half)"
-    said = ErrorData(code=PARSE_ERROR, message=f"the line has an escape that is no character ({why}): {advice}")
+    advice = "remove surrogates (\\ud800 to \\udfff without its other half)"
+    said = ErrorData(code=PARSE_ERROR, message=f"the line has an escape that is not a character ({why}): {advice}")
     return JSONRPCError(jsonrpc="2.0", id=_identity(request), error=said)
 
 

@@ -30,9 +30,11 @@ class RootFolder:
         try:
             self.path = path.resolve(strict=True)
         except (OSError, RuntimeError) as error:
-            raise SourceError(f"the folder is not there: {error}", location=Location(str(path)), fix="make it first") from error
+            raise SourceError(
+                f"the folder does not exist: {error}", location=Location(str(path)), fix="create it first"
+            ) from error
         if not self.path.is_dir():
-            raise SourceError("this is no folder", location=Location(str(path)), fix="name a folder")
+            raise SourceError("this is not a folder", location=Location(str(path)), fix="give a folder")
 
     def relative(self, text: str) -> str:
         """A path below the folder, relative to it, as a word of a command line that is no option.
@@ -45,13 +47,13 @@ class RootFolder:
         """
         if len(text) > LONGEST:
             raise UsageError(
-                f"'{text[:60]}...' is no path: it has {len(text)} characters", fix="name a file below the root folder"
+                f"'{text[:60]}...' is not a path: it has {len(text)} characters", fix="give a file below the root folder"
             )
         if not text.strip() or not is_text(text):
-            raise UsageError("a path is empty, or no path", fix="name a file below the root folder")
+            raise UsageError("a path is empty or invalid", fix="give a file below the root folder")
         whole = Path(os.path.normpath(self.path / text))
         if not whole.is_relative_to(self.path):
-            raise UsageError(f"'{text}' is outside of the root folder", fix="name a file below it")
+            raise UsageError(f"'{text}' is outside the root folder", fix="give a file below it")
         below = whole.relative_to(self.path)
         place = self.path
         for part in below.parts:
@@ -61,9 +63,9 @@ class RootFolder:
             except FileNotFoundError:
                 break
             except OSError as error:
-                raise UsageError(f"'{text}' cannot be reached: {error.strerror}", fix="name a file that can") from error
+                raise UsageError(f"'{text}' cannot be reached: {error.strerror}", fix="give a readable file") from error
             if stat.S_ISLNK(mode):
-                raise UsageError(f"'{text}' leads through a link, '{place.name}'", fix="name files and folders themselves")
+                raise UsageError(f"'{text}' goes through a link, '{place.name}'", fix="give the path without links")
         shown = below.as_posix()
         return f"./{shown}" if shown.startswith("-") else shown
 

@@ -23,7 +23,7 @@ OPTION = "--sarif"
 def add_option(parser: Options) -> None:
     """Add the option to a command."""
     parser.add_argument(
-        OPTION, metavar="FILE", type=Path, help="write findings and tasks in SARIF 2.1.0, too, for code scanning and editors"
+        OPTION, metavar="FILE", type=Path, help="also write findings and tasks as SARIF 2.1.0, for code scanning and editors"
     )
 
 
@@ -75,7 +75,7 @@ def write_file(report: Report, path: Path, exit_code: int, about: Path | None = 
     from robosmi.report.sarif import sarif_text
 
     if os.path.realpath(path) in {os.path.realpath(str(artifact["path"])) for artifact in report.artifacts}:
-        message, fix = "the command has made this file: its findings are not written over it", "give the findings another name"
+        message, fix = "this command writes this file itself, so the findings cannot replace it", "give --sarif another name"
         raise StoppedError(message, location=Location(str(path)), fix=fix)
     write_atomic(path, sarif_text(report, exit_code, about=about).encode())
     report.artifacts.append({"path": str(path), "kind": "sarif"})

@@ -58,7 +58,7 @@ def print_result(text: str) -> None:
     Raises:
         SourceError: it cannot be written.
     """
-    fix = "give it a file, a pipe or a terminal that can be written to"
+    fix = "redirect it to a writable file, pipe or terminal"
     if sys.stdout is None:
         raise SourceError("the output cannot be written: standard output is closed", fix=fix)
     try:

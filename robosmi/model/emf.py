@@ -63,6 +63,9 @@ class EmfModel(TypedModel):
         self._all: list[DynamicEObject] = []
         self._extents: dict[tuple[type, bool], list[DynamicEObject]] = {}
         self._ids: dict[str, DynamicEObject] | None = None
+        self._read_with: dict[Path, list[DynamicEObject]] = {}
+        self._open_files: OpenFiles | None = None
+        self._schema_locations: list[tuple[str, str]] = []
         for root in given:
             self.add(root)
 
@@ -121,12 +124,19 @@ class EmfModel(TypedModel):
             roots = next(iter(documents.values())).roots
         packages = [*dict.fromkeys(_outermost(root.eClass.ePackage) for root in roots), *used.epackages]
         model = cls(roots, Metamodel(dict.fromkeys(packages)), name or file.stem, file)
+        model._open_files = open_files
+        model._read_with = {other: document.roots for other, document in documents.items() if other != place}
+        if place in documents:
+            model._schema_locations = documents[place].schema_locations
         if open_files is not None:
             open_files.add(place, model, documents)
         return model
 
     def save(self, path: str | Path | None = None, others: Mapping[str, Root] | None = None) -> None:
         """Write the model as XMI, whole or not at all.
+
+        References into files that were read with the model, or that its session has open, lead there again; so does
+        xsi:schemaLocation, where the file had one.
 
         Args:
             path: the file; the one it was read from if None.
@@ -137,12 +147,16 @@ class EmfModel(TypedModel):
             SourceError: the file cannot be written.
         """
         from robosmi.files.files import write_atomic
+        from robosmi.model.xmi.saved_places import metamodel_places, neighbouring_models
         from robosmi.model.xmi.xmi_writer import to_xmi
 
         target = self._target(path)
         roots = self.roots
         content = roots[0] if len(roots) == 1 else roots
-        write_atomic(target, to_xmi({target.name: content, **(others or {})}, [target.name])[target.name])
+        read = self._read_with | (self._open_files.places() if self._open_files is not None else {})
+        models = {target.name: content, **neighbouring_models(target, roots, others or {}, read)}
+        places = metamodel_places(self.path or target, self._schema_locations, target)
+        write_atomic(target, to_xmi(models, [target.name], schema_locations=places)[target.name])
 
     def touched(self) -> bool:
         """Whether an element of it was changed since this was asked last; of a new model, yes."""

@@ -67,6 +67,7 @@ class Table:
         self.types = [types.get(column, str) for column in columns]
         self.rows: list[Row] = []
         self.delimiter, self.end = ",", "\n"
+        self.announced = ""  # the line before the columns with which Excel says the delimiter
         places = {re.sub(r"\W|^(?=\d)", "_", column): i for i, column in enumerate(columns)}
         places.update({column: i for i, column in enumerate(columns)})
         described = {
@@ -184,6 +185,9 @@ def _fitting(value: Any, kind: Callable[[str], Any], what: str) -> Any:
     return value
 
 
+_ANNOUNCED = re.compile('(?i:"?sep=(.)"?)\\r?\\n')
+
+
 def _read(path: Path, types: Mapping[str, Callable[[str], Any]]) -> Table:
     from robosmi.files.files import read_input
 
@@ -193,12 +197,17 @@ def _read(path: Path, types: Mapping[str, Callable[[str], Any]]) -> Table:
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         raise SourceError("the table is no UTF-8", location=Location(str(path), line), fix="store it as UTF-8") from error
+    announced = _ANNOUNCED.match(text)
+    text = text[announced.end() :] if announced is not None else text
     first = text.partition("\n")[0]
-    delimiter = "\t" if path.suffix.lower() == ".tsv" else max(_DELIMITERS, key=first.count)
+    delimiter = (
+        announced[1] if announced is not None else "\t" if path.suffix.lower() == ".tsv" else max(_DELIMITERS, key=first.count)
+    )
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, strict=True)
     problems: list[str] = []
     table: Table | None = None
-    where = 1
+    skipped = int(announced is not None)
+    where = 1 + skipped
     try:
         for cells in reader:
             if table is None:
@@ -207,7 +216,7 @@ def _read(path: Path, types: Mapping[str, Callable[[str], Any]]) -> Table:
                 problems.append(f"line {where} has {len(cells)} cells instead of {len(table.columns)}")
             elif cells:
                 table.rows.append(table.kind(table, _values(table, cells, where, problems)))
-            where = reader.line_num + 1
+            where = reader.line_num + 1 + skipped
     except csv.Error as error:
         raise SourceError(f"this is no CSV: {error}", location=Location(str(path), where), fix="repair the line") from error
     if table is None:
@@ -216,6 +225,7 @@ def _read(path: Path, types: Mapping[str, Callable[[str], Any]]) -> Table:
         more = f" ... and {len(problems) - 20} more" if len(problems) > 20 else ""
         raise SourceError("; ".join(problems[:20]) + more, location=Location(str(path)), fix="repair these lines")
     table.delimiter, table.end = delimiter, "\r\n" if first.endswith("\r") else "\n"
+    table.announced = announced[0] if announced is not None else ""
     return table
 
 
@@ -238,6 +248,7 @@ def _values(table: Table, cells: list[str], line: int, problems: list[str]) -> l
 
 def _written(table: Table) -> bytes:
     out = io.StringIO(newline="")
+    out.write(table.announced)
     writer = csv.writer(out, delimiter=table.delimiter, lineterminator=table.end)
     writer.writerow(table.columns)
     writer.writerows([["" if value is None else value for value in row._values] for row in table.rows])

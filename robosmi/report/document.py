@@ -103,6 +103,6 @@ def _accepts_nothing(accepted: Accepted, found: Sequence[Finding]) -> Finding:
     return Finding(
         "RS911",
         Severity.warning,
-        f"[[accept]] of {accepted.rule} names '{accepted.element}', which none of its findings is about",
+        f"[[accept]] of {accepted.rule} names '{accepted.element}', but none of its findings is about that",
         fix=f"name one of: {', '.join([*dict.fromkeys(names), '*'])}",
     )

@@ -61,13 +61,13 @@ class PageServer(ThreadingHTTPServer):
     def __init__(self, content: Content, port: int = 0) -> None:
         self.content, self.token, self.turn = content, secrets.token_urlsafe(24), Lock()
         if not 0 <= port <= 65535:
-            raise UsageError(f"{port} is no port", fix="give --port 1024 to 65535, or none for any that is free")
+            raise UsageError(f"{port} is not a port", fix="give --port 1024 to 65535, or omit it to use any free port")
         try:
             if port and _answers(port):
-                raise OSError("another program listens there")
+                raise OSError("another program uses it")
             super().__init__((HOST, port), _Handler)
         except (OSError, OverflowError) as error:
-            fix = "give another --port, or none for any that is free"
+            fix = "give another --port, or omit it to use any free port"
             raise UsageError(
                 f"port {port} cannot be used: {(isinstance(error, OSError) and error.strerror) or error}", fix=fix
             ) from error
@@ -116,7 +116,7 @@ class _Handler(BaseHTTPRequestHandler):
         elif path == "state":
             self._json(HTTPStatus.OK, {"plan": self.server.content.now()})
         elif path is not None:
-            self._json(HTTPStatus.NOT_FOUND, _refused("there is no such page"))
+            self._json(HTTPStatus.NOT_FOUND, _refused("page not found"))
 
     def do_POST(self) -> None:
         """Something that the page asks for."""
@@ -126,16 +126,16 @@ class _Handler(BaseHTTPRequestHandler):
         origin, kind = self.headers.get("Origin", ""), self.headers.get("Content-Type", "").partition(";")[0].strip().lower()
         length = self.headers.get("Content-Length", "")
         if origin not in {f"http://{name}" for name in self.server.names}:
-            self._json(HTTPStatus.FORBIDDEN, _refused("the request does not come from this page"))
+            self._json(HTTPStatus.FORBIDDEN, _refused("the request is not from this page"))
         elif kind != "application/json" or not length.isdecimal() or len(length) > LONGEST or int(length) > MOST:
-            self._json(HTTPStatus.BAD_REQUEST, _refused("the request has another form than the page's"))
+            self._json(HTTPStatus.BAD_REQUEST, _refused("the request is malformed"))
         else:
             try:
                 about = json_of(self.rfile.read(int(length)))
             except (ValueError, RecursionError):
                 about = None
             if not isinstance(about, dict) or path not in ("choose", "undo", "tick"):
-                self._json(HTTPStatus.BAD_REQUEST, _refused("the request has another form than the page's"))
+                self._json(HTTPStatus.BAD_REQUEST, _refused("the request is malformed"))
                 return
             with self.server.turn:
                 answer = self.server.content.act(path, about)
@@ -144,11 +144,11 @@ class _Handler(BaseHTTPRequestHandler):
     def _path(self) -> str | None:
         """The requested path below the random word; None if the request was refused."""
         if self.headers.get("Host", "") not in self.server.names:
-            self._json(HTTPStatus.FORBIDDEN, _refused("this server answers to its own name only"))
+            self._json(HTTPStatus.FORBIDDEN, _refused("this server answers only to its own host name"))
             return None
         word, slash, path = self.path.lstrip("/").partition("/")
         if not slash or not secrets.compare_digest(word.encode(), self.server.token.encode()):
-            self._json(HTTPStatus.FORBIDDEN, _refused("the address is another one: see what robosmi open has printed"))
+            self._json(HTTPStatus.FORBIDDEN, _refused("wrong address: use the address that robosmi open printed"))
             return None
         return path
 

@@ -116,20 +116,18 @@ def rule_called(word: str, rules: dict[str, FindingRule]) -> FindingRule:
         UsageError: no rule is called so; the error names those that come nearest.
     """
     if len(word) > _LONGEST:
-        message = f"no rule is called '{word[:_LONGEST]}...', a name of {len(word)} characters"
-        raise UsageError(message, fix="robosmi explain, without a rule, lists all")
+        message = f"unknown rule '{word[:_LONGEST]}...' ({len(word)} characters)"
+        raise UsageError(message, fix="list all rules: robosmi explain")
     wanted = _plain(word)
     known = {_plain(rule.id): rule for rule in rules.values()} | {_plain(rule.name): rule for rule in rules.values()}
     if rule := known.get(wanted) or known.get(f"rs{wanted}"):
         return rule
     if (offered := _without_page(wanted)) is not None:
-        raise UsageError(
-            offered, fix="read its message; its plug-in gives it a page by a file rules/*.toml in its folder of data"
-        )
+        raise UsageError(offered, fix="read its message; its plug-in can add a page in rules/*.toml of its data folder")
     near = [f"{known[n].id} ({known[n].name})" for n in difflib.get_close_matches(wanted, known, n=3, cutoff=0.6)]
     near = list(dict.fromkeys(near)) or [f"{r.id} ({r.name})" for r in rules.values() if wanted and wanted in _plain(r.name)][:3]
-    meant = f"; near are: {', '.join(near)}" if near else ""
-    raise UsageError(f"no rule is called '{word}'{meant}", fix="robosmi explain, without a rule, lists all")
+    meant = f"; similar: {', '.join(near)}" if near else ""
+    raise UsageError(f"unknown rule '{word}'{meant}", fix="list all rules: robosmi explain")
 
 
 def _without_page(wanted: str) -> str | None:
@@ -202,9 +200,9 @@ def _of_file(path: Path) -> Iterator[FindingRule]:
 
 def _of_entry(path: Path, rule: str, section: str, entry: dict[str, Any]) -> FindingRule:
     if wrong := next((key for key in _TEXTS if not isinstance(entry.get(key), str) or not entry[key].strip()), None):
-        raise _damaged(path, f"'{rule}.{wrong}' must be a text, and not an empty one")
+        raise _damaged(path, f"'{rule}.{wrong}' must be a non-empty text")
     if unknown := next((key for key in entry if key not in _KEYS), None):
-        raise _damaged(path, f"'{rule}.{unknown}' is no key of a rule{did_you_mean(unknown, _KEYS)}")
+        raise _damaged(path, f"'{rule}.{unknown}' is not a key of a rule{did_you_mean(unknown, _KEYS)}")
     levels, says, code = entry.get("severity"), entry.get("says"), entry.get("exit_code")
     if not isinstance(levels, list) or not levels or any(level not in Severity.__members__ for level in levels):
         raise _damaged(path, f"'{rule}.severity' must be a list of {', '.join(Severity.__members__)}")
@@ -217,4 +215,4 @@ def _of_entry(path: Path, rule: str, section: str, entry: dict[str, Any]) -> Fin
 
 
 def _damaged(path: Path, cause: str) -> PlatformDataError:
-    return PlatformDataError(cause, location=Location(str(path)), fix="mend the entry, or remove the file if it is your own")
+    return PlatformDataError(cause, location=Location(str(path)), fix="correct the entry, or remove the file if it is your own")

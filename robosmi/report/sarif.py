@@ -96,7 +96,7 @@ def sarif_document(report: Report, exit_code: int, base: Path | None = None, abo
 def _rule(rule: str, level: Severity, known: FindingRule | None) -> dict[str, Json]:
     """A rule (3.49) with its help; one that nobody has described has its id alone."""
     if known is None:
-        short = f"Rule {rule} of a constraint that has no page."
+        short = f"Rule {rule} of a constraint without a page."
         return {
             "id": rule, "shortDescription": {"text": short}, "defaultConfiguration": {"level": LEVELS[level]},
             "messageStrings": {"default": {"text": "{0}."}},
@@ -159,7 +159,7 @@ def _locations(finding: Finding, places: SarifPlaces, about: Path | None) -> lis
 
 def _related(finding: Finding, places: SarifPlaces, others: list[dict[str, Json]]) -> list[dict[str, Json]]:
     """Further places that a finding is about (3.27.22)."""
-    return [{"id": n, **place, "message": {"text": "The same is said of this place."}} for n, place in enumerate(others, 1)]
+    return [{"id": n, **place, "message": {"text": "The same finding applies here."}} for n, place in enumerate(others, 1)]
 
 
 def _flow(finding: Finding, places: SarifPlaces) -> dict[str, Any]:

@@ -81,6 +81,6 @@ def _check_statement(statement: str) -> None:
 
 def _refused(what: str) -> VerificationError:
     return VerificationError(
-        f"the program has assembler text that is not compiled on this machine: {what.strip()!r}",
-        fix="take assembler text out of the program",
+        f"the program has assembler text that cannot be compiled on this machine: {what.strip()!r}",
+        fix="remove assembler text from the program",
     )

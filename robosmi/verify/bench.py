@@ -241,7 +241,7 @@ class Bench(ABC):
         """
         for number, use in enumerate(uses):
             if use.kind not in registry().entries.get("device", {}):
-                raise UsageError(f"no device is called '{use.kind}'", fix=f"use one of: {', '.join(registry().names('device'))}")
+                raise UsageError(f"unknown device '{use.kind}'", fix=f"use one of: {', '.join(registry().names('device'))}")
             unknown = sorted({*use.pins.values()} - {*self.driven})
             if unknown:
                 raise UsageError(f"the board has no pin '{unknown[0]}'", fix=f"use one of: {', '.join(self.driven)}")

@@ -68,7 +68,7 @@ def read_notes(path: Path) -> CoverageNotes:
             raise ValueError
         return CoverageNotes(version, stamp, tuple(_functions(data, notes)))
     except (struct.error, ValueError):
-        raise VerificationError("the compiler's notes on coverage cannot be read", fix="use gcc 9 or newer") from None
+        raise VerificationError("the compiler's coverage notes cannot be read", fix="use gcc 9 or newer") from None
 
 
 def _functions(data: bytes, notes: CoverageNotes) -> list[CoveredFunction]:

@@ -97,9 +97,7 @@ def read_elf(data: bytes) -> ElfFile:
     try:
         return _read(data)
     except (struct.error, IndexError, ValueError):
-        raise VerificationError(
-            "what the compiler has made of the program cannot be read", fix="take assembler text out of the program"
-        ) from None
+        raise VerificationError("the compiled program cannot be read", fix="remove assembler text from the program") from None
 
 
 def _read(data: bytes) -> ElfFile:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import shutil
 from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 from msgspec import Struct
 
@@ -41,6 +42,7 @@ class HostModel(Struct, frozen=True):
         predefined: what the platform's own compiler defines: names of macros, and their text after `=`.
         same: functions of the machine's C library that programs may use as they are.
         devices: what the board has at its pins and buses by itself.
+        stored: what no channel of a comparison shows -> the functions by which programs store it.
     """
 
     folder: Path
@@ -58,6 +60,7 @@ class HostModel(Struct, frozen=True):
     predefined: tuple[str, ...]
     same: frozenset[str]
     devices: tuple[DeviceUse, ...]
+    stored: Mapping[str, tuple[str, ...]] = MappingProxyType({})
 
     @property
     def files(self) -> list[Path]:
@@ -117,6 +120,7 @@ def load_host_model(platform: str, project: Path | None = None) -> HostModel:
         libraries.setdefault(library.name, library.resolve())
     parser = DataTable.read(resources.find(KIND, f"{platform}/platform.toml", project)).table("parser")
     pin, channel = table.text("pin_label"), table.text("channel_label")
+    stored = table.table("stored", needed=False)
     return HostModel(
         folder=path.parent,
         platform=platform,
@@ -133,6 +137,7 @@ def load_host_model(platform: str, project: Path | None = None) -> HostModel:
         predefined=parser.texts("predefined", ()) + parser.texts("defines", ()),
         same=frozenset(table.table("compiler").texts("same")),
         devices=tuple(_device(each) for each in table.tables("devices", needed=False)),
+        stored={what: stored.texts(what) for what in stored.values},
     )
 
 

@@ -63,7 +63,7 @@ def read_tool_file(path: Path) -> bytes:
         return inputs.read_bytes(path, _MADE)
     except OSError as error:
         raise VerificationError(
-            f"the program is too large for this machine: {error.strerror}", fix="let it have less data"
+            f"the program is too large for this machine: {error.strerror}", fix="reduce the program's data"
         ) from error
 
 
@@ -99,9 +99,9 @@ def joined(objects: Sequence[Path], folder: Path, model: HostModel, known: froze
     whole = elf_at(path)
     names, allowed = names_of(whole), AllowedNames(model.same, known)
     if "main" not in names.defined:
-        raise VerificationError("the program has no function main", fix="name the file that has it, too")
+        raise VerificationError("the program has no main function", fix="also give the file that has it")
     if taken := sorted(names.defined & HOOKS):
-        raise VerificationError(f"the program defines what its compiler uses: {', '.join(taken)}", fix="rename it")
+        raise VerificationError(f"the program defines names that its compiler uses: {', '.join(taken)}", fix="rename it")
     renamed, removed = renamed_sections(whole)
     more = [word for old, new in renamed.items() for word in ("--rename-section", f"{old}={new}")]
     more += [word for name in removed for word in ("--remove-section", name)]
@@ -140,5 +140,5 @@ def _counters(objects: Sequence[Path], elves: Sequence[ElfFile], whole: ElfFile)
     ]
     places = [symbol for symbol in whole.symbols if _COUNTERS.fullmatch(symbol.name) and symbol.binding == LOCAL]
     if [name for _, name in listed] != [symbol.name.removeprefix(_COUNTERS_OF) for symbol in places]:
-        raise VerificationError("the counters of coverage cannot be read", fix="take assembler text out of the program")
+        raise VerificationError("the counters of coverage cannot be read", fix="remove assembler text from the program")
     return [Counters(notes, name, symbol.value, symbol.size) for (notes, name), symbol in zip(listed, places, strict=True)]

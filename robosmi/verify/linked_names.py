@@ -120,10 +120,10 @@ def names_of(elf: ElfFile) -> Names:
 def _check(symbol: Symbol) -> None:
     name = symbol.name
     if not _NAME.fullmatch(name):
-        raise VerificationError(f"the program has a name that no identifier of C is: {name!a}", fix="rename it")
+        raise VerificationError(f"the program has a name that is not a C identifier: {name!a}", fix="rename it")
     if symbol.kind not in _SYMBOL_KINDS:
         raise VerificationError(
-            f"the program has a kind of symbol that its platform does not: {name}",
+            f"the program has a kind of symbol that its platform does not have: {name}",
             fix="define it as a usual function or as data",
         )
 
@@ -135,7 +135,7 @@ def check_object(elf: ElfFile) -> None:
         VerificationError: it has.
     """
     if taken := sorted(section.name for section in elf.sections if section.name.startswith(_OWN)):
-        raise VerificationError(f"the program has a section of the host model: {', '.join(taken)}", fix="rename it")
+        raise VerificationError(f"the program uses a section of the host model: {', '.join(taken)}", fix="rename it")
 
 
 def renamed_sections(elf: ElfFile) -> tuple[dict[str, str], list[str]]:
@@ -150,7 +150,7 @@ def renamed_sections(elf: ElfFile) -> tuple[dict[str, str], list[str]]:
             continue
         if section.kind not in _KINDS or not _NAME.fullmatch(section.name.replace("-", "_")):
             raise VerificationError(
-                f"the program has a section that cannot be linked on this machine: {section.name!a}", fix="take its attribute out"
+                f"the program has a section that cannot be linked on this machine: {section.name!a}", fix="remove its attribute"
             )
         if not section.flags & ALLOCATED:
             if not _WITHOUT_CONTENT.fullmatch(section.name):
@@ -174,8 +174,8 @@ def check_named(elf: ElfFile, prefix: str, allowed: AllowedNames) -> None:
     wrong += [*renamed, *removed, *(section.name for section in elf.sections if section.kind == GROUP)]
     if wrong:
         raise VerificationError(
-            f"the program has names that could replace this machine's: {', '.join(sorted(wrong))}",
-            fix="take assembler text and attributes of these names out of the program",
+            f"the program has names that clash with this machine's: {', '.join(sorted(wrong))}",
+            fix="remove assembler text and attributes of these names",
         )
 
 
@@ -189,7 +189,7 @@ def check_linked(elf: ElfFile) -> None:
     if (reason := next(_wrong_segments(elf), None)) is None and start == {elf.entry}:
         return
     raise VerificationError(
-        f"the program {reason or 'does not start with the code of the C library'}", fix="take attributes of sections out of it"
+        f"the program {reason or 'does not start with the code of the C library'}", fix="remove its section attributes"
     )
 
 
@@ -198,9 +198,9 @@ def _wrong_segments(elf: ElfFile) -> Iterator[str]:
         if segment.kind in (DYNAMIC, INTERPRETER):
             yield "would load other files"
         if segment.kind == LOADED and segment.flags & WRITE and segment.flags & EXECUTE:
-            yield "has code that it can write"
+            yield "has writable code"
         if segment.kind == STACK and segment.flags & EXECUTE:
-            yield "has a stack with code"
+            yield "has an executable stack"
 
 
 def library_names(printed: str) -> Iterable[str]:

@@ -147,7 +147,7 @@ class _Build(Struct, dict=True):
         data_bytes = sum(section.size for section in linked.sections if section.name == PROGRAM_DATA)
         if data_bytes > _MOST_DATA:
             raise VerificationError(
-                f"the program's data take {data_bytes} bytes", fix=f"let them take {_MOST_DATA} bytes at most"
+                f"the program's data are {data_bytes} bytes", fix=f"reduce them to at most {_MOST_DATA} bytes"
             )
         unknown = tuple(dict.fromkeys(_as_written(name) for name in made.unmodelled))
         return OriginalProgram(binary, started_by, self.model, tuple(sources), self.compiler, unknown, made.counters, data_bytes)
@@ -221,7 +221,7 @@ class _Build(Struct, dict=True):
         done = self._start(command)
         if done.returncode != 0:
             raise MissingToolError(
-                f"{self.compiler} cannot make programs of this kind here ({' '.join(self._flags('machine')[:1])})",
+                f"{self.compiler} cannot build such programs here ({' '.join(self._flags('machine')[:1])})",
                 fix=self.model.install,
             )
 
@@ -272,16 +272,16 @@ class _Build(Struct, dict=True):
             if Path(found["path"]) in self.model.libraries:
                 raise VerificationError(
                     f"the model of a library does not compile on this machine: {found['message']}", location=place,
-                    fix=f"mend that file: it is compiled as programs of '{self.model.platform}' are, with their headers alone",
+                    fix=f"correct that file: it is compiled like programs of '{self.model.platform}', only with their headers",
                 )  # fmt: skip
             taken = found["message"].startswith("conflicting types for")
             raise VerificationError(
                 f"the original does not compile on this machine: {found['message']}", location=place,
-                fix="rename it in the program: a header of its platform declares that name" if taken
-                else "name the program's other files and folders of headers; or the model of its platform lacks that name",
+                fix="rename it in the program: a platform header declares that name" if taken
+                else "give the program's other files and header folders; or the host model lacks that name",
             )  # fmt: skip
         if twice := set(_TWICE.findall(done.stderr)):
-            raise VerificationError(f"the program defines {', '.join(sorted(twice))} more than once", fix="keep one of them")
+            raise VerificationError(f"the program defines {', '.join(sorted(twice))} more than once", fix="remove all but one")
         raise _unusual(f"compiled on this machine by '{self.model.compiler.text(role)}'", done)
 
     def _start(self, command: Sequence[str]) -> subprocess.CompletedProcess[str]:
@@ -305,7 +305,7 @@ def _unusual(what: str, done: subprocess.CompletedProcess[str]) -> VerificationE
     """The error of a tool that does not take what the compiler has made of the program."""
     return VerificationError(
         f"the program cannot be {what}: {done.stderr.strip()[-500:]}",
-        fix="take assembler text and unusual attributes out of the program",
+        fix="remove assembler text and unusual attributes from the program",
     )
 
 

@@ -7,7 +7,7 @@ coverage tool which lines and branches the counters stand for.
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -30,10 +30,21 @@ class SourceCoverage(Struct, frozen=True):
     Attributes:
         lines: (file, line) -> count, for each line with code.
         branches: (file, line, number of the branch on that line from 0) -> count, for each way out of a decision.
+        functions: (file, line) -> name of the function that the line is in.
     """
 
     lines: Mapping[tuple[str, int], int]
     branches: Mapping[tuple[str, int, int], int]
+    functions: Mapping[tuple[str, int], str] = {}
+
+    def without(self, functions: Collection[tuple[str, str]]) -> SourceCoverage:
+        """The coverage without the lines of some functions: name of the file without its folder, name of the function."""
+        dead = {place for place, name in self.functions.items() if (Path(place[0]).name, name) in functions}
+        return SourceCoverage(
+            {place: count for place, count in self.lines.items() if place not in dead},
+            {place: count for place, count in self.branches.items() if place[:2] not in dead},
+            {place: name for place, name in self.functions.items() if place not in dead},
+        )
 
     @property
     def line_percent(self) -> float:
@@ -81,15 +92,17 @@ def coverage(program: OriginalProgram, runs: Iterable[bytes]) -> SourceCoverage:
     folder = program.binary.parent
     lines: dict[tuple[str, int], int] = {}
     branches: dict[tuple[str, int, int], int] = {}
+    functions: dict[tuple[str, int], str] = {}
     for data in sorted(folder.glob("*.gcda")):
         for file in _ask(program, data)["files"]:
             name = str((Path(_ask_folder(program)) / file["file"]).resolve())
             for line in file["lines"]:
                 place = name, int(line["line_number"])
                 lines[place] = lines.get(place, 0) + int(line["count"])
+                functions[place] = str(line.get("function_name", ""))
                 for number, branch in enumerate(line["branches"]):
                     branches[*place, number] = branches.get((*place, number), 0) + int(branch["count"])
-    return SourceCoverage(lines, branches)
+    return SourceCoverage(lines, branches, functions)
 
 
 def _ask_folder(program: OriginalProgram) -> Path:
@@ -126,5 +139,5 @@ def _ask(program: OriginalProgram, data: Path) -> dict[str, Any]:
     try:
         answer: dict[str, Any] = as_table(json_of(done.stdout))
     except ValueError:
-        raise InternalError(f"'{tool}' answered what is no coverage: {done.stderr.strip()[-300:]}") from None
+        raise InternalError(f"'{tool}' printed no coverage data: {done.stderr.strip()[-300:]}") from None
     return answer

@@ -166,10 +166,10 @@ def _address(use: DeviceUse) -> object:
 def _ended_by(code: int) -> str:
     """The reason why a process ended without telling it, from its exit code (a signal as a negative number)."""
     if code == -_SIGSYS:
-        return "it calls the operating system itself, which it may not"
+        return "it calls the operating system, which is not allowed"
     if code == -_SIGKILL:
-        return "it was stopped from outside, or needs more memory than there is"
-    return f"its process ended with {f'signal {-code}' if code < 0 else f'exit code {code}'} before its time"
+        return "it was killed or ran out of memory"
+    return f"its process ended with {f'signal {-code}' if code < 0 else f'exit code {code}'} unexpectedly"
 
 
 class _StuckError(Exception):
@@ -207,9 +207,9 @@ class _Conversation:
         try:
             return self._result()
         except _StuckError:
-            cause = "it waits for what never comes"
+            cause = "it waits forever"
         except ForeignRecordsError:
-            cause = "it writes into the pipe by which the host model reports"
+            cause = "it writes into the host model's pipe"
         self.bench.ended()
         return "crashed", cause, b""
 
@@ -472,7 +472,7 @@ class HostBench(Bench):
     def set_voltage(self, pin: str, millivolts: float) -> None:
         """Set the voltage at a channel of the converter."""
         if pin not in self.channels:
-            raise UsageError(f"there is no converter at '{pin}'", fix=f"use one of: {', '.join(sorted(self.channels))}")
+            raise UsageError(f"no converter at '{pin}'", fix=f"use one of: {', '.join(sorted(self.channels))}")
         self._command(_VOLTAGE, self.numbers[pin], round(millivolts))
 
     def send(self, data: bytes) -> None:

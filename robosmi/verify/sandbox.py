@@ -68,8 +68,8 @@ def launcher(
         done = compile_it(made)
         if done.returncode != 0:
             raise MissingToolError(
-                f"{compiler} cannot make the program that starts an original in its sandbox: {done.stderr.strip()[-300:]}",
-                fix="install a compiler for programs of 64 bits with the C library's headers and static libraries",
+                f"{compiler} cannot build the sandbox launcher: {done.stderr.strip()[-300:]}",
+                fix="install a 64-bit compiler with the C library's headers and static libraries",
             )
         found = archives.store(made, name)
     made_launcher = Launcher(found, strict)
@@ -94,6 +94,6 @@ def refusal(reason: str) -> MissingToolError:
         reason: what it lacks.
     """
     return MissingToolError(
-        f"this system cannot run a program in a sandbox, it lacks: {reason}",
-        fix=f"use Linux on x86-64 with seccomp; or, only for a program that you trust like your own, robosmi verify {TRUST}",
+        f"this system cannot run a program in a sandbox; missing: {reason}",
+        fix=f"use Linux on x86-64 with seccomp; or, only if you fully trust the program, robosmi verify {TRUST}",
     )

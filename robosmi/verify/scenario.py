@@ -79,14 +79,14 @@ def read_scenario(path: Path, origin: str = "given") -> Scenario:
         data = toml_of(inputs.read_text(path, inputs.SETTINGS))
     except (OSError, ValueError) as error:
         why = error.strerror if isinstance(error, OSError) and error.strerror else error
-        fix = "name a file that can be read" if isinstance(error, OSError) else "correct it (TOML 1.0)"
+        fix = "give a readable file" if isinstance(error, OSError) else "correct it (TOML 1.0)"
         raise SourceError(f"the scenario cannot be read: {why}", location=Location(str(path)), fix=fix) from error
     for key in data:
         if key not in _KEYS:
-            raise _wrong(path, f"'{key}' is no key of a scenario{did_you_mean(key, _KEYS)}", f"use: {', '.join(_KEYS)}")
+            raise _wrong(path, f"'{key}' is not a key of a scenario{did_you_mean(key, _KEYS)}", f"use: {', '.join(_KEYS)}")
     horizon: Any = data.get("horizon_ms")
     if not _is_number(horizon) or not 0 < horizon <= LONGEST_MS:
-        told = "there is no horizon_ms, how long the scenario lasts" if horizon is None else f"horizon_ms is {horizon!r}"
+        told = "horizon_ms, the scenario's duration, is missing" if horizon is None else f"horizon_ms is {horizon!r}"
         raise _wrong(path, told, f"write horizon_ms = 4000: milliseconds, more than 0 and at most {LONGEST_MS:,.0f}")
     name, signals = data.get("name", path.stem), data.get("signals", {})
     if not isinstance(name, str) or not isinstance(signals, dict):
@@ -104,19 +104,19 @@ def read_scenario(path: Path, origin: str = "given") -> Scenario:
 def _points(path: Path, name: str, told: Any, horizon_ms: float) -> Points:
     fix = "write pairs of milliseconds and a value: [[0, 300], [500, 1700]]"
     if not isinstance(told, Sequence) or isinstance(told, str) or not told:
-        raise _wrong(path, f"the signal '{name}' is no list of points", fix)
+        raise _wrong(path, f"the signal '{name}' is not a list of points", fix)
     points: list[tuple[float, Any]] = []
     for pair in told:
         if not isinstance(pair, list) or len(pair) != 2 or not _is_number(pair[0]) or pair[0] < 0:
-            raise _wrong(path, f"the signal '{name}' has {pair!r}, which is no point", fix)
+            raise _wrong(path, f"the signal '{name}' has {pair!r}, which is not a point", fix)
         if points and pair[0] < points[-1][0]:
             message = f"the signal '{name}' goes back in time, from {points[-1][0]:g} to {pair[0]:g} ms"
             raise _wrong(path, message, "sort its points by time")
         if pair[0] > LONGEST_MS or not _is_possible(pair[1]):
-            raise _wrong(path, f"the signal '{name}' has {pair!r}, which no robot meets", fix)
+            raise _wrong(path, f"the signal '{name}' has {pair!r}, which is out of range", fix)
         if pair[0] > horizon_ms:
-            message = f"the signal '{name}' has {pair!r}, which is later than the scenario's end at {horizon_ms:g} ms"
-            raise _wrong(path, message, "make horizon_ms larger, or take the point out")
+            message = f"the signal '{name}' has {pair!r} after the scenario's end at {horizon_ms:g} ms"
+            raise _wrong(path, message, "increase horizon_ms, or remove the point")
         points.append((float(pair[0]), _value(pair[1])))
     return tuple(points)
 

@@ -235,14 +235,14 @@ def engines_for(mcu: str, name: str | None = None) -> list[Engine]:
     if name is not None:
         engine: Engine = content("engine", name)()
         if not engine.serves(mcu):
-            raise UsageError(f"the engine '{name}' does not know the microcontroller '{mcu}'", fix="leave the engine out")
+            raise UsageError(f"the engine '{name}' does not know the microcontroller '{mcu}'", fix="omit --engine")
         if advice := engine.missing():
             raise MissingToolError(f"the engine '{name}' is not installed", fix=advice)
         return [engine]
     known: list[Engine] = [content("engine", each)() for each in engine_names()]
     serving = [each for each in known if each.serves(mcu)]
     if not serving:
-        raise UsageError(f"no engine knows the microcontroller '{mcu}'", fix="take another board")
+        raise UsageError(f"no engine knows the microcontroller '{mcu}'", fix="use another board")
     if installed := [each for each in serving if each.missing() is None]:
         return installed
     advices = "; or ".join(str(each.missing()) for each in serving)
@@ -286,7 +286,7 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
     if code == -signal.SIGXCPU:
         raise too_long(limit_s)
     if code != 0 or not answer:
-        ended = f"its process was ended by signal {-code}" if code < 0 else f"its process ended with {code}"
+        ended = f"signal {-code} ended its process" if code < 0 else f"its process ended with {code}"
         last = (complaint.strip().splitlines() or [ended])[-1]
         raise EngineCrashError(f"the engine '{chosen.name}' crashed: {last}", fix="try another engine: --engine NAME")
     return _trace(as_table(json_of(answer)), chosen.name)
@@ -294,9 +294,7 @@ def simulate(job: Job, engine: str | None = None, limit_s: float = 60.0) -> PinT
 
 def too_long(limit_s: float, what: str = " of processor time") -> VerificationError:
     """The error that ends a run at its time limit."""
-    return VerificationError(
-        f"the simulation did not end within {limit_s:g} s{what}", fix="simulate less time, or allow more for it"
-    )
+    return VerificationError(f"the simulation exceeded {limit_s:g} s{what}", fix="simulate less time, or raise the limit")
 
 
 def _environment() -> dict[str, str]:
@@ -329,4 +327,4 @@ def _trace(answer: dict[str, Any], engine: str) -> PinTrace:
             answer["rests_until_us"],
         )  # fmt: skip
     except (KeyError, TypeError, ValueError) as error:
-        raise InternalError(f"the engine '{engine}' answered what is no trace: {error}") from error
+        raise InternalError(f"the engine '{engine}' returned no valid trace: {error}") from error

@@ -37,5 +37,5 @@ def check_used(used: Iterable[Path], only: Collection[Path], places: Collection[
     for path in used:
         if path not in only and not any(path.is_relative_to(place) for place in places):
             raise VerificationError(
-                f"the original includes a file that is not stored with its plan: {path}", fix="migrate the program again"
+                f"the plan does not store a file that the original includes: {path}", fix="migrate the program again"
             )

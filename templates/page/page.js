@@ -12,7 +12,7 @@
   // ---- what a person chooses
 
   function what(about) {
-    return "undo" in about ? "undo" : "tick" in about ? "the tick" : about.value ? `${about.id} = ${about.value}` : `${about.id} open again`;
+    return "undo" in about ? "undo" : "tick" in about ? "the tick" : about.value ? `${about.id} = ${about.value}` : `${about.id} reopened`;
   }
 
   async function send(path, about) {
@@ -24,7 +24,7 @@
       });
       answer = await reply.json();
     } catch {
-      say("offline", `Not saved: ${what(about)}. The server does not answer; what was shown as saved is in the plan. Start robosmi open again, and choose on the page that it opens.`);
+      say("offline", `Not saved: ${what(about)}. The server does not answer. The plan has all changes saved before. Run robosmi open again and continue on its new page.`);
       back(about);
       return;
     }
@@ -74,7 +74,7 @@
     for (const each of [line, ...others]) each.classList.add("linked");
     if (others.length) others[0].scrollIntoView({ block: "nearest" });
     const places = others.map(o => `line ${o.id.split("-")[1]}`).join(", ");
-    by("origin").textContent = `Line ${line.id.split("-")[1]}: ${line.dataset.why || "nothing was decided about it"}${places ? "; other side: " + places : ""}`;
+    by("origin").textContent = `Line ${line.id.split("-")[1]}: ${line.dataset.why || "no decision"}${places ? "; counterpart: " + places : ""}`;
   }
 
   document.addEventListener("click", event => {
@@ -108,16 +108,16 @@
     try {
       const now = await (await fetch("state", { cache: "no-store" })).json();
       if (now.plan === body.dataset.plan) {
-        if (state === "offline") say("saved", "The server answers again. All that is shown is saved.");
-        else if (noticed !== null && state === "stale") say("saved", "The plan is the one that is shown again.");
+        if (state === "offline") say("saved", "The server answers again. All changes saved.");
+        else if (noticed !== null && state === "stale") say("saved", "The plan matches this page again. All changes saved.");
         noticed = null;
       } else if (now.plan !== noticed) {
         noticed = now.plan;
-        if (!now.plan) say("stale", "The folder holds no plan any more: it was moved or removed, or may not be read. Nothing can be saved until it is back; or start robosmi open where it is now.");
-        else if (state !== "stale") say("stale", "The plan was changed elsewhere since this page showed it. Your next choice shows it as it is now; or load the page again.");
+        if (!now.plan) say("stale", "The plan is missing or not readable, so changes cannot be saved. Put it back, or run robosmi open on its new folder.");
+        else if (state !== "stale") say("stale", "The plan was changed elsewhere. Reload the page to see the changes.");
       }
     } catch {
-      if (state !== "offline") say("offline", "The server does not answer. What is shown as saved is in the plan; to go on, start robosmi open again and use the page that it opens.");
+      if (state !== "offline") say("offline", "The server does not answer. The plan has all saved changes. To continue, run robosmi open again and use its new page.");
     }
   }
 

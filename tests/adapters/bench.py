@@ -28,6 +28,7 @@ from robosmi.verify.toolchains.boards import Board, load_boards
 from robosmi.verify.toolchains.build import Build
 from robosmi.verify.toolchains.compile_report import CompileReport
 from robosmi.verify.toolchains.libraries import LibraryFolders
+from robosmi.verify.toolchains.recipes import DataRecipes
 from robosmi.verify.toolchains.sketch import choose_board, find_sketch
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
@@ -71,7 +72,7 @@ def built(folder: Path, board: str | None, keep: Path) -> CompileReport:
     boards, installed, libraries = _platform(_toolchains().index(toolchain))
     chosen = choose_board(sketch, boards, toolchain, board)
     with temporary_folder("build") as place:
-        return Build(sketch, chosen, toolchain, installed, libraries, Path(place)).report(keep)
+        return Build(sketch, chosen, toolchain, DataRecipes(toolchain, installed, chosen), libraries, Path(place)).report(keep)
 
 
 @cache

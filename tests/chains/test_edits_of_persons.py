@@ -103,14 +103,14 @@ def test_a_conflict_is_in_the_report_with_its_place_and_both_texts_until_somebod
     section = said[said.index("## Conflicts") : said.index("## Findings")]
     assert f"- `line_follower/line_follower.ino`, line {line}" in section
     yours, made = (
-        next(part for part in section.split("\n") if part.startswith(f"  - {who}: ")) for who in ("yours", "made anew")
+        next(part for part in section.split("\n") if part.startswith(f"  - {who}: ")) for who in ("yours", "generated")
     )
     assert "drive_speed(2, 2)" in yours
     assert "drive_speed(1, 1)" in made
-    assert "take" in section
+    assert "Decide which lines" in section
     sketch.write_text(sketch.read_text().replace("<<<<<<< yours\n", ""))
     damaged = [task["message"] for task in run("migrate", line_follower, "-o", migrated, "--json").document["tasks"]]
-    assert "the marks of a conflict are damaged: decide which lines stay" in damaged
+    assert "a conflict's markers are damaged: decide which lines stay" in damaged
     last = lines.index(">>>>>>> generated")
     mine = lines[line : next(n for n, text in enumerate(lines) if text.startswith("||||||| "))]
     sketch.write_text("\n".join([*lines[: line - 1], *mine, *lines[last + 1 :]]))
@@ -258,7 +258,7 @@ def test_an_include_that_a_kept_body_needs_stays_when_its_component_leaves_the_d
     assert "#include <Servo.h>" in sketch.read_text()
     assert body in sketch.read_text()
     (told,) = [f for f in outcome.document["findings"] if "Servo.h" in f["message"]]
-    assert "you use 'Servo'" in told["message"]
+    assert "your code uses 'Servo'" in told["message"]
     before = tree(out)
     run("migrate", program, "-o", out)
     assert tree(out) == before

@@ -265,7 +265,7 @@ def test_a_program_whose_sketch_has_the_name_of_another_program_s_is_said(tmp_pa
     assert again(first, folder).code == 0
     assert not [f for f in again(first, folder).document["findings"] if f["rule"] == "RS526"]
     (said,) = (f for f in again(second, folder).document["findings"] if f["rule"] == "RS526")
-    assert said["message"].startswith("the sketch 'two_words' was that of 'two words.c': this program takes its place")
+    assert said["message"].startswith("this program replaces 'two words.c' in the sketch 'two_words'")
     assert not [f for f in again(second, folder).document["findings"] if f["rule"] == "RS526"]
 
 
@@ -275,7 +275,7 @@ def test_a_sketch_that_gives_way_to_another_program_s_is_said(migrated: Path, li
     outcome = again(other, migrated)
     said = [finding for finding in outcome.document["findings"] if finding["rule"] == "RS526"]
     assert [finding["message"] for finding in said] == [
-        "the sketch 'line_follower' of an earlier run is removed: this run makes 'other' here"
+        "the sketch 'line_follower' of an earlier run is removed: this run generates 'other' here"
     ]
     assert not (migrated / SKETCH).exists()
     assert not [f for f in again(other, migrated).document["findings"] if f["rule"] == "RS526"]

@@ -71,7 +71,7 @@ def test_a_header_that_the_program_reads_is_not_made_anew(line_follower: Path, t
     forge(folder.parent, "line_follower/adapters.h")
     outcome = run("migrate", program, "-o", folder.parent, "--json")
     assert outcome.code == 5, outcome.out
-    assert "the program is read from a file that would be made anew" in outcome.out
+    assert "the program's source would be overwritten" in outcome.out
     assert header.read_text() == "int helper(int x);\n"
 
 

@@ -190,11 +190,11 @@ def test_a_plan_in_which_one_port_has_two_bindings_is_refused_and_the_sketch_sta
 @pytest.mark.parametrize(
     ("edit", "rule", "advice"),
     [
-        (('choice="Red633nmLED1WriteP1" name="LED"', 'choice="D5" name="LED"'), "RS716", "give it the connection"),
-        (('choice="Red633nmLED1WriteP1" name="LED"', 'choice="none" name="LED"'), "RS716", "give it the connection"),
+        (('choice="Red633nmLED1WriteP1" name="LED"', 'choice="D5" name="LED"'), "RS716", "--bind"),
+        (('choice="Red633nmLED1WriteP1" name="LED"', 'choice="none" name="LED"'), "RS716", "--bind"),
         (('sourcePin="7"', 'sourcePin="77"'), "RS719", "correct its number"),
         (('startOffset="', 'startOffset="-'), "RS709", "correct the offsets"),
-        (('name="high" signature', 'name="drive_speed" signature'), "RS718", "leave one of them"),
+        (('name="high" signature', 'name="drive_speed" signature'), "RS718", "one of them"),
     ],
 )
 def test_nonsense_in_a_plan_is_refused_and_the_sketch_stays(

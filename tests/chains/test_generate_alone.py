@@ -98,7 +98,7 @@ def test_a_link_out_of_the_models_folder_is_not_followed(kind: str, migrated: Pa
     shutil.move(file, tmp_path / "elsewhere")
     file.symlink_to(tmp_path / "elsewhere")
     before = tree(migrated)
-    with pytest.raises(SourceError, match="outside of its folder") as raised:
+    with pytest.raises(SourceError, match=r"outside (of )?its folder") as raised:
         generate(models / "plan.xmi", tmp_path / "again")
     assert raised.value.fix
     assert tree(migrated) == before
@@ -110,7 +110,7 @@ def test_a_plan_that_refers_to_models_elsewhere_is_refused(migrated: Path, tmp_p
     shutil.move(models / "code.xmi", migrated / "code.xmi")
     plan = models / "plan.xmi"
     plan.write_text(plan.read_text().replace('href="code.xmi#', 'href="../code.xmi#'))
-    with pytest.raises(SourceError, match=r"'code\.xmi', which lies outside of its folder"):
+    with pytest.raises(SourceError, match=r"'code\.xmi', which lies outside (of )?its folder"):
         generate(plan, tmp_path / "again")
-    with pytest.raises(SourceError, match=r"'code\.xmi', which lies outside of its folder"):
+    with pytest.raises(SourceError, match=r"'code\.xmi', which lies outside (of )?its folder"):
         robosmi.check_model(plan)

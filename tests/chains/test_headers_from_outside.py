@@ -39,4 +39,4 @@ def test_a_header_from_outside_is_named(
     monkeypatch.chdir(robot)
     outcome = run("migrate", "blink.c", *options, "-o", "out", "--json")
     told = [finding["message"] for finding in outcome.document["findings"] if finding["rule"] == "RS113"]
-    assert told == ([f"'{tmp_path / 'key.h'}' lies outside of the program's folders and is copied with it"] if said else [])
+    assert told == ([f"'{tmp_path / 'key.h'}' is outside the program's folders and is copied with it"] if said else [])

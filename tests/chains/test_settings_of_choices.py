@@ -79,7 +79,7 @@ def test_where_it_is_read_only_the_choice_stays_in_the_plan_and_that_is_said(
     page.document(live=True, nonce="x")
     told = page.act("choose", {"id": "port:eye", "value": "D10", "plan": page.plan})
     assert told["state"] == "saved"
-    assert "in the plan alone" in told["message"]
+    assert "only in the plan" in told["message"]
     assert in_plan(robot) == ("D10", "person")
     assert project.read_text() == f'{SETTINGS}[bind]\neye = "D4"\n'
 
@@ -147,5 +147,5 @@ def test_a_prompt_does_not_offer_what_cannot_be_kept(robot: Path) -> None:
     replies = iter(["D9"])
     answers = Answers(answer=lambda _: next(replies), out=out)
     content("chain", "migrate")([robot / "blink.c"], robot / "out", ask_ports=answers.ports, outside=lambda: answers.offer(robot))
-    assert "kept in the plan alone" in out.getvalue()
+    assert "saved only in the plan" in out.getvalue()
     assert in_plan(robot) == ("D9", "person")

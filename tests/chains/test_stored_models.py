@@ -111,7 +111,7 @@ def test_the_numbers_of_the_report_add_up(output: Path, plan: Any) -> None:
     report = (output / plan.name / "MIGRATION.md").read_text()
     said = plan_json(plan) | work_json(plan, {})
     assert report_faults(plan, said, report) == []
-    files = re.findall(r"^(\d+) constructs?: (.*)\.$", report, re.MULTILINE)
+    files = re.findall(r"^(\d+) elements?: (.*)\.$", report, re.MULTILINE)
     assert len(files) == len(plan.program.units) + 2  # and what is declared elsewhere, and all together
     for total, parts in files:
         assert int(total) == sum(int(part.split()[0]) for part in parts.split(", "))

@@ -106,7 +106,7 @@ def test_a_file_in_another_language_is_not_for_the_target(project: Path) -> None
             "needs: simpletools.h/pulse_in",
             "needs: simpletools.h/pulse_inn",
             2,
-            "'simpletools.h/pulse_inn', which is not there",
+            "'simpletools.h/pulse_inn'",
             "",
         ),
         ("- 5000;\n}", "- 5000;\n", 8, "'{' is never closed", "close each bracket"),
@@ -115,7 +115,7 @@ def test_a_file_in_another_language_is_not_for_the_target(project: Path) -> None
             "//#   limit: only level",
             "//#   mcu: atmega382p",
             2,
-            "'atmega382p', a microcontroller of which nothing is known",
+            "'atmega382p'",
             "use: ",
         ),
     ],
@@ -144,7 +144,7 @@ def test_a_body_that_a_person_wrote_counts_as_filled(project: Path) -> None:
     assert sites(outcome) == (2, 1)
     assert [task["message"] for task in outcome.document["tasks"] if "s3_ping" in task["message"]] == []
     report = (project / "out" / "tilt" / "MIGRATION.md").read_text()
-    assert "waiting: 1 for a pin, 1 for a body" in report
+    assert "1 needs a pin, 1 needs a body" in report
     assert "written by you" in report
     first = {path: path.read_bytes() for path in (project / "out").rglob("*") if path.is_file()}
     assert sites(migrated(project)) == (2, 1)
@@ -195,7 +195,7 @@ def test_what_was_written_for_a_call_that_goes_stays_with_a_word(project: Path) 
     source.write_text(SOURCE.read_text().replace("s3_ping(5)", "1"))
     outcome = migrated(project)
     said = [finding["message"] for finding in outcome.document["findings"] if finding["rule"] == "RS527"]
-    assert said == ["'s3_ping', which you wrote, is called no more or has another body: yours stands at the end, switched off"]
+    assert said == ["'s3_ping' is no longer called or has another body; your body is disabled at the end of the file"]
     text = (project / "out" / "tilt" / "adapters.h").read_text()
     assert "<<<<<<<" not in text
     assert text.endswith("int32_t s3_ping(int32_t Pin) {\n  return pulseIn(Pin, HIGH) - 5000;\n}\n#endif\n")
@@ -298,7 +298,7 @@ def test_a_body_for_a_function_of_no_known_header_is_told_alone(project: Path) -
     adapters.write_text(text.replace("// TODO: complete method", "pinMode(argument1, OUTPUT);"))
     outcome = run("adapters", "save", project / "out", "--as", "project", "--json")
     assert [f["message"] for f in outcome.document["findings"]] == [
-        "'beep_twice' has a body of yours, and is no function of a known header: it cannot be saved"
+        "'beep_twice' is not a function of a known header, so its body cannot be saved"
     ]
 
 
@@ -328,7 +328,7 @@ def test_nothing_to_save_and_no_project_say_so(project: Path) -> None:
     write_body(project)
     outcome = run("adapters", "save", project / "out", "--as", "project")
     assert outcome.code == 3
-    assert "make an empty robosmi.toml beside the source" in outcome.err
+    assert "create an empty robosmi.toml next to the source" in outcome.err
 
 
 def test_adapters_are_listed_with_what_they_do_not_do(project: Path) -> None:
@@ -495,7 +495,7 @@ def test_an_include_that_nobody_knows_is_refused(project: Path) -> None:
     [
         ("glow", "//#   kind:", "//#   setup: nosuch();\n//#   kind:", "'nosuch();' of its setup: 'nosuch' was not declared"),
         ("gloww", "", "", "the adapter file is for 'glow.h'"),
-        ("glow", "int glow_pulses(", "void glow_pulses(", "and 'void glow_pulses(int pin, int count)' says otherwise"),
+        ("glow", "int glow_pulses(", "void glow_pulses(", "'void glow_pulses(int pin, int count)'"),
     ],
 )
 def test_an_own_adapter_is_held_against_what_it_says(name: str, old: str, new: str, message: str, project: Path) -> None:

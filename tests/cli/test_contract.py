@@ -232,7 +232,7 @@ def test_doctor_says_of_every_tool_whether_it_is_there(monkeypatch: pytest.Monke
     assert tools["avr-g++"]["found"] is None
     assert tools["avr-g++"]["fix"]
     assert [name for name, tool in tools.items() if not tool["found"] and not tool["gives"]] == []
-    assert "gives: upload puts a compiled sketch on its board" in run("doctor").out
+    assert "gives: uploading a compiled sketch" in run("doctor").out
 
 
 @pytest.mark.parametrize("command", COMMANDS)

@@ -42,7 +42,7 @@ def test_what_is_accepted_for_another_component_is_not_accepted(motor: Path) -> 
     outcome = run("hardware", motor, "--json")
     assert outcome.code == 1
     told = [finding for finding in outcome.document["findings"] if finding["rule"] == "RS911"]
-    assert [finding["message"] for finding in told] == ["[[accept]] of RS251 names 'Uno', which none of its findings is about"]
+    assert [finding["message"] for finding in told] == ["[[accept]] of RS251 names 'Uno', but none of its findings is about that"]
     named = told[0]["fix"].removeprefix("name one of: ").split(", ")
     assert named[-1] == "*"
     (motor.parent / "robosmi.toml").write_text(toml.replace("Uno", named[0]), encoding="utf-8")

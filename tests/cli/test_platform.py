@@ -89,10 +89,10 @@ def test_what_a_known_platform_means_is_taken_over(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "code", "cause"),
     [
-        (["--name", "propeller"], 2, "a platform of robosmi itself"),
-        (["--name", "parts"], 2, "a platform of robosmi itself"),
-        (["--name", "../x"], 2, "no name for a platform"),
-        (["--name", ""], 2, "no name for a platform"),
+        (["--name", "propeller"], 2, "a built-in platform"),
+        (["--name", "parts"], 2, "a built-in platform"),
+        (["--name", "../x"], 2, "not a valid platform name"),
+        (["--name", ""], 2, "not a valid platform name"),
         (["--name", "x", "--like", "propellor"], 2, "did you mean 'propeller'?"),
         ([], 2, "--name"),
     ],

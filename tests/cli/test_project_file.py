@@ -54,7 +54,7 @@ def test_a_project_file_in_another_encoding_is_refused(line_follower: Path) -> N
         (
             '[migrate]\nhardware = "line_following_robot.fzz"\n[libraries]\n"Basic Servo1" = "Sevro"\n',
             2,
-            "no library is called 'Sevro'",
+            "unknown library 'Sevro'",
         ),
     ],
 )
@@ -82,7 +82,7 @@ def test_choices_for_one_of_several_programs_in_a_folder_are_told_with_their_lin
     assert outcome.code == 2
     line = project.read_text().splitlines().index('lamp = "D4"') + 1
     assert f"{project}:{line}: 'lamp' is no port of the program" in outcome.err
-    assert "take it out there, or give each program a folder of its own" in outcome.err
+    assert "give each program its own folder" in outcome.err
     assert "its ports are: horn" in outcome.err
     outcome = run("migrate", tmp_path / "lamp.c", "-o", tmp_path / "two", "--bind", "lamb=D4")
     assert outcome.code == 2
@@ -94,7 +94,7 @@ def test_choices_for_one_of_several_programs_in_a_folder_are_told_with_their_lin
     [
         ('[bind]\nleftQTI = "D99"\n', "'D99' is neither a pin"),
         ('[bind]\nleftQTI = "D9"\nP6 = "D8"\n', "is bound to two pins"),
-        ('[libraries]\n"Basic Servo1" = "Sevro"\n', "no library is called 'Sevro'"),
+        ('[libraries]\n"Basic Servo1" = "Sevro"\n', "unknown library 'Sevro'"),
         ('[libraries]\n"Basic Servo9" = "Servo"\n', "no component is called 'Basic Servo9'"),
     ],
 )

@@ -51,6 +51,22 @@ def test_a_bare_sketch_runs_five_seconds_and_tells_its_console_and_pins(blink: P
     assert result["events_total"] == len(result["events"])
 
 
+def test_the_document_says_where_a_pin_is_let_go(tmp_path: Path) -> None:
+    folder = tmp_path / "free"
+    folder.mkdir()
+    text = (
+        "void setup() { pinMode(7, INPUT); pinMode(4, OUTPUT); digitalWrite(4, HIGH); delay(100); pinMode(4, INPUT);\n"
+        "  pinMode(6, OUTPUT); delay(100); pinMode(6, INPUT_PULLUP); }\nvoid loop() {}\n"
+    )
+    (folder / "free.ino").write_text(text)
+    result = run("simulate", folder, "--json", "--seconds", "1", "--engine", "simavr").result
+    assert all(event["level"] in (0, 1) for event in result["events"])
+    found = [(each["pin"], each["pull_up"], round(each["t_us"] / 1e5)) for each in result["released"]]
+    assert ("D6", True, 2) in found
+    assert [each for each in found if each[0] == "D4"][-1] in (("D4", False, 1), ("D4", True, 1))
+    assert "D7" not in {pin for pin, *_ in found}
+
+
 def test_a_scenario_names_pins_and_its_horizon_counts(blink: Path, tmp_path: Path) -> None:
     scenario = tmp_path / "s.toml"
     scenario.write_text("horizon_ms = 1000\n[signals]\nD2 = [[0, 0], [500, 1]]\nA0 = [[0, 1000], [500, 4000]]\n")
@@ -65,7 +81,7 @@ def test_a_scenario_names_pins_and_its_horizon_counts(blink: Path, tmp_path: Pat
     scenario.write_text("horizon_ms = 1000\n[signals]\nD99 = [[0, 0]]\n")
     outcome = run("simulate", blink, "--scenario", scenario)
     assert outcome.code == 2
-    assert f"{scenario}: the scenario has a signal of 'D99', which is no component, port or pin" in outcome.err
+    assert f"{scenario}: the scenario has a signal for 'D99', but there is no such component, port or pin" in outcome.err
 
 
 def test_a_migrated_program_has_its_components_at_its_pins(migrated: Path, tmp_path: Path) -> None:
@@ -78,7 +94,7 @@ def test_a_migrated_program_has_its_components_at_its_pins(migrated: Path, tmp_p
     scenario.write_text('horizon_ms = 100\n[signals]\n"LED" = [[0, 1]]\n')
     outcome = run("simulate", migrated, "--scenario", scenario)
     assert outcome.code == 2
-    assert "which the program does not read" in outcome.err
+    assert "the program does not read it" in outcome.err
 
 
 def test_what_does_not_compile_or_exist_says_so(blink: Path, tmp_path: Path) -> None:
@@ -113,4 +129,4 @@ def test_what_a_program_does_is_told_in_words(tmp_path: Path) -> None:
     assert "\x1b[2J" not in text
     assert re.search(r"D9 +\d+ events, at the end pulses of 14\d\d us", text)
     (folder / "words.ino").write_text("void setup() {}\nvoid loop() {}\n")
-    assert "it prints nothing and drives no pin" in run("simulate", folder, "--engine", "simavr", "--seconds", "1").out
+    assert "no output and no driven pin" in run("simulate", folder, "--engine", "simavr", "--seconds", "1").out

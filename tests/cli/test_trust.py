@@ -56,8 +56,8 @@ def test_a_template_whose_name_is_misspelt_is_told(project: Path, capsys: pytest
     for name, text in (("sketch.inoo.j2", "x"), ("sketch.yaml.j2", including), ("sketch.yam.j2", "x")):
         (place / name).write_text(text)
     assert main(["trust", str(project)]) == 0
-    told = [line for line in capsys.readouterr().out.splitlines() if "replaces no template" in line]
-    assert told == ["templates/arduino/sketch.inoo.j2 replaces no template (did you mean 'arduino/sketch.ino.j2'?)"]
+    told = [line for line in capsys.readouterr().out.splitlines() if "matches no template" in line]
+    assert told == ["templates/arduino/sketch.inoo.j2 matches no template (did you mean 'arduino/sketch.ino.j2'?)"]
 
 
 def test_found_templates_run_only_while_they_are_as_they_were_trusted(project: Path, capsys: pytest.CaptureFixture[str]) -> None:

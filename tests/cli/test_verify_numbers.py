@@ -40,7 +40,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
 CHANGES = {
     "as it is": ("", "", ""),
     "a number in a text": ("go 7", "go 8", "go 8: n=0"),
-    "before anything is measured": ("pin 15", "pin 16", "'pin 16' instead of 'pin 15'"),
+    "before anything is measured": ("pin 15", "pin 16", "'pin 16'"),
     "where a counter begins": ("n = 0", "n = 1", "n=1 "),
     "a counter of another step": ("n++", "n += 2", "n=2 "),
     "zeros before a measured number": ("d=%d", "d=%02d", "d=04"),

@@ -152,7 +152,7 @@ def test_every_diagram_is_read_and_of_others_the_damage_is_named() -> None:
         try:
             made = hardware(path)
         except SourceError as error:
-            if "there is no board" in str(error) and json.loads(path.read_text())["parts"] == []:
+            if "has no board" in str(error) and json.loads(path.read_text())["parts"] == []:
                 counts["empty"] += 1
                 continue
             if "not valid JSON" not in str(error) or error.location is None or not error.location.line:

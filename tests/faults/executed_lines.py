@@ -21,6 +21,7 @@ from robosmi.verify.toolchains.boards import load_boards
 from robosmi.verify.toolchains.build import Build
 from robosmi.verify.toolchains.compile_report import CompileReport
 from robosmi.verify.toolchains.libraries import LibraryFolders
+from robosmi.verify.toolchains.recipes import DataRecipes
 from robosmi.verify.toolchains.sketch import choose_board, find_sketch
 from robosmi.verify.toolchains.toolchain_data import load_toolchains
 from robosmi.verify.toolchains.tools import find_installed
@@ -42,7 +43,14 @@ def built_for_lines(out: Path, place: Path) -> CompileReport:
     installed = find_installed(toolchain)
     folder = place / "objects"
     folder.mkdir()
-    return Build(sketch, board, toolchain, installed, LibraryFolders(toolchain, installed.core, None), folder).report(place)
+    return Build(
+        sketch,
+        board,
+        toolchain,
+        DataRecipes(toolchain, installed, board),
+        LibraryFolders(toolchain, installed.core, None),
+        folder,
+    ).report(place)
 
 
 def run_addresses(report: CompileReport, board: platform.Board, horizon_ms: float, devices: Sequence[DeviceUse]) -> set[int]:

@@ -21,7 +21,7 @@ from tests.host_model.attacked import ATTACKS, EFFECTS, Judge, judge
 from tests.host_model.bench import model
 from tests.tools import require_tools
 
-CALLS = "it calls the operating system itself, which it may not"
+CALLS = "it calls the operating system, which is not allowed"
 
 
 @pytest.fixture(autouse=True)
@@ -43,9 +43,9 @@ def built(judged: Judge, attack: str, tmp_path: Path, effect: int, effects: int 
     return original_program([judged.source(ATTACKS / f"{attack}.c", source, effect, effects)], model(), folder)
 
 
-RECORDS = "it writes into the pipe by which the host model reports"
-TEXT = "the program has assembler text that is not compiled on this machine"
-KIND = "the program has a kind of symbol that its platform does not"
+RECORDS = "it writes into the host model's pipe"
+TEXT = "the program has assembler text that cannot be compiled on this machine"
+KIND = "the program has a kind of symbol that its platform does not have"
 HARMLESS = "finished"
 """What an attack tries never runs."""
 OUTCOMES = {
@@ -73,14 +73,14 @@ OUTCOMES = {
     "interpreter": "the program has a section that cannot be linked on this machine: '.dynamic'",
     "labels_of_the_assembler": HARMLESS,
     "linked_once": HARMLESS,
-    "linker_symbols": "the program defines what its compiler uses: _GLOBAL_OFFSET_TABLE_",
+    "linker_symbols": "the program defines names that its compiler uses: _GLOBAL_OFFSET_TABLE_",
     "memory_that_becomes_code": CALLS,
-    "much_data": "the program's data take 107374",
-    "names_of_the_compiler": "the program defines what its compiler uses: __sanitizer_cov_trace_pc",
-    "names_of_the_coverage": "the program defines what its compiler uses: __gcov_init",
+    "much_data": "the program's data are 107374",
+    "names_of_the_compiler": "the program defines names that its compiler uses: __sanitizer_cov_trace_pc",
+    "names_of_the_coverage": "the program defines names that its compiler uses: __gcov_init",
     "names_of_the_model": HARMLESS,
-    "names_with_lines": "the program has a name that no identifier of C is: 'evil\\nprop_own prctl'",
-    "names_with_spaces": "the program has a name that no identifier of C is: '#'",
+    "names_with_lines": "the program has a name that is not a C identifier: 'evil\\nprop_own prctl'",
+    "names_with_spaces": "the program has a name that is not a C identifier: '#'",
     "never_reads": RECORDS,
     "optimiser_of_links": "the program cannot be compiled on this machine",
     "preinit_array": CALLS,
@@ -92,17 +92,17 @@ OUTCOMES = {
     "resolver": KIND,
     "resolver_for_the_c_library": KIND,
     "sections_of_the_c_library": HARMLESS,
-    "sections_of_the_model": "the program has a section of the host model",
+    "sections_of_the_model": "the program uses a section of the host model",
     "sends_a_huge_end": RECORDS,
     "spins": "running",
     "start_of_the_program": HARMLESS,
     "symbols_of_every_kind": KIND,
     "takes_all_memory": "reaches for memory that is not there",
     "unique_symbols": CALLS,
-    "versioned_symbols": "the program has a name that no identifier of C is: 'write@@GLIBC_2.0'",
-    "waits_for_ever": "it waits for what never comes",
+    "versioned_symbols": "the program has a name that is not a C identifier: 'write@@GLIBC_2.0'",
+    "waits_for_ever": "it waits forever",
     "weak_functions_of_the_c_library": HARMLESS,
-    "writable_code": "the program has code that it can write",
+    "writable_code": "the program has writable code",
     "writes_garbage": RECORDS,
 }
 """Attack -> how its run ends, or why it is not run: the beginning of the text."""

@@ -72,7 +72,7 @@ def test_a_file_that_is_not_recorded_is_refused(tmp_path: Path) -> None:
     for named in (str(other), "../other.h"):
         source.write_text(f'#include "{named}"\nvoid pause(int ms, ...);\nint main() {{ pause(MS); }}\n')
         original_program([source], model(), folder, only=[source, other])
-        with pytest.raises(VerificationError, match=r"not stored with its plan: .*other\.h"):
+        with pytest.raises(VerificationError, match=r"does not store a file that the original includes: .*other\.h"):
             original_program([source], model(), folder, only=[source])
 
 

@@ -131,7 +131,7 @@ def test_a_kernel_without_filters_is_refused_unless_the_program_is_trusted(tmp_p
     folder.mkdir()
     words = [sys.executable, "-c", WITHOUT_SECCOMP + BUILDS, str(source), str(folder)]
     refused, ended = subprocess.run(words, capture_output=True, text=True, check=True).stdout.splitlines()
-    assert refused.startswith("4 this system cannot run a program in a sandbox, it lacks: filters of system calls: seccomp")
+    assert refused.startswith("4 this system cannot run a program in a sandbox; missing: filters of system calls: seccomp")
     assert "robosmi verify --trust-original" in refused
     assert ended == "finished"
 

@@ -35,6 +35,10 @@ ODD = {
     "generics": "a wildcard in the place of a type",
     "defaults": "defaults that are no values",
     "no_default": "a default that is no value",
+    "odd_names": "characters that are in no name",
+    "no_types": "a package without a class",
+    "bare": "no namespace",
+    "empty_default": "a default that is no value",
 }
 """Files that are so on purpose, and what EMF's validation has against them."""
 USED = [

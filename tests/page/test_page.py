@@ -127,7 +127,7 @@ def test_of_two_tabs_the_later_one_is_told_and_loses_nothing(migrated: Migrated,
     second = page.browser.current_window_handle
     page.browser.switch_to.window(first)
     page.press("port:leftQTI", "D5")
-    page.wait(lambda: "was changed since it was shown" in page.told())
+    page.wait(lambda: "plan was changed elsewhere" in page.told())
     assert page.state() == "stale"
     shown = "return document.querySelector('[data-choice=\"port:leftQTI\"]').dataset.chosen"
     assert page.script(shown) == "D4"
@@ -154,14 +154,14 @@ def test_a_plan_that_is_gone_or_damaged_is_said_with_its_place(migrated: Migrate
     plan = out / "models" / "plan.xmi"
     text = plan.read_bytes()
     plan.unlink()
-    page.wait(lambda: "holds no plan any more" in page.told())
+    page.wait(lambda: "plan is missing" in page.told())
     plan.write_bytes(text)
-    page.wait(lambda: page.state() == "saved" and "shown again" in page.told())
+    page.wait(lambda: page.state() == "saved" and "matches this page again" in page.told())
     plan.write_text("<x")
     page.press("port:leftQTI", "D4")
     page.wait(lambda: page.state() == "refused")
     assert f"(in {plan}:1)" in page.told()
-    assert "put the file back as it was" in page.told()
+    assert "restore the file" in page.told()
     time.sleep(2.5)  # the page looks every two seconds
     assert page.state() == "refused", "what was refused stays in sight"
     plan.write_bytes(text)

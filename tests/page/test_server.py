@@ -159,8 +159,8 @@ def test_what_is_said_of_a_choice_that_is_open_again(server: PageServer, out: Pa
         said.append(json.loads(asked(server, f"/{server.token}/choose", json.dumps(about).encode())[2])["message"])
     project = out.parent / "robosmi.toml"
     assert said == [
-        f"Saved: port:eye = D4; in the plan and in {project}.",
-        f"Saved: port:eye is open again; in the plan and in {project}.",
+        f"Saved in the plan and in {project}: port:eye = D4.",
+        f"Saved in the plan and in {project}: port:eye is open again.",
     ]
 
 
@@ -169,7 +169,7 @@ def test_who_chose_is_said_once(why: str, said: str, out: Path) -> None:
     page = PlanPage(out)
     answer = page.act("choose", {"id": "port:eye", "value": "D4", "why": why, "plan": page.now()})
     assert answer["state"] == "saved", answer["message"]
-    assert re.search(rf"Now <strong>D4</strong>, chosen by you on [-\w:]+{said}</p>", page.sections["decide"])
+    assert re.search(rf"Current: <strong>D4</strong>, decided by you on [-\w:]+{said}</p>", page.sections["decide"])
     texts = (*page.sections.values(), PlanPage(out).document(live=False, nonce="n"), (out / "blink" / "MIGRATION.md").read_text())
     assert not [text for text in texts if "chosen by a person" in text]
 
@@ -323,11 +323,11 @@ def test_no_command_follows_a_link_out_of_the_folder(
 
 def test_a_page_with_nothing_on_it_says_so(out: Path, tmp_path: Path) -> None:
     text = PlanPage(out).document(live=False, nonce="n")
-    assert "No drawing was given. With a drawing or a pin table" in text
-    assert "No drawing was given, and no port has a pin yet." in text
+    assert "No drawing given. With a drawing or a pin table" in text
+    assert "No drawing given, and no port has a pin yet." in text
     (tmp_path / "nothing.c").write_text("int main() { return 0; }\n")
     robosmi.migrate([tmp_path / "nothing.c"], tmp_path / "empty")
     text = PlanPage(tmp_path / "empty").document(live=False, nonce="n")
-    assert "There is nothing to choose; the program calls no function of its platform." in text
-    assert "Nothing was chosen yet." in text
+    assert "No choices; the program calls no platform function." in text
+    assert "No decisions yet." in text
     assert "0 of 0" not in text

@@ -69,12 +69,12 @@ def test_a_constraint_whose_id_is_taken_is_refused_with_its_plug_in(tmp_path: Pa
     path = installed(tmp_path, "checks")
     plan, _ = stored_plan(tmp_path, path)
     (finding,) = command("check", plan, path=path, code=3, CHECKS_PLUGIN="taken")["findings"]
-    assert finding["message"] == "the id 'RS702' of the constraint has_our_id of checks 2.1 is taken by a rule of robosmi"
-    assert finding["fix"] == "give it an id that no other has"
+    assert finding["message"] == "the id 'RS702' of the constraint has_our_id of checks 2.1 is taken by a built-in rule"
+    assert finding["fix"] == "give it a unique id"
 
 
 @pytest.mark.parametrize(("offer", "said"), [
-    ("rule", "the id 'RS203' of the constraint has_the_id_of_a_reader of checks 2.1 is taken by a rule of robosmi"),
+    ("rule", "the id 'RS203' of the constraint has_the_id_of_a_reader of checks 2.1 is taken by a built-in rule"),
     ("twice", "the id 'CH001' of the constraint is_not_called_beacon of checks 2.1 is taken by one of checks 2.1"),
 ])  # fmt: skip
 def test_an_id_of_a_rule_or_of_another_metamodel_is_taken(offer: str, said: str, tmp_path: Path) -> None:
@@ -206,7 +206,7 @@ def test_without_the_plug_in_nobody_knows_its_files(tmp_path: Path) -> None:
     (tmp_path / "wired.beacon").write_text("D3 Red LED\n")
     outcome = run("hardware", tmp_path / "wired.beacon")
     assert outcome.code == 3
-    assert "no drawing reader takes a '.beacon' file" in outcome.err
+    assert "no drawing reader for '.beacon' files" in outcome.err
 
 
 def test_a_plug_in_that_takes_the_place_of_a_built_in_reader_is_told_where_that_is_asked_for(tmp_path: Path) -> None:
@@ -369,7 +369,7 @@ def test_why_a_plug_in_is_missing_is_said_where_a_command_fails_for_want_of_it(t
     environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(path), str(ROOT)])}
     line = [sys.executable, "-m", "robosmi", "hardware", "robot.dots", "--sarif", "found.sarif"]
     done = subprocess.run(line, capture_output=True, text=True, env=environment, cwd=tmp_path)
-    assert "no drawing reader takes a '.dots' file" in done.stderr
+    assert "no drawing reader for '.dots' files" in done.stderr
     assert "robosmi: warning: the plug-in broken 0.3 ('broken_plugin:register') cannot be loaded: " in done.stderr
     assert "do: mend, update or uninstall broken" in done.stderr
     told = [result["ruleId"] for result in json.loads((tmp_path / "found.sarif").read_text())["runs"][0]["results"]]

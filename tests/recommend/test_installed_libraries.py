@@ -64,7 +64,7 @@ def test_what_is_left_out_is_named_with_the_reason(folder: Path) -> None:
     assert skipped["no_headers"] == skipped["ring"] == "it has no header"
     assert skipped["link"] == "it is a link to a folder that was read before"
     assert "was read before" in skipped["twice"]
-    assert "names no library" in skipped["library.properties"], "the folder's name was taken"
+    assert "names no library" in skipped["library.properties"]
     assert set(skipped) == {"no_headers", "ring", "link", "twice", "library.properties"}
 
 
@@ -201,7 +201,7 @@ def test_broken_properties_leave_the_name_of_the_folder(tmp_path: Path, properti
     _library(tmp_path / "mine" / "Folder", properties)
     done = import_libraries(tmp_path / "mine", "arduino")
     assert [name for name, _ in done.added] == ["Folder"]
-    assert list(done.skipped.values()) == ["it names no library; the folder's name was taken"]
+    assert list(done.skipped.values()) == ["it names no library; RoboSMi uses the folder's name"]
 
 
 @pytest.mark.parametrize(

@@ -64,9 +64,14 @@ def _recorded(to_xmi: Write) -> Write:
     last: dict[str, tuple[Any, bytes]] = {}  # what was written last: name -> its roots, and the text
 
     @functools.wraps(to_xmi)
-    def write(models: Mapping[str, Any], wanted: Iterable[str] | None = None, places: Any = None) -> dict[str, bytes]:
+    def write(
+        models: Mapping[str, Any],
+        wanted: Iterable[str] | None = None,
+        places: Any = None,
+        schema_locations: Mapping[str, str] | None = None,
+    ) -> dict[str, bytes]:
         names = None if wanted is None else list(wanted)
-        written = to_xmi(models, names, places)
+        written = to_xmi(models, names, places, schema_locations)
         folder = os.environ.get(FOLDER)
         if folder and os.path.isdir(folder):
             known = {n: text for n, (roots, text) in last.items() if n not in written and roots is models.get(n)}
@@ -88,6 +93,8 @@ def _keep(folder: Path, to_xmi: Write, models: Mapping[str, Any], written: dict[
     while missing := (models.keys() - files.keys()) and (_referred(files) & (models.keys() - files.keys())):
         files |= {name: known[name] for name in missing & known.keys()}
         files |= to_xmi(models, missing - known.keys())
+    if any(name.startswith("../") for name in files):  # it would lie outside of the folder
+        return
     used = [root for name in files for root in _roots(models[name])]
     metamodels = _metamodels(to_xmi, used)
     info = {

@@ -233,7 +233,7 @@ def test_what_the_command_has_made_is_not_written_over(tmp_path: Path) -> None:
     (tmp_path / "robot.c").write_text(PROGRAM, encoding="utf-8")
     sketch = tmp_path / "out" / "robot" / "robot.ino"
     outcome = run("migrate", tmp_path / "robot.c", "-o", tmp_path / "out", "--sarif", sketch)
-    assert (outcome.code, "has made this file" in outcome.err) == (5, True)
+    assert (outcome.code, "writes this file itself" in outcome.err) == (5, True)
     assert "void setup()" in sketch.read_text()
 
 

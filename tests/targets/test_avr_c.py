@@ -84,7 +84,7 @@ def test_the_makefile_says_for_which_board_it_is(tmp_path: Path) -> None:
     assert other.board == "mega"
     said = [d for d in other.diagnostics if d.rule == "RS809"]
     assert [d.severity.name for d in said] == ["warning"]
-    assert "made for 'leonardo' (atmega32u4)" in said[0].message
+    assert "for 'leonardo' (atmega32u4)" in said[0].message
     assert compile_sketch(tmp_path / "out", "micro").diagnostics == ()  # the same microcontroller
 
 
@@ -115,7 +115,7 @@ def test_advice_is_that_of_the_target(rule: str, tmp_path: Path) -> None:
 
 def test_a_library_cannot_be_chosen_where_there_are_none(examples: Path, tmp_path: Path) -> None:
     program = examples / "line_follower" / "line_follower.c"
-    with pytest.raises(UsageError, match="a library is chosen, and the target 'avr-c' has none"):
+    with pytest.raises(UsageError, match="the target 'avr-c' has no libraries to choose"):
         robosmi.migrate([program], tmp_path, target="avr-c", libraries={"Basic Servo1": "Servo"})
     with pytest.raises(UsageError, match="the target 'avr-c' has no libraries"):
         robosmi.recommend_libraries(examples / "line_follower" / "line_following_robot.fzz", target="avr-c")

@@ -66,10 +66,10 @@ def test_of_two_files_the_nearer_one_counts_key_by_key(project: Path, monkeypatc
         ('platform = "arduino"\nboard = "uno"\ntoolchain = "gcc"', "'targets.x.toolchain' is 'gcc', which is none of: "),
         ('platform = "arduino"\nboard = "uno"\nstructure = "loop"', "'targets.x.structure' is 'loop', which is none of: "),
         ('platform = "arduino"\nboard = "uno"\nlanguage = "Rust"', "'targets.x.language' is 'Rust', which is none of: C, C"),
-        ('platform = "arduino"\nboard = "uno"\ncompiler = "gcc"', "'targets.x.compiler' is no key of a target"),
+        ('platform = "arduino"\nboard = "uno"\ncompiler = "gcc"', "'targets.x.compiler' is not a key of a target"),
         ('platform = "arduino"', "'targets.x.board' is missing"),
         ('board = "uno"', "'targets.x.platform' is missing"),
-        ('platform = "mars"\nboard = "uno"', "'targets.x.platform' is 'mars', a platform of which nothing is known"),
+        ('platform = "mars"\nboard = "uno"', "'targets.x.platform' is 'mars', an unknown platform"),
     ],
 )
 def test_a_wrong_target_names_its_file_and_key(project: Path, table: str, message: str) -> None:
@@ -90,7 +90,7 @@ def test_a_table_that_is_none_is_an_error_of_its_file(project: Path) -> None:
 
 
 def test_an_unknown_target_offers_the_nearest(project: Path) -> None:
-    with pytest.raises(UsageError, match=r"no target is called 'nanno' \(did you mean 'nano'\?\)"):
+    with pytest.raises(UsageError, match=r"unknown target 'nanno' \(did you mean 'nano'\?\)"):
         target_facts("nanno")
 
 

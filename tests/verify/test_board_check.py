@@ -107,7 +107,7 @@ def test_what_cannot_be_is_refused(old: str, new: str, cause: str, tmp_path: Pat
 @pytest.mark.parametrize(
     ("old", "new", "cause"),
     [
-        ("mine:avr:mine", "arduino:avr:unno", "the core lists no such board"),
+        ("mine:avr:mine", "arduino:avr:unno", "the core does not list that board"),
         ("mine:avr:mine", "arduino:avr:ethernet", "says define AVR_UNO; the core's list has AVR_ETHERNET for"),
         ("mine:avr:mine", "arduino:avr:nano:cpu=atmega168", "says flash_bytes 32256; the core's list has 14336 for"),
         ("flash_bytes = 32256", "flash_bytes = 32768", ""),

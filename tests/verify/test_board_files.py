@@ -149,7 +149,7 @@ def test_a_board_has_its_pins_in_order_and_its_platform_its_names() -> None:
 
 
 def test_an_unknown_board() -> None:
-    with pytest.raises(UsageError, match=r"no board is called 'unno' \(did you mean 'uno'\?\)"):
+    with pytest.raises(UsageError, match=r"unknown board 'unno'"):
         load_board("unno")
 
 
@@ -182,23 +182,28 @@ def test_a_board_is_found_by_each_of_its_names(name: str) -> None:
 
 
 def test_a_board_with_another_chip_is_not_taken_for_it() -> None:
-    with pytest.raises(UsageError, match="no board is called"):
+    with pytest.raises(UsageError, match="unknown board"):
         find_board("arduino:avr:nano:cpu=atmega168", load_boards(ARDUINO))
 
 
 @pytest.mark.parametrize(
     ("part", "old", "new", "message"),
     [
-        ("arduino/boards", "ram_bytes = 2048", "ram_byte = 2048", r"'ram_byte' is no key of it \(did you mean 'ram_bytes'\?\)"),
+        (
+            "arduino/boards",
+            "ram_bytes = 2048",
+            "ram_byte = 2048",
+            r"'ram_byte' is not a key of it \(did you mean 'ram_bytes'\?\)",
+        ),
         ("arduino/boards", "ram_bytes = 2048", 'ram_bytes = "2 K"', "'ram_bytes' must be a whole number"),
-        ("arduino/boards", "interrupts = { D2", "interrupts = { D99", "'interrupts.D99' is no pin of this board"),
+        ("arduino/boards", "interrupts = { D2", "interrupts = { D99", "'interrupts.D99' is not a pin of this board"),
         ("arduino/boards", 'define = "AVR_UNO"', "", "'define' is missing"),
-        ("arduino/boards", "fqbn =", "fbqn =", r"'fbqn' is no key of it \(did you mean 'fqbn'\?\)"),
+        ("arduino/boards", "fqbn =", "fbqn =", r"'fbqn' is not a key of it \(did you mean 'fqbn'\?\)"),
         (
             "arduino/boards",
             "arduino:avr:uno",
             "arduino:avr:mini",
-            "'fqbn' is 'arduino:avr:mini', which the board 'mini' is called",
+            "'fqbn' is 'arduino:avr:mini', .* the board 'mini'",
         ),
         ("boards", 'label = "D4"', 'label = "D5"', "'pins' has D5 twice"),
         ("boards", 'port = "PD4"', 'port = "PD5"', "'pins' has PD5 twice"),
@@ -212,34 +217,34 @@ def test_a_board_with_another_chip_is_not_taken_for_it() -> None:
             "boards",
             'timer = "Timer2"',
             'timer = "Timer7"',
-            r"'pins\[3\].timer' is 'Timer7', which is no timer of the microcontroller",
+            r"'pins\[3\].timer' is 'Timer7', which is not a timer of the microcontroller",
         ),
         (
             "boards",
             'port = "PD4"',
             'port = "PZ9"',
-            "the port of 'D4' is 'PZ9', which is no pin of the microcontroller 'atmega328p'",
+            "the port of 'D4' is 'PZ9', which is not a pin of the microcontroller 'atmega328p'",
         ),
         ("boards", 'port = "PD4"', 'port = "PE0"', "the port of 'D4' is 'PE0'"),
         ("boards", 'channel = "B"', 'channel = "Z"', r"'pins\[3\].channel' is 'Z', which is none of: A, B, C, D"),
-        ("boards", 'timer = "Timer2", channel = "B"', 'channel = "B"', "is 'B', and the pin has no timer"),
+        ("boards", 'timer = "Timer2", channel = "B"', 'channel = "B"', "is 'B', but the pin has no timer"),
         ("boards", 'timer = "Timer2", channel = "B"', 'timer = "Timer2", channel = "A"', "'pins' has Timer2 channel A twice"),
         ("boards", 'aliases = ["RX"]', 'aliases = ["D9"]', "gives 'D0' the alias 'D9', which is a name of 'D9'"),
         ("boards", 'aliases = ["RX"]', 'aliases = ["TX"]', "gives 'D0' the alias 'TX', which is a name of 'D1'"),
         ("mcus", 'ports = "', 'ports = "(', "'ports' is no regular expression"),
-        ("boards", "aliases = []", "alias = []", r"'pins\[2\].alias' is no key of it \(did you mean 'aliases'\?\)"),
-        ("boards", "volts = 5.0", "volts = 5.0\nvolt = 5.0", "'volt' is no key of it"),
-        ("boards", 'led = "D13"', 'led = "D31"', "'led' is 'D31', which is no pin of this board"),
+        ("boards", "aliases = []", "alias = []", r"'pins\[2\].alias' is not a key of it \(did you mean 'aliases'\?\)"),
+        ("boards", "volts = 5.0", "volts = 5.0\nvolt = 5.0", "'volt' is not a key of it"),
+        ("boards", 'led = "D13"', 'led = "D31"', "'led' is 'D31', which is not a pin of this board"),
         (
             "boards",
             'mcu = "atmega328p"',
             'mcu = "atmega328q"',
-            "'mcu' is 'atmega328q', a microcontroller of which nothing is known",
+            "'mcu' is 'atmega328q', an unknown microcontroller",
         ),
         ("boards", "pins = [", "pins = [[", "cannot be read"),
-        ("mcus", "pin_ma", "pin_mA", r"'pin_mA' is no key of it \(did you mean 'pin_ma'\?\)"),
-        ("mcus", 'functions = ["tone"]', 'function = ["tone"]', r"'takes\[0\].function' is no key of it"),
-        ("mcus", "ram_bytes = 2048", "ram = 2048", "'ram' is no key of it"),
+        ("mcus", "pin_ma", "pin_mA", r"'pin_mA' is not a key of it \(did you mean 'pin_ma'\?\)"),
+        ("mcus", 'functions = ["tone"]', 'function = ["tone"]', r"'takes\[0\].function' is not a key of it"),
+        ("mcus", "ram_bytes = 2048", "ram = 2048", "'ram' is not a key of it"),
         ("mcus", "ram_bytes = 2048", "", "'ram_bytes' is missing"),
     ],
 )
@@ -267,7 +272,7 @@ def test_a_drawn_connector_of_no_pin_is_an_error_of_the_boards_file(tmp_path: Pa
     path.parent.mkdir(parents=True)
     path.write_text(built_in.read_text().replace('D0 = ["connector61"]', 'D99 = ["connector61"]', 1))
     monkeypatch.setenv("ROBOSMI_PATH", str(tmp_path))
-    with pytest.raises(PlatformDataError, match=r"'drawn_as\[0\].connectors.D99' is no pin of this board"):
+    with pytest.raises(PlatformDataError, match=r"'drawn_as\[0\].connectors.D99' is not a pin of this board"):
         drawn_board("arduino_Uno_Rev3(fix)", "fritzing")
 
 
@@ -285,10 +290,10 @@ def test_a_file_can_add_how_another_tool_draws_a_board(tmp_path: Path, monkeypat
     assert drawn_board("Uno Rev4", "gadget") is None
     assert drawn_board("uno", "pin table") is not None
     path.write_text(path.read_text().replace("D9 =", "D99 ="))
-    with pytest.raises(PlatformDataError, match=r"'drawn_as\[0\].connectors.D99' is no pin of this board"):
+    with pytest.raises(PlatformDataError, match=r"'drawn_as\[0\].connectors.D99' is not a pin of this board"):
         drawn_board("Uno Rev3", "gadget")
     path.rename(path.with_name("nobodys.toml"))
-    with pytest.raises(PlatformDataError, match="is of the board 'nobodys', which no other file has with its pins"):
+    with pytest.raises(PlatformDataError, match="is of the board 'nobodys', but no other file has this board's pins"):
         drawn_board("Uno Rev3", "gadget")
 
 

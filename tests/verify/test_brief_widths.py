@@ -41,7 +41,7 @@ def test_a_brief_width_does_not_lie_beyond_those_of_the_source(target: Shown, st
     assert found.status == status
     if status == DIFFERENT:
         assert found.difference is not None
-        assert "beyond all widths that the source shows" in found.difference.message
+        assert "outside all pulse widths of the original" in found.difference.message
 
 
 def test_what_another_run_of_the_source_shows_counts() -> None:

@@ -21,7 +21,7 @@ def test_two_transmitters_that_are_swapped_are_told() -> None:
     found = first_disorder(source, {"left": wave(501.2), "right": wave(500.1)}, [])
     assert found is not None
     assert (found.channel, found.at_ms) == ("left", 500.0)
-    assert found.message == "38000 Hz comes 1.10 ms after 38000 Hz of right, instead of 1.10 ms before it"
+    assert found.message == "38000 Hz comes 1.10 ms after 38000 Hz of right; in the original 1.10 ms before it"
 
 
 @pytest.mark.parametrize("apart_ms", [0.0, 0.2, 1.1, 60.0])

@@ -88,20 +88,20 @@ def test_the_first_difference_is_told_in_words() -> None:
     late = compare("LED", events(BLINK), events(changed(BLINK, 1, 700)), [], 4000).difference
     assert late is not None
     assert (late.at_ms, late.channel) == (500, "LED")
-    assert late.message.startswith("high comes 200.0 ms too late (allowed are 4")
+    assert late.message.startswith("switches on 200.0 ms too late (tolerance 4")
     short = compare("LED", events(BLINK), events(changed(BLINK, 2, 1480)), [], 4000).difference
     assert short is not None
-    assert short.message == "high lasts 980.00 ms instead of 1000.00 ms"
+    assert short.message == "stays on for 980.00 ms; the original for 1000.00 ms"
     missing = compare("LED", events(BLINK), events(BLINK[:1]), [], 4000).difference
     assert missing is not None
-    assert missing.message == "high is missing"
+    assert missing.message.startswith("stays off; the original switches on at ")
     assert missing.to_json()["target"] is None
     more = compare("LED", events(BLINK[:1]), events(BLINK), [], 4000).difference
     assert more is not None
-    assert more.message == "high, which the source does not do"
+    assert more.message.endswith("; the original never does")
     other = compare("servo", events(DRIVE), events(changed(DRIVE, 2, None, (1440.0,))), [], 4000).difference
     assert other is not None
-    assert other.message == "pulses of 1440 us instead of pulses of 1560 us"
+    assert other.message == "sends pulses of 1440 us; the original sends pulses of 1560 us"
 
 
 def test_a_channel_that_the_source_does_not_use_is_not_exercised() -> None:
@@ -136,7 +136,7 @@ def test_a_difference_before_the_source_differs_from_itself_is_one() -> None:
     )  # times wobble, too
     missing = compare("x", events(DRIVE), events(DRIVE[:1]), [events(varied)], 4000)
     assert missing.difference is not None
-    assert missing.difference.message == "pulses of 1500 us are missing"
+    assert missing.difference.message.startswith("missing: the original sends pulses of 1500 us at ")
     near = compare("x", events(DRIVE), events(changed(DRIVE, 2, None, (1300.0,))), [events(varied)], 4000)
     assert near.status == "racy"
 
@@ -161,7 +161,7 @@ def test_a_line_that_never_changes_is_compared_beside_lines_that_do(target: Told
     assert found.itself is not None
     if found.difference is not None:
         assert found.difference.at_ms == 400
-        assert found.difference.message.startswith("'tl 0' instead of 'tl 16', which the source prints in each run")
+        assert found.difference.message.startswith("sends 'tl 0'; the original sends 'tl 16' in each run")
 
 
 def test_times_may_be_off_by_twice_what_the_source_is_off_from_itself() -> None:

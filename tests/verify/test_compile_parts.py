@@ -65,7 +65,7 @@ def test_the_board_of_other_project_files(tmp_path: Path, text: str, board: str 
     ("text", "message"),
     [
         ("default_profile: uno\n", "1: the default profile 'uno' is not among the profiles"),
-        ("profiles: {uno: {fqbn: a}}\n", "1: '{uno: {fqbn: a}}' is a style of YAML that is not read here"),
+        ("profiles: {uno: {fqbn: a}}\n", "1: '{uno: {fqbn: a}}': unsupported YAML style"),
         ("profiles:\n\tuno:\n", "2: a tab indents the line"),
         ("profiles:\n  uno\n", "2: 'uno' is not a `key: value` line"),
     ],
@@ -104,7 +104,7 @@ def test_all_kinds_of_errors_of_the_compiler_are_errors(kind: str, tmp_path: Pat
 
 
 def test_a_tool_that_says_nothing_is_still_a_finding() -> None:
-    assert messages.unread("linking", "").message == "linking failed: the tool said nothing"
+    assert messages.unread("linking", "").message == "linking failed: no message from the tool"
 
 
 def test_missing_headers_are_the_names_that_are_no_files(tmp_path: Path) -> None:
@@ -116,7 +116,7 @@ def test_missing_headers_are_the_names_that_are_no_files(tmp_path: Path) -> None
 
 def test_braces_are_filled_in() -> None:
     assert fill(["-I{a}/x", "{many}", "{none}"], {"a": "1"}, {"many": ["p", "q"], "none": []}) == ["-I1/x", "p", "q"]
-    with pytest.raises(PlatformDataError, match=r"nothing is known for '\{b\}' in '-D\{b\}'"):
+    with pytest.raises(PlatformDataError, match=r"unknown placeholder '\{b\}' in '-D\{b\}'"):
         fill(["-D{b}"], {"a": "1"})
 
 

@@ -27,37 +27,53 @@ def lines(*told: tuple[float, str]) -> list[ActivityEvent]:
 
 
 CASES = {
-    "late": (lamp(500, 1500), lamp(700, 1700), 500, "high comes 200.0 ms too late"),
-    "early": (lamp(700, 1700), lamp(500, 1500), 500, "high comes 200.0 ms too early"),
-    "the first of two is not there": (lamp(500, 600, 1000, 1100), lamp(1000, 1100), 500, "high is missing"),
-    "one more before": (lamp(1000, 1100), lamp(500, 600, 1000, 1100), 500, "high once more, which the source does not do then"),
-    "one more behind": (lamp(1000, 1100), lamp(1000, 1100, 2000), 2000, "high once more, which the source does not do then"),
-    "never": (servo((20, 1500, 40)), servo((20, 1500, 40), (900, 1600, 40)), 900, "pulses of 1600 us, which the source does not"),
+    "late": (lamp(500, 1500), lamp(700, 1700), 500, "switches on 200.0 ms too late"),
+    "early": (lamp(700, 1700), lamp(500, 1500), 500, "switches on 200.0 ms too early"),
+    "the first of two is not there": (
+        lamp(500, 600, 1000, 1100), lamp(1000, 1100), 500,
+        "stays off; the original switches on at 500.0 ms",
+    ),
+    "one more before": (
+        lamp(1000, 1100), lamp(500, 600, 1000, 1100), 500,
+        "switches on again at 500.0 ms; the original does not",
+    ),
+    "one more behind": (lamp(1000, 1100), lamp(1000, 1100, 2000), 2000, "switches on again at 2000.0 ms; the original does not"),
+    "never": (
+        servo((20, 1500, 40)), servo((20, 1500, 40), (900, 1600, 40)), 900,
+        "sends pulses of 1600 us at 900.0 ms; the original never does",
+    ),
     "short pulses that come late": (
         servo((20, 1500, 40), (900, 1600, 2)), servo((20, 1500, 40), (1300, 1600, 4)),
-        900, "pulses of 1600 us come 400.0 ms too late",
+        900, "sends pulses of 1600 us 400.0 ms too late",
     ),
     "short pulses that come early": (
         servo((20, 1500, 40), (1300, 1600, 4)), servo((20, 1500, 40), (900, 1600, 2)),
-        900, "pulses of 1600 us come 400.0 ms too early",
+        900, "sends pulses of 1600 us 400.0 ms too early",
     ),
     "pulses that are shifted": (
         servo((20, 1500, 40), (900, 1600, 40), (1700, 1500, 40)), servo((20, 1500, 40), (1200, 1600, 40), (2000, 1500, 40)),
-        20, "pulses of 1500 us last 1180.00 ms instead of 880.00 ms",
+        20, "sends pulses of 1500 us for 1180.00 ms; the original for 880.00 ms",
     ),
     "pulses that are not there": (
         servo((20, 1500, 40), (900, 1600, 40), (1700, 1700, 40)), servo((20, 1500, 40), (1700, 1700, 40)),
-        900, "pulses of 1600 us are missing",
+        900, "missing: the original sends pulses of 1600 us at 900.0 ms",
     ),
     "pulses that are others": (
-        servo((20, 1500, 40)), servo((20, 1600, 40)), 20, "pulses of 1600 us instead of pulses of 1500 us",
+        servo((20, 1500, 40)), servo((20, 1600, 40)), 20, "sends pulses of 1600 us; the original sends pulses of 1500 us",
     ),
-    "a line is lost": (lines((100, "a"), (120, "b"), (140, "c")), lines((100, "a"), (140, "c")), 120, "'b' is missing"),
+    "a line is lost": (
+        lines((100, "a"), (120, "b"), (140, "c")), lines((100, "a"), (140, "c")), 120,
+        "missing: the original sends 'b' at 120.0 ms",
+    ),
     "a line more": (
-        lines((100, "a"), (140, "c")), lines((100, "a"), (120, "b"), (140, "c")), 120, "'b', which the source does not do",
+        lines((100, "a"), (140, "c")), lines((100, "a"), (120, "b"), (140, "c")),
+        120, "sends 'b' at 120.0 ms; the original never does",
     ),
-    "the other way round": (lines((100, "a"), (120, "b")), lines((100, "b"), (120, "a")), 100, "'b' before 'a', not after it"),
-    "another line": (lines((100, "a"), (120, "b")), lines((100, "a"), (120, "x")), 120, "'x' instead of 'b'"),
+    "the other way round": (
+        lines((100, "a"), (120, "b")), lines((100, "b"), (120, "a")), 100,
+        "sends 'b' before it sends 'a', not after",
+    ),
+    "another line": (lines((100, "a"), (120, "b")), lines((100, "a"), (120, "x")), 120, "sends 'x'; the original sends 'b'"),
 }  # fmt: skip
 
 
@@ -74,7 +90,7 @@ def test_more_than_one_pulse_is_told_as_many() -> None:
     longer = servo((20, 1500, 40), (900, 1600, 40), (1700, 1700, 40)), servo((20, 1500, 40), (900, 1600, 60), (2000, 1700, 40))
     difference = compare("x", *longer, [longer[0]], 4000).difference
     assert difference is not None
-    assert difference.message == "pulses of 1600 us last 1100.00 ms instead of 800.00 ms"
+    assert difference.message == "sends pulses of 1600 us for 1100.00 ms; the original for 800.00 ms"
 
 
 @pytest.mark.parametrize(

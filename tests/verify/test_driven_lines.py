@@ -78,7 +78,7 @@ def test_where_a_line_is_no_longer_held_is_seen() -> None:
     assert held(blinks, 6_000_000.0) == [(0.0, 1, 100_000.0), (1_900_000.0, 1, NO_MORE)]
     again = [(at * 200_000.0 + 4_000_000.0, 1, 100_000.0) for at in range(5)]
     assert [us for _, _, us in held([*blinks, *again])] == [100_000.0, NO_MORE, 100_000.0]
-    assert str(ActivityEvent(0.0, HELD, (1, NO_MORE))) == "no longer high"
+    assert ActivityEvent(0.0, HELD, (1, NO_MORE)).does() == "no longer drives high"
 
 
 def test_what_lasts_less_than_a_tenth_of_a_millisecond_is_not_looked_at() -> None:

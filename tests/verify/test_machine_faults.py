@@ -37,7 +37,7 @@ def test_a_fault_of_the_machine_is_told_with_its_cause(said: str, before: str) -
 
 
 def test_a_compiler_that_is_ended_from_outside_is_told() -> None:
-    with pytest.raises(SourceError, match="'cc' was ended by the system: Killed"):
+    with pytest.raises(SourceError, match="'cc': the system ended it: Killed"):
         check_machine("cc", subprocess.CompletedProcess([], -signal.SIGKILL, "", ""))
 
 

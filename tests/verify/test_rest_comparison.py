@@ -56,9 +56,7 @@ def test_a_difference_tells_both_places_and_what_is_the_same() -> None:
     found = compare_rests("left at rest", [way(64, 90), way(64, 90.5)], way(64, 84), PLACED)
     assert found.difference is not None
     assert (found.difference.at_ms, found.difference.channel, found.events) == (2000.0, "left at rest", 1)
-    assert found.difference.message == (
-        "rests 84.0 ticks from where it began, instead of 90.0 (between 88.9 and 91.6 are the same)"
-    )
+    assert found.difference.message == ("rests 84.0 ticks from where it began; the original 90.0 (tolerance 88.9 to 91.6)")
 
 
 WHEEL, SERVO = RestKind("ticks", 1.6, timed=True, recounts=6.0), RestKind("degrees", 5.7, timed=True)

@@ -67,4 +67,4 @@ def test_each_side_has_its_lane_and_each_event_its_text() -> None:
 
 
 def test_where_nothing_happens_the_picture_says_so() -> None:
-    assert "nothing happens on any channel" in trace_svg("nothing", {"lamp": ([IDLE], [IDLE])}, 1000.0)
+    assert "no change on any channel" in trace_svg("nothing", {"lamp": ([IDLE], [IDLE])}, 1000.0)

@@ -66,7 +66,7 @@ def test_lines_of_the_source_are_counted_only_where_a_scenario_counts() -> None:
 
 def test_stand_ins_for_libraries_are_said() -> None:
     found = Verdict(scenarios=[told("no-difference-found", "same")], stand_ins=["Servo"])
-    said = "simulated with stand-ins for libraries that are not installed here: 'Servo'"
+    said = "simulated with stand-ins for missing libraries: 'Servo'"
     assert found.to_json()["stand_ins"] == ["Servo"]
     assert said in found.sentence()
     assert f"  {said}" in found.lines()
@@ -85,7 +85,7 @@ def test_a_call_beside_a_difference_is_not_called_its_cause() -> None:
         said = "\n".join(found.lines())
         assert "high" in said
         assert "made by" not in said
-        assert "cannot be seen from outside" in said
+        assert "the trace does not show which" in said
 
 
 def test_places_of_the_source_that_no_scenario_reaches_are_named() -> None:
@@ -98,7 +98,7 @@ def test_places_of_the_source_that_no_scenario_reaches_are_named() -> None:
     for said in (found.sentence(), "\n".join(found.lines())):
         assert "lines not reached: a.c:3, 5-9; b.c:2" in said
         assert "branches not taken: a.c:12" in said
-        assert "and not compared: a.c:20" in said
+        assert "since the original is not repeatable there: a.c:20" in said
     assert found.to_json()["source_coverage"]["missed_lines"] == ["a.c:3", "a.c:5-9", "b.c:2"]
     many = Verdict(scenarios=found.scenarios, counted=1, missed_lines=missed)
     assert "a.c:1, 4, 7, 10, 13, 16, 19, 22, 25, 28, 31, 34 and 2 more (verify -v shows all)" in "\n".join(many.lines())
@@ -116,3 +116,27 @@ def test_a_channel_that_is_the_same_says_how_many_events_were_compared() -> None
     lines = Verdict(scenarios=[told("no-difference-found", "same", "not-exercised")]).lines()
     assert "  same           c0 (0 events)" in lines
     assert "  not-exercised  c1" in lines
+
+
+@pytest.mark.parametrize(
+    ("outputs", "missed", "counted", "partial"),
+    [
+        ({"lamp": True, "wheel": True}, [], 1, False),
+        ({"lamp": True, "wheel": False}, [], 1, True),
+        ({"lamp": True}, ["a.c:3"], 1, True),
+        ({"lamp": True}, [], 0, True),
+    ],
+)
+def test_a_comparison_is_partial_unless_all_outputs_and_lines_were_compared(
+    outputs: dict[str, bool], missed: list[str], counted: int, partial: bool
+) -> None:
+    found = Verdict(
+        scenarios=[told("no-difference-found", "same")], outputs=outputs, missed_lines=missed, counted=counted, lines_pct=80.0
+    )
+    assert found.to_json()["partial"] is partial
+    assert found.to_json()["compared"] == {"outputs": sum(outputs.values()), "of": len(outputs), "lines_pct": 80.0}
+    assert found.lines()[0].startswith("PARTLY COMPARED") is partial
+    assert found.sentence().startswith("partly compared") is partial
+    assert found.exit_code == 0
+    assert found.covers(80.0) is (counted > 0 and all(outputs.values()))
+    assert not found.covers(80.5)

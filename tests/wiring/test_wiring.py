@@ -152,7 +152,7 @@ def test_parts_of_a_pin_table_are_supplied_and_those_with_one_wire_are_told(
     code, document = handed(capsys, str(made(BLINK, table)), "--as", "wokwi", "-o", str(tmp_path / "wokwi"))
     assert code == 0
     told = [finding["message"] for finding in document["findings"] if finding["rule"] == "RS538"]
-    assert told == ["one wire alone in the diagram: Knob, Other; the pin table does not say where their other ends go"]
+    assert told == ["only one wire in the diagram: Knob, Other; the pin table does not list their other connections"]
     wires = json.loads((tmp_path / "wokwi" / "diagram.json").read_text())["connections"]
     ends = {wire[1]: wire[0] for wire in wires}
     assert (ends["Lamp:A"], ends["Two:C"]) == ("Arduino Uno:5V", "Arduino Uno:GND.1")

@@ -72,7 +72,7 @@ class AdapterReport(Struct):
             lines += ["", *str(text).split("\n"), ""] if text else []
         counted = [each for each in self.adapters if each["status"] in ("filled", "care")]
         if self.written:
-            lines += [f"written into {path}" for path in self.written]
+            lines += [f"saved in {path}" for path in self.written]
         elif not any("text" in each for each in self.adapters):
             lines.append(f"{len(counted)} of {len(self.adapters)} functions have an adapter")
         return lines
@@ -115,7 +115,7 @@ def show_adapter(name: str, target: str | None = None, source: str | None = None
     if not pieces:
         known = {piece.name for each in index.headers for group in index.of(each) for piece in group if piece.kind == "adapter"}
         raise UsageError(
-            f"no adapter is called '{name}'{did_you_mean(function, sorted(known))}", fix="see: robosmi adapters list"
+            f"unknown adapter '{name}'{did_you_mean(function, sorted(known))}", fix="list them: robosmi adapters list"
         )
     return AdapterReport([_row(index, piece) | _whole(index, piece) for piece in pieces])
 
@@ -151,7 +151,7 @@ def _to_write(api: ApiIndex, header: str, name: str) -> dict[str, Json]:
     }  # fmt: skip
 
 
-_FOREIGN = "keep it in the program, or write adapters/NAME.cpp by hand for the header NAME.h that the program includes for it"
+_FOREIGN = "leave it in the program, or write adapters/NAME.cpp by hand for the header NAME.h"
 
 
 _PORT = "//# port: CONSTANT = LIBRARY.NAME NUMBER digital out"
@@ -191,7 +191,7 @@ def save_adapters(output: Path, whose: str) -> AdapterReport:
             continue
         header = ancestor_of_kind(use.function, platform.Header) if use.function is not None else None
         if header is None:
-            message = f"'{use.name}' has a body of yours, and is no function of a known header: it cannot be saved"
+            message = f"'{use.name}' is not a function of a known header, so its body cannot be saved"
             told.findings.append(Finding("RS528", Severity.warning, message, Location(str(output)), fix=_FOREIGN))
             continue
         wanted[str(header.name), str(use.name)] = use
@@ -200,13 +200,13 @@ def save_adapters(output: Path, whose: str) -> AdapterReport:
         header_name, function, said = fault
         message, place = f"the body of '{function}' does not compile alone: {said}", Location(str(output))
         del wanted[header_name, function]
-        outside = f"; what it uses of the sketch may stand in '{header_name.removesuffix('.h')}{ending}' as a helper"
+        outside = f"; put what it uses of the sketch into '{header_name.removesuffix('.h')}{ending}' as a helper"
         if pin := next((str(each.name) for each in plan.connections if f"'{each.name}'" in said), None):
-            outside = f"; '{pin}' is a pin of this sketch: an adapter file has its own constants, by lines such as {_PORT}"
+            outside = f"; '{pin}' is a pin of this sketch; declare the adapter file's own constant, for example {_PORT}"
         if not wanted:
-            fix = f"correct it in the sketch, or keep it there: nothing was saved{outside}"
+            fix = f"correct it in the sketch, or leave it there; nothing was saved{outside}"
             raise PlatformDataError(message, location=place, fix=fix)
-        fix = f"correct it in the sketch and save again, or keep it there: it was not saved{outside}"
+        fix = f"correct it in the sketch and save again, or leave it there; it was not saved{outside}"
         told.findings.append(Finding("RS528", Severity.error, message, place, fix=fix))
         files = _files(wanted, found, folder, ending, whose, plan)
     told.adapters += [
@@ -227,14 +227,14 @@ def save_adapters(output: Path, whose: str) -> AdapterReport:
         if before.strip() and not text.startswith(before.rstrip()):  # another body of a function stands there
             kept = free_name(path.parent, f"{path.name}.orig")
             write_atomic(path.parent / kept, before.encode())
-            message = f"the file had other bodies of functions that are saved now: they are kept in '{kept}'"
-            told.findings.append(Finding("RS528", Severity.info, message, Location(str(path)), fix="take over what is wanted"))
+            message = f"the file had other bodies of the saved functions; the old file is now '{kept}'"
+            told.findings.append(Finding("RS528", Severity.info, message, Location(str(path)), fix="copy back what you need"))
         write_atomic(path, text.encode())
     told.written = [str(path) for path in files]
     if not files and not told.findings:
-        message = "no placeholder of the program has a body of yours"
+        message = "the program has no body of yours"
         told.findings.append(
-            Finding("RS528", Severity.info, message, Location(str(output)), fix="write one in adapters.h, then save")
+            Finding("RS528", Severity.info, message, Location(str(output)), fix="write one in adapters.h, then save it")
         )
     return told
 
@@ -293,9 +293,9 @@ def _folder(output: Path, whose: str) -> Path:
     near = [*output.resolve().parents, Path.cwd()]
     beside = next((folder for folder in near if (folder / FILE_NAME).is_file()), None)
     if beside is None:
-        message = f"there is no {FILE_NAME} in the folders above the program or in the current one"
+        message = f"no {FILE_NAME} in the current folder or above the program"
         raise SourceError(
-            message, location=Location(str(output)), fix=f"make an empty {FILE_NAME} beside the source, or use --as user"
+            message, location=Location(str(output)), fix=f"create an empty {FILE_NAME} next to the source, or use --as user"
         )
     return next(folder for folder, kept in own_folders(beside).items() if kept == "project")
 

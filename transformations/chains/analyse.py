@@ -47,7 +47,7 @@ class Analysis(Struct, frozen=True):
                 lines.append(f"  platform symbols: {symbols}")
             for call in unit["unknown_calls"]:
                 adapter = call.get("adapter")
-                of = f"with an own adapter ({os.path.relpath(adapter)})" if adapter else "unknown"
+                of = f"with your adapter ({os.path.relpath(adapter)})" if adapter else "unknown"
                 lines.append(f"  {of}: {call['name']} ({call['count']} calls)")
         return lines
 

@@ -51,7 +51,7 @@ class Checked:
             return [f"{m['model']}: {m['elements']} elements, {m['constraints']} constraints" for m in self.models]
         if self.sound is None:
             known = ", ".join(registry().names(KIND))
-            return [f"no constraints are registered for this model; there are some for: {known}"]
+            return [f"no constraints for this model; known: {known}"]
         return [self.sound] if self.sound else []
 
 
@@ -82,7 +82,7 @@ def _checked(file: Path, metamodels: Sequence[Path]) -> Checked:
         made = render([file])
         odd = [*made.findings, *lint(file, load_metamodels([file]))]
         done.findings += odd  # whatever keeps a metamodel from being used is an error with all its reasons
-        done.sound = "" if odd else f"{file}: nothing is wrong with this metamodel ({made.classes} classes)"
+        done.sound = "" if odd else f"{file}: the metamodel is correct ({made.classes} classes)"
     if file.suffix != ".xmi":
         return _validated(done, [open_model(file)])
     root = next(iter(read_current(file, built_in(), inside=Path(os.path.realpath(file)).parent).values()))

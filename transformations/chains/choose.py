@@ -88,7 +88,7 @@ class Chosen(Generated):
         lines = [f"{identity} {would}{f'= {value}' if value else 'open again'}" for identity, value in self.chosen.items()]
         left = len(open_choices(self.models.plan))
         where = f" and in {self.updated_project}" if self.project is not None else ""
-        lines.append(f"{would}kept in the plan{where}; {left} choice{'s' * (left != 1)} open")
+        lines.append(f"{would}saved in the plan{where}; {left} choice{'s' * (left != 1)} open")
         return [*lines, *self.diff.splitlines()]
 
 
@@ -124,7 +124,7 @@ def choose(
     """
     folder = Path(output)
     if not (folder / STORED).is_file():
-        raise SourceError("this folder holds no plan", location=Location(str(folder)), fix="give the OUT of a migration")
+        raise SourceError("this folder has no plan", location=Location(str(folder)), fix="give the output folder of a migration")
     if any(name.startswith(ROLE) for name in answers):
         return _roles(folder, answers, seen=seen, dry_run=dry_run)
     if dry_run:
@@ -176,8 +176,8 @@ def _hold(folder: Path, data: bytes, seen: str | None) -> None:
     """
     if seen is not None and digest(data) != seen:
         raise StoppedError(
-            "the plan was changed since it was shown; nothing was chosen", location=Location(str(folder / STORED)),
-            fix="look at it as it is now, then choose again",
+            "the plan was changed elsewhere; nothing was decided", location=Location(str(folder / STORED)),
+            fix="check the updated plan, then choose again",
         )  # fmt: skip
 
 
@@ -198,16 +198,20 @@ def _roles(folder: Path, answers: Mapping[str, str], *, seen: str | None, dry_ru
         said: dict[str, str | None] = {}
         for identity, role in answers.items():
             if identity not in components:
-                raise UsageError(f"there is no component '{identity}'", fix="choose roles alone, by the ids that the plan has")
+                raise UsageError(
+                    f"unknown component '{identity}'", fix="choose roles in a command of their own, by the plan's ids"
+                )
             if role and role not in ROLES:
-                raise UsageError(f"'{role}' is no role{did_you_mean(role, ROLES)}", fix=f"use one of: {', '.join(ROLES)}")
+                raise UsageError(f"unknown role '{role}'{did_you_mean(role, ROLES)}", fix=f"use one of: {', '.join(ROLES)}")
             component = components[identity]
             names = (f"#{component.elementId}", str(component.title))
             said[names[1] if titles.count(names[1]) == 1 else names[0]] = role or None
         if place is None or run is None:
             entries = ", ".join(f'"{name}" = "{role}"' for name, role in said.items())
-            fix = f"write under [roles] in {FILE_NAME} beside the program: {entries}; then migrate again"
-            raise SourceError(f"a role is read with the drawing: {reason}", location=Location(str(folder / STORED)), fix=fix)
+            fix = f"write under [roles] in {FILE_NAME} next to the program: {entries}; then migrate again"
+            raise SourceError(
+                f"a role takes effect when the drawing is read: {reason}", location=Location(str(folder / STORED)), fix=fix
+            )
         known, project = load_project(place), place / FILE_NAME
         entries_now = {key_of(project, "roles", (name,), name): role for name, role in said.items()}
         change = changed_project(place, {"roles": entries_now})
@@ -269,7 +273,7 @@ def _library(plan: migration.MigrationPlan, name: str) -> Any:
     assert plan.board is not None
     facts = target_facts(plan.targetDescription.name if plan.targetDescription is not None else "")
     if not facts.libraries:
-        raise UsageError(f"a library is chosen, and the target '{facts.target}' has none", fix="choose none")
+        raise UsageError(f"the target '{facts.target}' has no libraries to choose", fix="choose: none")
     known = {str(library.name) for library in plan.target.libraries}
     models = LibraryModels(facts, plan.board)
     chosen = models.get(name)
@@ -303,9 +307,9 @@ def names_of(decision: migration.Decision) -> tuple[str, ...]:
 
 def _stays(folder: Path, reason: str, *, known: bool) -> Finding:
     """The finding that a choice is stored in the plan only; `known` if the project file is known but cannot be written."""
-    message = f"the choice is in the plan alone, not in {FILE_NAME}: {reason}"
+    message = f"the choice is saved only in the plan, not in {FILE_NAME}: {reason}"
     way = "make it writable and choose again" if known else "give --source FILE, or migrate again from the sources"
-    fix = f"{way}; the choice is taken over from the plan"
+    fix = f"{way}; the plan's choice is used"
     return Finding(STAYS, Severity.info, message, Location(str(folder / STORED)), fix=fix)
 
 

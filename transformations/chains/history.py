@@ -62,7 +62,7 @@ def import_history(history: History, path: Path) -> tuple[int, int]:
 def _form(path: Path) -> str:
     form = path.suffix.lower()
     if form not in FORMS:
-        raise UsageError(f"'{path.name}' ends in none of {', '.join(FORMS)}", fix="give the file one of these endings")
+        raise UsageError(f"'{path.name}' has none of the endings {', '.join(FORMS)}", fix="give the file one of these endings")
     return form
 
 
@@ -90,6 +90,6 @@ def model_to_history(root: object, location: Location | None = None) -> list[His
         SourceError: it is another model, or an entry is damaged.
     """
     if not isinstance(root, migration.EarlierChoices):
-        raise SourceError("this model is no history of choices", location=location, fix="take one that was exported")
+        raise SourceError("this model is not a library history", location=location, fix="use an exported file")
     values = ({name: getattr(choice, feature) or "" for name, feature in _FEATURES.items()} for choice in root.choices)
     return [entry_of(item, f"choice {number}", location) for number, item in enumerate(values, 1)]

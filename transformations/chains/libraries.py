@@ -76,7 +76,7 @@ class ShownLibrary(Struct, frozen=True):
             lines += [f"    {function.signature}" for function in header.functions]
             lines += [f"    enum {name}: {', '.join(values)}".replace("enum :", "enum:") for name, values in header.enums.items()]
             lines += [f"    {name} = {value}" for name, value in header.constants.items()]
-        return lines if self.api.headers else [*lines, "  nothing is known of what its headers declare"]
+        return lines if self.api.headers else [*lines, "  the declarations of its headers are unknown"]
 
 
 def show_library(name: str, platform: str) -> ShownLibrary:

@@ -160,13 +160,13 @@ def choices(
         UsageError: a library is chosen, and there is no drawing or the target has no libraries.
     """
     if libraries and not target.libraries:
-        raise UsageError(f"a library is chosen, and the target '{target.target}' has none", fix="leave out the choice")
+        raise UsageError(f"the target '{target.target}' has no libraries to choose", fix="remove the choice")
     said = {**settings.libraries, **libraries} if target.libraries else {}
     kept = (stored or NOTHING).libraries if target.libraries else {}
     places = settings.places("libraries", [name for name in settings.libraries if name not in libraries])
     made = UserLibraries(said, default_number("choices", "limit"), int(default_number("rank", "candidates")), kept, places)
     if made.libraries and drawing is None:
-        raise UsageError("a library is chosen for a component, but there is no drawing", fix="give --hardware SKETCH")
+        raise UsageError("a library is chosen for a component, but no drawing is given", fix="give --hardware SKETCH")
     return made
 
 
@@ -243,10 +243,10 @@ def models(
         places[drawing.given] = drawing.copy
         files.update(drawing.files)
     else:
-        message = "no drawing was given: ports and libraries stay open"
+        message = "no drawing given: ports and libraries stay open"
         findings.append(Finding("RS210", Severity.info, message, fix="give --hardware SKETCH"))
     if settings.libraries and not target.libraries:
-        message = f"the target '{target.target}' has no libraries: those of the project file are for other targets"
+        message = f"the target '{target.target}' has no libraries; the project file's libraries are for other targets"
         findings.append(Finding("RS412", Severity.info, message, Location(str(settings.path))))
     findings += lost_findings(widenings, list(program.program.units), program.copies)
     findings += text_findings(widenings, list(program.program.units), program.copies)

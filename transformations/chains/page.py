@@ -37,7 +37,7 @@ from robosmi.transformations.queries.reports.work import Work
 from robosmi.transformations.queries.reports.written_bodies import AS_BYTES, task_key, ticks, with_ticks
 
 SECTIONS = {
-    "works": "What works", "decide": "Decide", "write": "Write", "check": "Check", "code": "Side by side", "wiring": "Wiring",
+    "works": "What works", "decide": "Decide", "write": "Write", "check": "Check", "code": "Code", "wiring": "Wiring",
     "verdict": "Verdict", "history": "History",
 }  # fmt: skip
 """The sections in order, with their headings."""
@@ -138,28 +138,30 @@ class PlanPage:
         if what == "choose":
             identity, value, why = (str(about.get(name, "")) for name in ("id", "value", "why"))
             if not identity or max(len(identity), len(value), len(why)) > _LONGEST:
-                raise UsageError("this is no choice", fix="load the page again")
+                raise UsageError("not a choice of this plan", fix="load the page again")
             read = partial(self._read, now=shown)
             done = choose(self.output, {identity: value}, why=why, source=self.source, seen=shown, read=read)
             done.models.settled = True
             self._make(done.models, known=done.counted)
             alone = next((note.message for note in done.models.notes if note.rule == STAYS), "in the plan")
             where = f"in the plan and in {done.updated_project}" if done.project is not None else alone
-            return f"Saved: {identity} {f'= {value}' if value else 'is open again'}; {where}.", done.command, done.diff
+            return f"Saved {where}: {identity} {f'= {value}' if value else 'is open again'}.", done.command, done.diff
         with at_work(self.output):
             if self.now() != shown:
-                raise StoppedError("the plan was changed since it was shown; nothing was done", fix="look at it as it is now")
+                raise StoppedError(
+                    "the plan was changed elsewhere; nothing was done", fix="check the updated page, then try again"
+                )
             if what == "undo":
                 back = undo(self.output)
                 return (
-                    f"Undone: {len(back.restored) + len(back.removed)} files are as they were before.",
+                    f"Undone: {len(back.restored) + len(back.removed)} files restored.",
                     f"robosmi undo {self.output}",
                     "",
                 )
             if what == "tick":
                 self._tick(str(about.get("tick", "")), done=about.get("done") is True)
                 return "Saved in the plan and in MIGRATION.md.", "", ""
-        raise UsageError(f"the page asks for '{what}', which there is not", fix="load the page again")
+        raise UsageError(f"unknown request '{what}'", fix="load the page again")
 
     def _read(self, folder: Path, now: str) -> MigrationModels:
         """The models of a folder whose plan has this digest; cached by the page while the files are unchanged."""
@@ -180,7 +182,7 @@ class PlanPage:
         wanted = tuple(key.split(" ", 1))
         found = ticks(text)
         if all(tick.key != wanted for tick in found):
-            raise StoppedError(f"{REPORT} has no such line any more", fix="generate again")
+            raise StoppedError(f"{REPORT} no longer has this line", fix="generate again")
         ticked = {tick.key for tick in found if tick.done} - {wanted} | ({wanted} if done else set())
         update(self.output, {name: with_ticks(text, ticked).encode("utf-8", AS_BYTES)}, seen=places.seen)
         generate(self.output / STORED, self.output)
@@ -213,8 +215,8 @@ class PlanPage:
         }
         left, total, work = len(open_choices(plan)), len(choices(plan)), Work(plan)
         calls = work.calls["total"]
-        made = f"{total - left} of {total} choices made, {left} open" if total else "There is nothing to choose"
-        ready = f"{work.working} of {calls} calls are ready" if calls else "the program calls no function of its platform"
+        made = f"{total - left} of {total} decided, {left} open" if total else "No choices"
+        ready = f"{work.working} of {calls} calls are ready" if calls else "the program calls no platform function"
         self.facts = {
             "title": f"{plan.name}: moved to {plan.board.title if plan.board is not None else 'its target'}",
             "open": left, "decided": total - left,
@@ -272,7 +274,7 @@ def report_page(output: Path, nonce: str) -> str:
         SourceError, ModelError: it holds no plan, or one that cannot be read.
     """
     if not (output / STORED).is_file():
-        raise SourceError("this folder holds no plan", fix="give the OUT of a migration")
+        raise SourceError("this folder has no plan", fix="give the output folder of a migration")
     return PlanPage(output).document(live=False, nonce=nonce)
 
 

@@ -24,9 +24,9 @@ class PartsImport(Struct, frozen=True):
         """What a person reads."""
         roles = ", ".join(f"{role} {count}" for role, count in self.result["roles"].items())
         return [
-            f"{self.result['added']} parts to {self.path} ({self.result['repeated']} were there twice)",
+            f"{self.result['added']} parts to {self.path} ({self.result['repeated']} duplicates)",
             f"  roles: {roles}",
-            *(f"  of unknown role: {title or part_id} ({part_id})" for part_id, title in self.result["unknown"][:10]),
+            *(f"  unknown role: {title or part_id} ({part_id})" for part_id, title in self.result["unknown"][:10]),
         ]
 
 

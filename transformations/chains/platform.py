@@ -41,7 +41,7 @@ class PlatformImport(Struct, frozen=True):
         totals = self.result["totals"]
         lines = [f"{len(self.result['added'])} headers to {self.folder}: " + ", ".join(f"{totals[k]} {k}" for k in totals)]
         if self.result["missing"]:
-            lines.append(f"  included and not found: {', '.join(self.result['missing'][:10])}")
+            lines.append(f"  headers not found: {', '.join(self.result['missing'][:10])}")
         return [*lines, f"use it: --source-platform {self.result['platform']}"]
 
 
@@ -96,21 +96,17 @@ def import_platform(
 def _base(name: str, like: str | None) -> ApiIndex:
     own = resources.user_data() / "platform_repo" / name
     if not _NAME.fullmatch(name):
-        raise UsageError(f"'{name}' is no name for a platform", fix="use letters, digits, _ and -, a letter first")
+        raise UsageError(f"'{name}' is not a valid platform name", fix="use letters, digits, _ and -; start with a letter")
     if (resources.built_in("platform_repo") / name).exists():
-        raise UsageError(
-            f"'{name}' is a platform of robosmi itself", fix=f"give another name, and --like {name} for its settings"
-        )
+        raise UsageError(f"'{name}' is a built-in platform", fix=f"give another name, and --like {name} for its settings")
     if own.exists() and not (own / "api.json").is_file():
-        raise UsageError(f"'{name}' is taken: {own} holds other data", fix="give another name")
+        raise UsageError(f"'{name}' is taken: {own} has other data", fix="give another name")
     if like is None and (own / "platform.toml").is_file():
         return ApiIndex.load(name)  # as at the first import
     known = sorted({api.parent.name for place in resources.folders("platform_repo") for api in place.glob("*/api.json")})
     like = like or default_text("platform_import", "like")
     if like not in known or like == name:
-        raise UsageError(
-            f"there is no platform '{like}' to be like{did_you_mean(like, known)}", fix=f"use one of: {', '.join(known)}"
-        )
+        raise UsageError(f"--like: unknown platform '{like}'{did_you_mean(like, known)}", fix=f"use one of: {', '.join(known)}")
     return ApiIndex.load(like)
 
 
@@ -184,8 +180,8 @@ def _line(value: Any) -> str:
 
 
 def _findings(skipped: dict[str, str], missing: Sequence[str]) -> list[Finding]:
-    found = [Finding("RS110", Severity.info, f"left out: {why}", Location(path)) for path, why in sorted(skipped.items())]
+    found = [Finding("RS110", Severity.info, f"skipped: {why}", Location(path)) for path, why in sorted(skipped.items())]
     return found + [
-        Finding("RS111", Severity.info, f"a header includes {name}, which was not found", None, fix="give its folder with -I")
+        Finding("RS111", Severity.info, f"a header includes {name}, but it was not found", None, fix="give its folder with -I")
         for name in missing
     ]

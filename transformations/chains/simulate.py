@@ -62,7 +62,7 @@ class Simulated(Struct):
             found.append(
                 Finding(
                     CRASHED, Severity.error, f"the program crashed on the simulator at {self.trace.simulated_us / 1000:.1f} ms",
-                    fix="look for calls through pointers that hold no function, arrays that are left, and too little RAM",
+                    fix="look for calls through invalid pointers, writes outside arrays, and too little RAM",
                 )
             )  # fmt: skip
         return found
@@ -72,7 +72,8 @@ class Simulated(Struct):
         """The contract's part of the document."""
         trace = self.trace
         if trace is None:
-            return {"engine": None, "simulated_s": 0.0, "console": "", "events": [], "events_total": 0, "device_events": []}
+            nothing: dict[str, Any] = {"engine": None, "simulated_s": 0.0, "console": "", "events": [], "events_total": 0}
+            return {**nothing, "released": [], "device_events": []}
         events = _events(trace)
         return {
             "engine": trace.engine,
@@ -81,6 +82,7 @@ class Simulated(Struct):
             "console": trace.text,
             "events": events[:MOST_EVENTS],
             "events_total": len(events),
+            "released": _released(trace)[:MOST_EVENTS],
             "device_events": [
                 {"t_us": round(e.at_us, 3), "device": e.device, "what": e.what, "value": e.value}
                 for e in trace.device_events[:MOST_EVENTS]
@@ -95,9 +97,9 @@ class Simulated(Struct):
         lines = [f"{trace.simulated_us / 1e6:g} s on {trace.engine} ({self.compiled.board})"]
         names = [f"'{each.name}'" for each in self.compiled.libraries if each.source == STAND_IN]
         if names:
-            lines.append(f"  with stand-ins for libraries that are not installed here: {', '.join(names)}")
+            lines.append(f"  with stand-ins for missing libraries: {', '.join(names)}")
         if trace.state != "running":
-            lines.append("  the program stopped itself" if trace.state == "done" else "  the program crashed")
+            lines.append("  the program ended" if trace.state == "done" else "  the program crashed")
         if trace.text:
             lines += ["", "console:", *(f"  {_shown(line)}" for line in trace.text.splitlines())]
         titles = {port.target: port.title for port in self.ports if port.target}
@@ -110,7 +112,7 @@ class Simulated(Struct):
         told = _told_by_devices(trace, self.ports)
         lines += ["", "devices:", *told] if told else []
         if not trace.text and not changes:
-            lines.append("  it prints nothing and drives no pin")
+            lines.append("  no output and no driven pin")
         return lines
 
 
@@ -127,7 +129,7 @@ def _told_by_devices(trace: PinTrace, ports: list[BoundPort]) -> list[str]:
     lines = []
     for (number, what), event in last.items():
         title = ports[devices[number].ports[0]].title if number < len(devices) else f"device {number}"
-        lines.append(f"  {title}: {many[number, what]} x {what}, the last {event.value} at {event.at_us / 1000:.1f} ms")
+        lines.append(f"  {title}: {many[number, what]} x {what}, last {event.value} at {event.at_us / 1000:.1f} ms")
     return lines
 
 
@@ -141,6 +143,18 @@ def _events(trace: PinTrace) -> list[dict[str, Any]]:
         for w in trace.waves
     ]
     return [event for _, event in sorted(found, key=lambda each: each[0])]
+
+
+def _released(trace: PinTrace) -> list[dict[str, Any]]:
+    """Where the program stops driving a pin or changes its pull-up then, in order of time; for pins that it drove before."""
+    driven: set[str] = set()
+    found = []
+    for change in trace.changes:
+        if change.level in (0, 1):
+            driven.add(change.pin)
+        elif change.pin in driven:
+            found.append({"t_us": round(change.at_us, 3), "pin": change.pin, "pull_up": change.level == "p"})
+    return found
 
 
 def simulate(

@@ -130,15 +130,15 @@ def verify(
     """
     plan_file = adjacent_plan(output)
     if plan_file is None:
-        raise SourceError(f"there is no stored plan in {output}", fix="name the output folder of migrate, with its models")
+        raise SourceError(f"{output} has no plan", fix="give the output folder of migrate, with its models")
     models = stored_models(plan_file.parent.parent)
     plan = models.plan
     assert plan.program is not None
     assert plan.source is not None
     if not (plan_file.parent / FOLDER).resolve().is_relative_to(plan_file.parent.parent.resolve()):
         raise SourceError(
-            "the scenarios lie outside of the output folder, by a link", location=Location(str(plan_file.parent / FOLDER)),
-            fix="put a folder with copies of them there",
+            "the scenarios are outside the output folder, behind a link", location=Location(str(plan_file.parent / FOLDER)),
+            fix="copy them into the folder",
         )  # fmt: skip
     ports = bound_ports(plan, plan_file.parent)
     given = [read_scenario(path) for path in scenarios]
@@ -154,7 +154,7 @@ def verify(
         verdict.functions = {port.title: port.functions for port in ports}
         verdict.not_compared = [port.title for port in ports if port.line or not port.compared]
         verdict.why_not_compared = {
-            port.title: f"one pin of the original, {port.source}, is both this and {port.shares_with}"
+            port.title: f"the original uses {port.source} for both this and {port.shares_with}"
             for port in ports
             if port.shares_with
         }
@@ -177,12 +177,14 @@ def verify(
             verdict.reasons.append(f"the original cannot be run here: {error.message}{where}")
             return Verified(verdict, report)
         verdict.original = f"{program.model.title}, {program.compiler}"
+        called = {str(use.name) for use in plan.adapterUses}
+        verdict.not_compared += [what for what, functions in program.model.stored.items() if called.intersection(functions)]
         cases, made = _cases(
             program, ports, plan, given, plan_file.parent / FOLDER, seed if generate else None, verdict, budget_s
         )
         if verdict.racy and not made.new and not any(not runs.nondeterministic_channels for _, runs in cases):
-            verdict.reasons.append(f"no scenario is left: in all {verdict.racy} that were made the source differs from itself")
-        announce(f"run the migrated program in {len(cases)} scenario{'s' * (len(cases) != 1)}")
+            verdict.reasons.append(f"no test case is left: the original is not repeatable in all {verdict.racy} of them")
+        announce(f"run the migrated program in {len(cases)} test case{'s' * (len(cases) != 1)}")
         one_thread, at_rest = plan.concurrency is None, resting_pins(plan)
         compared = compare_scenarios(program, ports, cases, side, one_thread, at_rest, whole=vcd is not None)
         kept = compared.kept
@@ -195,7 +197,7 @@ def verify(
         if compared.undecided and verdict.verdict != DIFFERENT_VERDICT:
             raise compared.undecided[0]
         if cases and not kept:
-            verdict.reasons.append(f"no scenario is left: in all {verdict.racy} that were made the source differs from itself")
+            verdict.reasons.append(f"no test case is left: the original is not repeatable in all {verdict.racy} of them")
         if (found := verdict.first_difference) is not None:
             runs = kept[verdict.scenarios.index(found[0])].runs
             verdict.calls = calls_around(program, ports, found[0].scenario, runs, found[1])
@@ -215,7 +217,7 @@ def verify(
 
 def _too_big(report: CompileReport) -> str:
     fits = f"; it fits {report.fits_on}" if report.fits_on else ""
-    return f"the migrated program is too big for {report.board}, so that it was not run{fits}"
+    return f"the migrated program is too big for {report.board}, so it was not run{fits}"
 
 
 _RULES = {
@@ -225,7 +227,7 @@ _RULES = {
     NOT_COMPILED: ("RS853", migration.SeverityLevel.error),
 }
 _ADVICE = {
-    NO_DIFFERENCE: "look at the binding and the scenarios: what they do not show was not compared",
+    NO_DIFFERENCE: "check the pin assignment and the test cases; anything else was not compared",
     DIFFERENT_VERDICT: "see: robosmi verify",
     NOT_DECIDABLE: "see: robosmi verify",
     NOT_COMPILED: "see: robosmi compile",
@@ -287,7 +289,7 @@ def _cases(
     listed = given or [read_scenario(path, "stored") for path in sorted(stored.glob("*.toml"))]
     cases: list[Case] = []
     for number, scenario in enumerate(listed, 1):
-        announce(f"run the original in scenario {number} of {len(listed)}, again and again")
+        announce(f"run the original in test case {number} of {len(listed)} repeatedly")
         nominal = run_source(program, ports, scenario, LIMIT_S)
         cases.append((scenario, run_varied(program, ports, scenario, nominal, LIMIT_S)))
     made = _Made()

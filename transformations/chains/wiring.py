@@ -76,8 +76,8 @@ def wiring(output: Path, form: str, path: Path) -> Handed:
     else:
         if Path(os.path.realpath(path)).is_relative_to(os.path.realpath(output)):
             raise SourceError(
-                "the project would lie in the output folder of the migration, whose sketch it is not",
-                location=Location(str(path)), fix="give a folder beside it: -o PATH",
+                "the project would be inside the migration's output folder",
+                location=Location(str(path)), fix="give a folder next to it: -o PATH",
             )  # fmt: skip
         _check_free(path, made.files)
         update(path, made.files)
@@ -98,10 +98,8 @@ def _check_free(folder: Path, files: Mapping[str, bytes]) -> None:
                 f"the wiring cannot be written here: {error.strerror}", location=Location(str(folder / name))
             ) from error
         if there != data:
-            fix = "give another folder with -o, or move the file away"
-            raise StoppedError(
-                "a file of that name is there already, and it is another", location=Location(str(folder / name)), fix=fix
-            )
+            fix = "give another folder with -o, or move the file"
+            raise StoppedError("another file of that name exists", location=Location(str(folder / name)), fix=fix)
 
 
 # ---- forms
@@ -113,15 +111,15 @@ def wokwi(models: MigrationModels, output: Path, path: Path) -> Handed:
     drawn = wokwi_wiring(plan)
     source = Location(str(path))
     findings = [
-        Finding("RS536", Severity.warning, f"not in the diagram: {line}", source, fix="wire it by hand; Wokwi cannot show it")
+        Finding("RS536", Severity.warning, f"not in the diagram: {line}", source, fix="wire it by hand; Wokwi does not have it")
         for line in drawn.listed()
     ]
     if drawn.added:
-        message = f"{drawn.added} wires to supply and ground are added: the pin table says nothing of them"
+        message = f"{drawn.added} wires to supply and ground added; the pin table does not list them"
         findings.append(Finding("RS537", Severity.info, message, source))
     if drawn.loose:
-        message = f"one wire alone in the diagram: {', '.join(drawn.loose)}; the pin table does not say where their other ends go"
-        fix = "wire them in Wokwi; a button that reads high when it is pressed goes to the supply, and needs a resistor to ground"
+        message = f"only one wire in the diagram: {', '.join(drawn.loose)}; the pin table does not list their other connections"
+        fix = "wire them in Wokwi; connect a button that reads high when pressed to the supply, with a resistor to ground"
         findings.append(Finding("RS538", Severity.warning, message, source, fix=fix))
     sketch = _sketch(output, plan.name)
     files = project_files(drawn, sketch, project(plan)["libraries"], drawn.listed(), f"RoboSMi {__version__}")
@@ -145,7 +143,7 @@ def _sketch(output: Path, name: str) -> dict[str, bytes]:
         return {file: places.read(f"{name}/{file}") or b"" for file in files}
     except OSError as error:
         raise SourceError(
-            f"the sketch cannot be read: {error.strerror}", location=place, fix="make it again with generate"
+            f"the sketch cannot be read: {error.strerror}", location=place, fix="generate it again: robosmi generate"
         ) from error
 
 
@@ -174,4 +172,4 @@ def _connections(plan: migration.MigrationPlan) -> Sequence[migration.Connection
 
 
 def _no_drawing() -> SourceError:
-    return SourceError("the plan has no drawing, and so no wiring", fix="run migrate with --hardware SKETCH")
+    return SourceError("the plan has no drawing and thus no wiring", fix="run migrate with --hardware SKETCH")

@@ -43,14 +43,16 @@ def EndsBehindItsStart(x: ccode.Located) -> bool | Fail:
 
 
 @calls.constraint(
-    id="RS712", severity=Severity.warning, location=place, advice="give the call the arguments that the function takes",
+    id="RS712", severity=Severity.warning, location=place, advice="pass the arguments that the function takes",
     guard=lambda c: c.callee is not None and c.callee.definition and not c.callee.variadic and not c.viaMacro,
 )  # fmt: skip
 def PassesWhatIsTaken(c: ccode.Call) -> bool | Fail:
     """A call of a function of the program passes as many arguments as the function has parameters."""
     assert c.callee is not None
     given, taken = len(c.arguments), len(c.callee.parameters)
-    return given == taken or Fail(f"{c.calleeName} takes {taken} argument{'s' if taken != 1 else ''}, and is given {given}")
+    return given == taken or Fail(
+        f"{c.calleeName} takes {taken} argument{'s' if taken != 1 else ''}, but the call passes {given}"
+    )
 
 
 functions = code.context(ccode.Function, guard=has_external_linkage)
@@ -67,7 +69,7 @@ def IsDefinedOnce(f: ccode.Function) -> bool | Fail:
             if has_external_linkage(one):
                 known.setdefault(one.name, one)
     first = known.get(f.name, f)
-    return first is f or Fail(f"{f.name} is defined in {_unit(first)} already")
+    return first is f or Fail(f"{f.name} is already defined in {_unit(first)}")
 
 
 def _unit(element: ccode.Located) -> str:

@@ -17,13 +17,13 @@ from robosmi.validate import Fail
 units = moved.context(ccode.SourceUnit)
 
 
-@units.constraint(id="RS341", severity=Severity.warning, location=place, advice="give the argument in the call")
+@units.constraint(id="RS341", severity=Severity.warning, location=place, advice="add the argument to the call")
 def GivesItsArguments(unit: ccode.SourceUnit) -> bool | Fail:
     """No function is called with fewer arguments than it has parameters; the value of a missing one is undefined in C."""
     found = [*_short_calls(unit), *_short_calls_of_pointers(unit)]
     said = ", ".join(dict.fromkeys(f"'{name}'" for _, name in found))
     return not found or together(
-        f"calls give fewer arguments than {said} takes: the source leaves open what is found there, and it is 0 on the target",
+        f"calls pass fewer arguments than {said} takes: a missing one is undefined on the source and 0 on the target",
         [call for call, _ in found],
     )
 
@@ -45,17 +45,17 @@ def _short_calls_of_pointers(unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Cal
                 yield call, str(lacking[0].name)
 
 
-@units.constraint(id="RS344", severity=Severity.warning, location=place, advice="give it the value that the program needs")
+@units.constraint(id="RS344", severity=Severity.warning, location=place, advice="assign the value that the program needs")
 def GetsNoArguments(unit: ccode.SourceUnit) -> bool | Fail:
     """The main function uses no parameters: nothing on the target passes it arguments."""
     main = main_of(unit)
     used = [parameter for parameter in main.parameters if parameter.references] if main is not None else []
     names = " and ".join(f"'{parameter.name}'" for parameter in used)
     are = "are" if len(used) > 1 else "is"
-    return not used or together(f"{names} of main {are} 0 on the target, where nothing starts a program with arguments", used)
+    return not used or together(f"{names} of main {are} 0 on the target, where main gets no arguments", used)
 
 
-@units.constraint(id="RS343", severity=Severity.info, location=place, advice="take it out, or let what stands before it end")
+@units.constraint(id="RS343", severity=Severity.info, location=place, advice="remove it, or let the function return")
 def GetsThere(unit: ccode.SourceUnit) -> bool | Fail:
     """No code follows a call of a function that never returns."""
     unreached = Unreached(the_move().program.units)
@@ -63,6 +63,6 @@ def GetsThere(unit: ccode.SourceUnit) -> bool | Fail:
     called = (call.callee for _, before in found for call in all_of_kind(before, ccode.Call) if call.callee is not None)
     names = list(dict.fromkeys(f"'{function.name}'" for function in called if id(function) in unreached.endless))
     return not found or together(
-        f"nothing gets here, on the source neither: {' and '.join(names)} never return{'s' * (len(names) == 1)}",
+        f"this code never runs, on neither platform: {' and '.join(names)} never return{'s' * (len(names) == 1)}",
         [row for row, _ in found],
     )

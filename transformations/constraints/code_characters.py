@@ -25,7 +25,7 @@ comparisons = moved.context(ccode.Binary, guard=lambda b: b.operator in COMPARIS
 
 @comparisons.constraint(
     id="RS317", severity=Severity.warning, location=place,
-    advice="declare it as what it is meant to be: uint8_t or int8_t, or int where it can be -1",
+    advice="declare it as uint8_t or int8_t, or as int if it can be -1",
 )  # fmt: skip
 def ComparesAsBefore(b: ccode.Binary) -> bool | Fail:
     """No plain char is compared with a number that is in its range on only one of the platforms."""
@@ -57,9 +57,7 @@ def CountsAsBefore(unit: ccode.SourceUnit) -> bool | Fail:
     ]  # fmt: skip
     some += [a.right for a in view.of_kind(ccode.Assignment) if a.operator == "=" and _is_out(m, a.right) and _is_char(m, a.left)]
     found = sorted((e for e in some if e is not None), key=lambda e: e.startOffset)
-    return not found or together(
-        f"{len(found)} plain char{'s' * (len(found) > 1)} used as a number above 127 or below 0, perhaps", found
-    )
+    return not found or together(f"{len(found)} plain char{'s' * (len(found) > 1)} may have values above 127 or below 0", found)
 
 
 def _may_be_high(m: Move, expression: ccode.Expression | None) -> bool:

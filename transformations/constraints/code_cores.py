@@ -66,13 +66,13 @@ def _register(use: ccode.NameReference | ccode.MacroUse) -> Fail:
     m = the_move()
     meaning = m.register(use.name)
     said = f" ({meaning})" if meaning else ""
-    return Fail(f"{use.name} is a register of {m.source.name}{said}; nothing on the target follows its placeholder")
+    return Fail(f"{use.name} is a register of {m.source.name}{said}; its placeholder on the target has no effect")
 
 
 def _own_functions() -> str:
     """The advice for a register: use functions of the target, some of which are named."""
     some = ", ".join(the_move().target.pinFunctions)
-    return f"write what is meant with functions of the target{f' ({some} ...)' if some else ''}"
+    return f"replace it with functions of the target{f' ({some} ...)' if some else ''}"
 
 
 @references.constraint(
@@ -102,12 +102,12 @@ def RunsOnItsOwn(call: ccode.Call) -> bool | Fail:
     """The program starts no code on another core."""
     start = the_move().cores.starts[id(call)]
     what = f"'{start.function}'" if start.function else "code"
-    return Fail(f"{start.via} starts {what} on a core of its own; the target has one core")
+    return Fail(f"{start.via} starts {what} on its own core; the target has one core")
 
 
 @units.critique(
     id="RS325", info=True, location=place,
-    advice="measure the stacks on the board where they are tight; COG_STACK in adapters.h is what each has",
+    advice="measure the stacks on the board if memory is tight; COG_STACK in adapters.h sets their size",
 )  # fmt: skip
 def TakesNoTurns(unit: ccode.SourceUnit) -> bool | Fail:
     """The program starts no code that runs as a coroutine beside main."""
@@ -121,16 +121,18 @@ def TakesNoTurns(unit: ccode.SourceUnit) -> bool | Fail:
     chip = board.microcontroller if board is not None else None
     of = f" of {chip.ramBytes}" if chip is not None and chip.ramBytes else ""
     places = len({(change.unit, change.startOffset) for change in shared.changes if "yield" in change.replacement})
-    gives = f"; yield() was put into {places} place{'s' * (places != 1)} where the text waits without a call" if places else ""
+    gives = (
+        f"; yield() is inserted in {places} place{'s' * (places != 1)} where the program waits without a call" if places else ""
+    )
     turns = "take" if len(shared.functions) > 1 else "takes"
     return together(
         f"{names} {turns} turns with main: at most {shared.slots} at once, each with a stack of {shared.stackBytes} bytes "
-        f"({taken}{of} bytes of RAM); each runs until it waits, and the others stand still so long{gives}",
+        f"({taken}{of} bytes of RAM); while one is busy, the others stop{gives}",
         starts,
     )
 
 
-@units.critique(id="RS322", info=True, location=place, advice="do it in steps that do not wait")
+@units.critique(id="RS322", info=True, location=place, advice="split the wait into steps that do not block")
 def DoesNotWait(unit: ccode.SourceUnit) -> bool | Fail:
     """The main loop does not wait where other work has to go on meanwhile."""
     cores = the_move().cores
@@ -146,7 +148,7 @@ def DoesNotWait(unit: ccode.SourceUnit) -> bool | Fail:
         return True
     counted = Counter(str(w.calleeName) if isinstance(w, ccode.Call) else "a loop without a body" for w in waits)
     names = ", ".join(f"{name} ({count})" if count > 1 else name for name, count in counted.most_common())
-    return together(f"what is repeated for ever waits in {names}, while code on other cores has to go on", waits)
+    return together(f"the endless loop waits in {names} and stops the code of other cores meanwhile", waits)
 
 
 def _is_busy(element: Element) -> bool:
@@ -165,7 +167,7 @@ def _is_busy(element: Element) -> bool:
 
 @loops.constraint(
     id="RS323", severity=Severity.warning, location=place,
-    advice=lambda: f"let {the_move().loop} do the other work meanwhile, and test the condition each time",
+    advice=lambda: f"test the condition in each pass of {the_move().loop}, which also does the other work",
 )  # fmt: skip
 def EndsByItself(loop: ccode.Loop) -> bool | Fail:
     """No loop waits for a change that only code on another core can make."""
@@ -187,7 +189,7 @@ def EndsByItself(loop: ccode.Loop) -> bool | Fail:
     return ends or Fail(said, **{FLOW: (loop, *the_move().cores.way_to(waited[0]))})
 
 
-@units.critique(id="RS324", info=True, location=place, advice="nothing; or include it in the source, too")
+@units.critique(id="RS324", info=True, location=place, advice="nothing, or include it in the source")
 def IncludesWhatItUses(unit: ccode.SourceUnit) -> bool | Fail:
     """The program includes the standard headers that it uses, instead of getting them through a header of the platform."""
     m = the_move()
@@ -201,6 +203,6 @@ def IncludesWhatItUses(unit: ccode.SourceUnit) -> bool | Fail:
             first.setdefault(function.header, function.calls[0])
     said = [f"{', '.join(names[h])} (<{h}>)" for h in added if names[h]]
     return not said or together(
-        f"of the standard library are used and not included: {'; '.join(said)}; the {called(m.plan)} includes what they need",
+        f"the program does not include the headers of {'; '.join(said)}; the {called(m.plan)} includes them",
         sorted(first.values(), key=lambda e: int(e.startOffset)),
     )

@@ -26,7 +26,10 @@ shorter = moved.context(ccode.SourceUnit, guard=lambda _: (m := move()) is not N
 
 
 @units.constraint(
-    id="RS336", severity=Severity.warning, location=place, advice="keep the number in a variable, and give the variable's address"
+    id="RS336",
+    severity=Severity.warning,
+    location=place,
+    advice="store the number in a variable, and pass the variable's address",
 )
 def KeepsTheNumber(unit: ccode.SourceUnit) -> bool | Fail:
     """No number is stored in a pointer or an enumeration that is too narrow for it on the target."""
@@ -34,7 +37,7 @@ def KeepsTheNumber(unit: ccode.SourceUnit) -> bool | Fail:
     found = [*_in_pointers(m, unit), *_in_enumerations(m, unit)]
     said = ", ".join(dict.fromkeys(f"{value} in {what}" for _, value, what in found))
     return not found or together(
-        f"numbers are kept where the target has {m.there.pointer_bits} bits with a sign, and they do not fit: {said}",
+        f"numbers do not fit where the target has {m.there.pointer_bits} signed bits: {said}",
         [element for element, _, _ in found],
     )
 
@@ -66,7 +69,7 @@ def _in_enumerations(m: Move, unit: ccode.SourceUnit) -> Iterator[tuple[ccode.Lo
     id="RS338",
     severity=Severity.warning,
     location=place,
-    advice="see that about 7 digits are enough, or compute in whole numbers",
+    advice="check that about 7 digits are enough, or compute in whole numbers",
 )
 def KeepsItsPrecision(unit: ccode.SourceUnit) -> bool | Fail:
     """No long double is declared or measured that has fewer digits on the target."""
@@ -74,7 +77,7 @@ def KeepsItsPrecision(unit: ccode.SourceUnit) -> bool | Fail:
     uses = (use for use in m.view(unit).of_kind(ccode.TypeUse) if _is_long_double(use) and not use.pointerDepth)
     found = list(dict.fromkeys(one for use in uses if isinstance(one := use.eContainer(), ccode.Located)))
     here, there = _long_double(m)
-    return not found or together(f"long double has {there} bytes on the target, not {here}: numbers keep fewer digits", found)
+    return not found or together(f"long double has {there} bytes on the target, not {here}: numbers have fewer digits", found)
 
 
 def _long_double(m: Move) -> tuple[int, int]:
@@ -91,15 +94,15 @@ def _is_long_double(use: ccode.TypeUse) -> bool:
     id="RS339",
     severity=Severity.warning,
     location=place,
-    advice="hand over a smaller number, or keep it in a variable of 32 bits",
+    advice="pass a smaller number, or store it in a variable of 32 bits",
 )
 def TakesTheNumber(unit: ccode.SourceUnit) -> bool | Fail:
     """No number is passed to a function of the target's own library whose parameter is too narrow for it."""
     found = list(_handed(the_move(), unit))
     said = ", ".join(dict.fromkeys(f"{value} to {name}" for _, value, name in found))
     return not found or together(
-        f"numbers are handed to functions of the standard library that take {the_move().there.int_bits} bits on the target, "
-        f"and are cut: {said}",
+        f"numbers are too large for functions of the standard library that take {the_move().there.int_bits} bits on the target, "
+        f"which truncate them: {said}",
         [element for element, _, _ in found],
     )
 

@@ -26,7 +26,7 @@ calls = moved.context(
 
 @calls.constraint(
     id="RS316", severity=Severity.warning, location=place,
-    advice="cast the argument to what the text names: (int) for %d, (long) for %ld",
+    advice="cast the argument to the type in the format: (int) for %d, (long) for %ld",
 )  # fmt: skip
 def NamesWhatIsPassed(call: ccode.Call) -> bool | Fail:
     """Every integer argument is as wide as its conversion in the format says."""
@@ -39,7 +39,7 @@ def NamesWhatIsPassed(call: ccode.Call) -> bool | Fail:
     for (letters, wanted), value in zip(_conversions(m, text), values, strict=False):
         bits = _bits(m, value)
         if wanted and bits and bits != wanted:
-            wrong.append(f"{letters} takes {wanted} bits, but is given {bits}")
+            wrong.append(f"{letters} takes {wanted} bits, but gets {bits}")
     return not wrong or Fail(f"{call.calleeName}: on the target {'; '.join(wrong)}")
 
 

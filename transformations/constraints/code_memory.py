@@ -40,7 +40,7 @@ units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None and t
 
 @taking.constraint(
     id="RS332", severity=Severity.warning, location=place,
-    advice="take the memory once, before the loop, or declare an array; give it back with free() each time round otherwise",
+    advice="allocate the memory once before the loop, declare an array, or free it with free() in each pass",
 )  # fmt: skip
 def IsTakenOnce(call: ccode.Call) -> bool | Fail:
     """Heap memory that is allocated in each iteration of a loop is freed there."""
@@ -48,7 +48,7 @@ def IsTakenOnce(call: ccode.Call) -> bool | Fail:
     if loop is None:
         return True
     return Fail(
-        f"{call.calleeName} takes memory from the heap each time round the loop of line {loop.line}, which gives none back; "
+        f"{call.calleeName} allocates heap memory in each pass of the loop in line {loop.line}, which frees none; "
         f"the target has {_small()} bytes of RAM"
     )
 
@@ -70,7 +70,7 @@ def _gives_back(bodies: Iterable[ccode.Statement | None]) -> bool:
 
 @units.constraint(
     id="RS333", severity=Severity.warning, location=place,
-    advice="write and read the members one by one, or give the structure the members that fill the gaps",
+    advice="write and read the members one by one, or add members that fill the gaps",
 )  # fmt: skip
 def KeepsItsLayout(unit: ccode.SourceUnit) -> bool | Fail:
     """No structure with another layout on the target is treated as bytes, by its size or through a pointer."""
@@ -83,7 +83,45 @@ def KeepsItsLayout(unit: ccode.SourceUnit) -> bool | Fail:
     if not some:
         return True
     told = list(dict.fromkeys(sizes[id(record)] for _, record in found.values() if id(record) in sizes))
-    return together(f"what takes structures as bytes finds others on the target: {'; '.join(told)}", some)
+    return together(f"structures that the program treats as bytes have another layout on the target: {'; '.join(told)}", some)
+
+
+@units.constraint(
+    id="RS349", severity=Severity.warning, location=place,
+    advice="check what the program does with the number; write it out where the source's size is meant",
+)  # fmt: skip
+def KeepsItsSizes(unit: ccode.SourceUnit) -> bool | Fail:
+    """No number that the program computes is a size that differs on the target."""
+    found = {id(each): (each, said) for each in the_move().view(unit).of_kind(ccode.SizeOf) if (said := _differs(each))}
+    if not found:
+        return True
+    told = list(dict.fromkeys(said for _, said in found.values()))
+    return together(f"sizeof has another value on the target: {'; '.join(told)}", [each for each, _ in found.values()])
+
+
+def _differs(size: ccode.SizeOf) -> str:
+    """The message that a size differs between the platforms and is a number of the program; else empty."""
+    plan = the_move().plan
+    here, there = on_source(plan), on_target(plan)
+    use = size.measured if size.operand is None else named_type(size.operand)
+    if here is None or use is None or _is_amount(size):
+        return ""
+    if isinstance(size.operand, ccode.NameReference) and isinstance(size.operand.target, ccode.Parameter) and use.arrayDims:
+        return ""  # the type that is declared is not the one that is measured
+    before, after = here.of(use), there.of(use)
+    if before is None or after is None or before == after:
+        return ""
+    return f"{str(use.spelling).strip()} has {after} bytes, not {before}"
+
+
+def _is_amount(size: ccode.SizeOf) -> bool:
+    """Whether a size is an amount of memory or a divisor, which are right on each platform by themselves."""
+    parent = size.eContainer()
+    while isinstance(parent, ccode.Cast) or (isinstance(parent, ccode.Binary) and parent.operator in ("*", "+")):
+        parent = parent.eContainer()
+    if isinstance(parent, ccode.Binary) and parent.operator in ("/", "%"):
+        return True
+    return isinstance(parent, ccode.Call) and (parent.calleeName in TAKING or parent.calleeName in _COPYING | {"memset"})
 
 
 def _sizes(record: ccode.Record) -> str:

@@ -25,7 +25,10 @@ units = moved.context(ccode.SourceUnit, guard=lambda _: move() is not None)
 
 
 @units.constraint(
-    id="RS326", severity=Severity.warning, location=place, advice="correct the number; until then the call does nothing here"
+    id="RS326",
+    severity=Severity.warning,
+    location=place,
+    advice="correct the number; until then the call does nothing on the target",
 )
 def PortIsOfTheSource(u: ccode.SourceUnit) -> bool | Fail:
     """A number that is used as a port is a port of the source board."""
@@ -37,14 +40,16 @@ def PortIsOfTheSource(u: ccode.SourceUnit) -> bool | Fail:
     wrong += [use for use in negative_uses_of(view) if use.function not in _signed(m.plan)]
     numbers = sorted({use.pin for use in wrong if use.pin is not None})
     shown = numbers[:_SHOWN]
-    said = "; ".join(f"{number}, where functions that shift a bit by it act on port {number % count} there" for number in shown)
+    said = "; ".join(f"{number}; functions that shift a bit by it change port {number % count}" for number in shown)
     said += f"; and {len(numbers) - _SHOWN} more" * (len(numbers) > _SHOWN)
-    return not wrong or together(f"no port of the source (0 to {count - 1}) has this number: {said}", [u.call for u in wrong])
+    return not wrong or together(
+        f"the source has ports 0 to {count - 1} only, but the program uses {said}", [u.call for u in wrong]
+    )
 
 
 @units.constraint(
     id="RS327", severity=Severity.warning, location=place,
-    advice='bind those that it can be, --bind P4=PIN or [bind] P4 = "PIN"; the others do nothing',
+    advice='bind each port that it can be, with --bind P4=PIN or [bind] P4 = "PIN"; the others do nothing',
 )  # fmt: skip
 def PortsAreKnown(u: ccode.SourceUnit) -> bool | Fail:
     """The ports passed to a function or register are known statically, or a person has bound those computed at run time."""
@@ -54,7 +59,7 @@ def PortsAreKnown(u: ccode.SourceUnit) -> bool | Fail:
     names = ", ".join(dict.fromkeys(name for name, _ in found))
     places = [element for _, element in found]
     return not found or Fail(
-        f"only the running program knows which ports {names} are given ({in_lines(places)})", places=tuple(places)
+        f"the ports that the program passes to {names} are known only at run time ({in_lines(places)})", places=tuple(places)
     )
 
 
@@ -86,13 +91,13 @@ def PortsOfMacrosAreLookedUp(u: ccode.SourceUnit) -> bool | Fail:
     calls = [c for flow in the_move().plan.portFlows if lacks_pin(flow) for c in flow.calls]
     here = [c for c in calls if ancestor_of_kind(c, ccode.SourceUnit) is u]
     names = ", ".join(dict.fromkeys(f"'{call.calleeName}'" for call in here))
-    wrong = f"macros give {names} a port in a text that is more than a port, so that nothing can look it up"
-    return not here or Fail(f"{wrong}: they are given no pin ({in_lines(here)})", places=tuple(here))
+    wrong = f"macros pass {names} a port inside a longer text, so its pin cannot be looked up"
+    return not here or Fail(f"{wrong}: these calls get no pin ({in_lines(here)})", places=tuple(here))
 
 
 @units.constraint(
     id="RS328", severity=Severity.warning, location=place,
-    advice="call the function of the platform from a function of the program, and let the pointer point there",
+    advice="call the platform's function from a function of the program, and point to that function",
 )  # fmt: skip
 def PointersTellNumbersApart(u: ccode.SourceUnit) -> bool | Fail:
     """No pointer can hold both platform functions, which take target pins, and the program's, which take source numbers."""
@@ -100,5 +105,5 @@ def PointersTellNumbersApart(u: ccode.SourceUnit) -> bool | Fail:
     platform, own = pointed_functions(m.views)
     here = [reference for reference, view in platform if view.unit is u] if own else []
     names = ", ".join(dict.fromkeys(f"'{reference.name}'" for reference in here))
-    wrong = f"{names} may be called through a pointer with numbers of the source, which are other pins on the target"
+    wrong = f"a pointer may call {names} with numbers of the source, which are other pins on the target"
     return not here or Fail(f"{wrong} ({in_lines(here)})", places=tuple(here))

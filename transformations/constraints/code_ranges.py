@@ -18,7 +18,7 @@ calls = moved.context(ccode.Call, guard=lambda c: move() is not None and bool(_r
 
 @calls.constraint(
     id="RS334", severity=Severity.warning, location=place,
-    advice="give it another value, or write an adapter of your own that can do it",
+    advice="pass another value, or write your own adapter that supports it",
 )  # fmt: skip
 def AdapterServesTheValue(c: ccode.Call) -> bool | Fail:
     """The value of an argument is one that the adapter can handle."""
@@ -29,7 +29,7 @@ def AdapterServesTheValue(c: ccode.Call) -> bool | Fail:
         outside = sorted(n for n in _numbers(arguments[one.position], m) if not _serves(one, n))
         if outside:
             said = ", ".join(str(each) for each in outside)
-            return Fail(f"{c.calleeName} is given {said} for '{one.name}', {_said(one)}: {one.effect}", values=outside)
+            return Fail(f"{c.calleeName} gets {said} for '{one.name}', {_said(one)}: {one.effect}", values=outside)
     return True
 
 
@@ -56,8 +56,8 @@ def _serves(one: platform.ArgumentRange, number: int) -> bool:
 def _said(one: platform.ArgumentRange) -> str:
     """A value range in words."""
     if one.most == _MOST:
-        return f"and the target serves {one.least:,} and more"
-    return f"and the target serves {one.least:,} to {one.most:,}"
+        return f"but the target supports {one.least:,} and more"
+    return f"but the target supports {one.least:,} to {one.most:,}"
 
 
 _MOST = (1 << 31) - 1

@@ -37,7 +37,7 @@ enumerators = moved.context(
 operations = moved.context(ccode.Binary, guard=lambda b: (b.operator in ARITHMETIC or b.operator == ">>") and is_narrower())
 
 
-@units.critique(id="RS310", info=True, location=place, advice="use int32_t where values may pass 16 bits")
+@units.critique(id="RS310", info=True, location=place, advice="use int32_t where values may exceed 16 bits")
 def IsDeclaredInt(unit: ccode.SourceUnit) -> bool | Fail:
     """No variable, parameter or result of type int gets narrower."""
     m = the_move()
@@ -48,7 +48,7 @@ def IsDeclaredInt(unit: ccode.SourceUnit) -> bool | Fail:
     ]  # fmt: skip
     return not narrow or together(
         f"int has {m.here.int_bits} bits on {m.source.name} and {m.there.int_bits} on {m.target.name}: "
-        f"{len(narrow)} declaration(s) of type int are carried over as they are",
+        f"{len(narrow)} declaration(s) of type int are unchanged",
         [x for x in narrow if isinstance(x, ccode.Located)],
     )
 
@@ -74,7 +74,7 @@ def _is_far(reference: ccode.NameReference) -> bool:
 
 
 @macros.constraint(
-    id="RS313", severity=Severity.warning, location=place, advice="compute in 32 bits: add L to a number of the macro's text"
+    id="RS313", severity=Severity.warning, location=place, advice="compute in 32 bits: add L to a number in the macro's text"
 )
 def ExpandsWithinInt(reference: ccode.NameReference) -> bool | Fail:
     """The value of a macro fits the target's int in which it is computed."""
@@ -83,11 +83,11 @@ def ExpandsWithinInt(reference: ccode.NameReference) -> bool | Fail:
     narrow = value is not None and number is not None and number.bits == m.there.int_bits
     if not narrow or value is None or number is None or value.within(number.least, number.most) or _is_cut(m, reference):
         return True
-    return Fail(f"'{reference.name}' stands for {value.low} and is computed in {number.bits} bits on the target")
+    return Fail(f"'{reference.name}' stands for {value.low}, but the target computes it in {number.bits} bits")
 
 
 @macros.constraint(
-    id="RS311", severity=Severity.warning, location=place, advice="declare what it is stored in or compared with as int32_t"
+    id="RS311", severity=Severity.warning, location=place, advice="declare the other side, a variable or parameter, as int32_t"
 )
 def StandsForWhatFits(reference: ccode.NameReference) -> bool | Fail:
     """A macro's value is stored in, or compared with, a type that can hold it on the target."""
@@ -95,7 +95,7 @@ def StandsForWhatFits(reference: ccode.NameReference) -> bool | Fail:
 
 
 @enumerators.constraint(
-    id="RS311", severity=Severity.warning, location=place, advice="declare what it is stored in or compared with as int32_t"
+    id="RS311", severity=Severity.warning, location=place, advice="declare the other side, a variable or parameter, as int32_t"
 )
 def CountsWhatFits(reference: ccode.NameReference) -> bool | Fail:
     """An enumerator's value is stored in, or compared with, a type that can hold it on the target."""
@@ -103,7 +103,7 @@ def CountsWhatFits(reference: ccode.NameReference) -> bool | Fail:
 
 
 @literals.constraint(
-    id="RS311", severity=Severity.warning, location=place, advice="declare what it is stored in or compared with as int32_t"
+    id="RS311", severity=Severity.warning, location=place, advice="declare the other side, a variable or parameter, as int32_t"
 )
 def FitsWhereItGoes(literal: ccode.IntegerLiteral) -> bool | Fail:
     """A literal is stored in, or compared with, a type that can hold it on the target."""
@@ -146,9 +146,9 @@ def _goes(m: Move, top: ccode.Expression, parent: Element | None) -> tuple[Numbe
         and parent.right is top
         and parent.operator in ("=", "+=", "-=", "*=", "|=", "&=", "^=")
     ):
-        number, called = m.numbers.of(parent.left), "what it is assigned to,"
+        number, called = m.numbers.of(parent.left), "the variable"
     elif isinstance(parent, ccode.Cast):
-        number, called = m.numbers.of(parent), "the type it is converted to,"
+        number, called = m.numbers.of(parent), "the type of the cast"
     elif isinstance(parent, ccode.Call) and parent.callee is not None and parent.callee.definition:
         position = next((i for i, a in enumerate(parent.arguments) if a is top), -1)
         taken = parent.callee.parameters
@@ -158,7 +158,7 @@ def _goes(m: Move, top: ccode.Expression, parent: Element | None) -> tuple[Numbe
         other = parent.left if parent.right is top else parent.right
         known = m.ranges.of(other)
         if known is None or not known.given:
-            number, called = m.numbers.of(other), "the int that it is compared with,"
+            number, called = m.numbers.of(other), "the int of the comparison"
     narrow = number is not None and not number.real and number.bits == m.there.int_bits and not number.fixed
     return (number, called) if narrow and number is not None else None
 
@@ -188,9 +188,7 @@ def StaysWithinInt(b: ccode.Binary) -> bool | Fail:
     return (outer is not None and outer[0]) or Fail(found[1])
 
 
-@units.critique(
-    id="RS314", info=True, location=place, advice="use int32_t, or a cast of one operand, where values may pass 16 bits"
-)
+@units.critique(id="RS314", info=True, location=place, advice="use int32_t, or cast one operand, where values may exceed 16 bits")
 def MayPassInt(unit: ccode.SourceUnit) -> bool | Fail:
     """No sum, product or shift of values from inputs can exceed the target's int."""
     m = the_move()
@@ -199,8 +197,8 @@ def MayPassInt(unit: ccode.SourceUnit) -> bool | Fail:
     some += [a for a in view.of_kind(ccode.Assignment) if a.operator[:-1] in ARITHMETIC and _may_leave(m, a)]
     some.sort(key=lambda e: int(e.startOffset))
     return not some or together(
-        f"{len(some)} sum(s), product(s) or shift(s) of int may pass {m.there.int_bits} bits, by values that the text does "
-        "not give",
+        f"{len(some)} sum(s), product(s) or shift(s) of int may exceed {m.there.int_bits} bits with values that "
+        "only the running program knows",
         some,
     )
 
@@ -220,7 +218,7 @@ def _passes(m: Move, b: ccode.Binary) -> tuple[bool, str] | None:
     if amount is not None and amount.single and amount.low >= number.bits:
         if m.ranges.of(b.left) == (0, 0, True) or (b.operator == ">>" and _fits_already(m, b)):
             return None
-        return True, f"a shift by {amount.low} of an int of {number.bits} bits has no meaning on the target"
+        return True, f"a shift by {amount.low} of an int of {number.bits} bits is undefined on the target"
     value = m.ranges.of(b) if b.operator != ">>" else None
     if value is None or value.within(number.least, number.most) or _is_cut(m, b):
         return None
@@ -232,9 +230,9 @@ def _passes(m: Move, b: ccode.Binary) -> tuple[bool, str] | None:
         return None
     what = {"*": "product", "+": "sum", "-": "difference", "<<": "shift"}[b.operator]
     if value.single:
-        return value.given, f"the {what} is {value.low} and is computed in {number.bits} bits on the target"
+        return value.given, f"the {what} is {value.low}, but the target computes it in {number.bits} bits"
     far = value.high if value.high > number.most else value.low
-    return value.given, f"the {what} can reach {far} and is computed in {number.bits} bits on the target"
+    return value.given, f"the {what} can reach {far}, but the target computes it in {number.bits} bits"
 
 
 def _is_too_far(value: Range, number: Number) -> bool:
@@ -320,9 +318,7 @@ def _upwards(expression: Element) -> Iterator[tuple[Element, Element]]:
         one, parent = parent, parent.eContainer()
 
 
-@sizes.critique(
-    id="RS315", info=True, location=place, advice="check what the number of bytes is for: a file, a message, a memory"
-)
+@sizes.critique(id="RS315", info=True, location=place, advice="check what uses the number of bytes: a file, a message, a memory")
 def KeepsItsSize(unit: ccode.SourceUnit) -> bool | Fail:
     """No `sizeof` of a type that is smaller on the target is used in computations."""
     m = the_move()

@@ -61,10 +61,10 @@ def _has(w: Wiring, board: hardware.Component, alias: str) -> bool:
 def IsOnTheI2CPins(c: hardware.Component) -> bool | Fail:
     """A device on the I2C bus is on the pins SDA and SCL."""
     wrong = _astray(c, _I2C)
-    return not wrong or fault(c, f"'{who(c)}' has {listed(wrong)}, where the board has no I2C")
+    return not wrong or fault(c, f"'{who(c)}' has {listed(wrong)}, but the board has no I2C there")
 
 
-@devices.critique(id="RS247", location=drawing, advice="put a resistor of 4.7 kilo-ohms from SDA and from SCL to the supply")
+@devices.critique(id="RS247", location=drawing, advice="add a resistor of 4.7 kilo-ohms from SDA and from SCL to the supply")
 def BusIsPulledUp(c: hardware.Component) -> bool | Fail:
     """An I2C bus has pull-up resistors, its own or those of a module on it."""
     w = wiring_of(c)
@@ -76,7 +76,7 @@ def BusIsPulledUp(c: hardware.Component) -> bool | Fail:
             is_bare: bool = w.once(f"bare {line}", net, partial(_is_bare, w, net, line))
             if is_bare and w.pins_at(net):
                 bare.append(line.upper())
-    return not bare or fault(c, f"nothing pulls up {listed(bare)} of '{who(c)}'")
+    return not bare or fault(c, f"no pull-up resistor is on {listed(bare)} of '{who(c)}'")
 
 
 def _is_bare(w: Wiring, net: hardware.Net, line: str) -> bool:
@@ -89,7 +89,7 @@ def _pulled_up(w: Wiring, net: hardware.Net) -> bool:
     return any(other.rail and not w.is_ground(other) for other in w.beyond(net))
 
 
-@devices.critique(id="RS248", location=drawing, advice="change the address of one, by its address pins where it has some")
+@devices.critique(id="RS248", location=drawing, advice="change the address of one, with its address pins if it has them")
 def AddressIsItsOwn(c: hardware.Component) -> bool | Fail:
     """No two devices on one I2C bus have the same address."""
     w = wiring_of(c)
@@ -99,7 +99,7 @@ def AddressIsItsOwn(c: hardware.Component) -> bool | Fail:
     for net in lines(w, c, _I2C).get("sda", ()):
         first = w.once("addresses", net, partial(_addresses, w, net)).get(own, c) if not net.rail else c
         if first is not c:
-            return fault(c, f"'{who(first)}' and '{who(c)}' have the address 0x{own[0]:02X} on one bus")
+            return fault(c, f"'{who(first)}' and '{who(c)}' have the same address 0x{own[0]:02X} on one bus")
     return True
 
 
@@ -132,4 +132,4 @@ def _chooses(w: Wiring, connector: hardware.Connector) -> bool:
 def IsOnTheSpiPins(c: hardware.Component) -> bool | Fail:
     """A device on the SPI bus is on the pins MOSI, MISO and SCK."""
     wrong = _astray(c, _SPI)
-    return not wrong or fault(c, f"'{who(c)}' has {listed(wrong)}, where the board has no SPI")
+    return not wrong or fault(c, f"'{who(c)}' has {listed(wrong)}, but the board has no SPI there")

@@ -21,7 +21,7 @@ _DIODES = ("diode", "zener", "schottky", "rectifier")
 
 
 @devices.critique(
-    id="RS234", location=drawing, advice="put a resistor of 220 to 470 ohms in series",
+    id="RS234", location=drawing, advice="add a resistor of 220 to 470 ohms in series",
     guard=lambda c: wiring_of(c).facts(c).series_resistor,
 )  # fmt: skip
 def CurrentIsLimited(c: hardware.Component) -> bool | Fail:
@@ -35,7 +35,7 @@ def CurrentIsLimited(c: hardware.Component) -> bool | Fail:
     else:
         bare = len({net for _, net, stiff in ends if stiff}) > 1
     kind = w.facts(c).kind
-    return not bare or fault(c, f"nothing limits the current of the {kind} '{who(c)}': there is no resistor in series")
+    return not bare or fault(c, f"no resistor in series limits the current of the {kind} '{who(c)}'")
 
 
 def _gives_current(w: Wiring, component: hardware.Component, net: hardware.Net) -> bool:
@@ -49,7 +49,7 @@ def _gives_current(w: Wiring, component: hardware.Component, net: hardware.Net) 
 
 
 @devices.constraint(
-    id="RS251", location=drawing, advice="put a driver or a transistor between them",
+    id="RS251", location=drawing, advice="add a driver or a transistor between them",
     guard=lambda c: wiring_of(c).facts(c).needs_driver,
 )  # fmt: skip
 def HasADriver(c: hardware.Component) -> bool | Fail:
@@ -65,7 +65,7 @@ def HasADriver(c: hardware.Component) -> bool | Fail:
     ]
     kind = w.facts(c).kind
     return not pins or fault(
-        c, f"the {kind} '{who(c)}' is on {listed(pins)} without a driver; a pin cannot give its current", pins=", ".join(pins)
+        c, f"the {kind} '{who(c)}' is on {listed(pins)} without a driver; a pin cannot supply its current", pins=", ".join(pins)
     )
 
 
@@ -74,7 +74,7 @@ def _has_driver(w: Wiring, net: hardware.Net) -> bool:
 
 
 @devices.critique(
-    id="RS252", location=drawing, advice="put a diode across it, cathode at the supply",
+    id="RS252", location=drawing, advice="add a diode across it, cathode to the supply",
     guard=lambda c: wiring_of(c).facts(c).inductive,
 )  # fmt: skip
 def HasADiode(c: hardware.Component) -> bool | Fail:

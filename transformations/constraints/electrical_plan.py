@@ -131,12 +131,12 @@ def DoesNotDriveASensor(b: migration.PortBinding) -> bool | Fail:
         return True
     component, label = connection.component, connection.pin.label if connection.pin is not None else ""
     return fault(
-        component, f"the program drives the port '{b.name}' ({label}), where the sensor '{who(component)}' gives its signal"
+        component, f"the program drives the port '{b.name}' ({label}), but the sensor '{who(component)}' outputs its signal there"
     )
 
 
 @bindings.critique(
-    id="RS261", info=True, location=place, advice="nothing, if the sensor is read so", guard=lambda b: is_sensed(b.connection)
+    id="RS261", info=True, location=place, advice="nothing, if the sensor needs this", guard=lambda b: is_sensed(b.connection)
 )
 def OnlyListensToASensor(b: migration.PortBinding) -> bool | Fail:
     """A pin that is wired to a sensor's output is only read."""
@@ -150,7 +150,7 @@ def OnlyListensToASensor(b: migration.PortBinding) -> bool | Fail:
 
 
 @bindings.critique(
-    id="RS262", location=place, advice="draw what is there, or bind the port to the pin that is meant",
+    id="RS262", location=place, advice="draw the part there, or bind the port to another pin",
     guard=lambda b: b.connection is None and b.pin is not None and not of_own_serial_port(b),
 )  # fmt: skip
 def SomethingIsThere(b: migration.PortBinding) -> bool | Fail:
@@ -160,10 +160,10 @@ def SomethingIsThere(b: migration.PortBinding) -> bool | Fail:
     assert pin is not None
     if "LED_BUILTIN" in pin.aliases or any(c.pin is pin for c in plan.connections):
         return True
-    return Fail(f"the program uses the port '{b.name}' on {pin.label}, to which nothing is wired", pin=pin.label)
+    return Fail(f"the program uses the port '{b.name}' on {pin.label}, but nothing is wired there", pin=pin.label)
 
 
-@plans.constraint(id="RS267", location=place, advice="take a board with more pins, or let devices share a bus")
+@plans.constraint(id="RS267", location=place, advice="use a board with more pins, or let devices share a bus")
 def PinsAreEnough(p: migration.MigrationPlan) -> bool | Fail:
     """The board has as many pins as the program uses."""
     used = {b.sourcePin for b in p.portBindings if b.sourcePin >= 0}
@@ -171,10 +171,10 @@ def PinsAreEnough(p: migration.MigrationPlan) -> bool | Fail:
     if len(used) <= has:
         return True
     assert p.board is not None
-    return Fail(f"the program uses {len(used)} pins, {p.board.title or p.board.name} has {has}", used=len(used), has=has)
+    return Fail(f"the program uses {len(used)} pins, but {p.board.title or p.board.name} has {has}", used=len(used), has=has)
 
 
-@plans.constraint(id="RS268", location=place, advice="part the pins in the drawing, or bind one of the ports to another pin")
+@plans.constraint(id="RS268", location=place, advice="separate the pins in the drawing, or bind one of the ports to another pin")
 def WrittenPinsAreApart(p: migration.MigrationPlan) -> bool | Fail:
     """Pins that the program drives are not connected to each other."""
     w, board = wired(p), p.boardComponent
@@ -182,7 +182,7 @@ def WrittenPinsAreApart(p: migration.MigrationPlan) -> bool | Fail:
     for _, net in w.nets(board) if board is not None else ():
         labels = [label for owner, label in w.pins_at(net) if owner is board and label in written]
         if len(labels) > 1 and not net.rail:
-            return Fail(f"the program writes {listed(labels)}, which are joined in the drawing", pins=", ".join(labels))
+            return Fail(f"the program drives {listed(labels)}, which are joined in the drawing", pins=", ".join(labels))
     return True
 
 
@@ -198,7 +198,7 @@ def TimersAreNotShared(p: migration.MigrationPlan) -> bool | Fail:
     for timer in sorted({timer for timers, _ in users.values() for timer in timers}):
         sharing = [f"{name}{f' (when {when})' if when else ''}" for name, (timers, when) in users.items() if timer in timers]
         if len(sharing) > 1:
-            clashes.append(f"{timer} is taken by {listed(sharing)}")
+            clashes.append(f"{timer} is needed by {listed(sharing)}")
     return not clashes or Fail("; ".join(clashes))
 
 
@@ -233,13 +233,13 @@ def PwmIsNotTaken(p: migration.MigrationPlan) -> bool | Fail:
     """A device that needs PWM is not on a pin whose timer a library uses."""
     users = timer_users(p)
     lost = [
-        f"{c.pin.label} of '{who(c.component)}' ({name} takes {c.pin.timer})"
+        f"{c.pin.label} of '{who(c.component)}' ({name} uses {c.pin.timer})"
         for c in p.connections
         if c.pin is not None and c.component is not None and c.pin.timer and _wants_pwm(wired(p), c)
         for name, (timers, _) in users.items()
         if c.pin.timer in timers
     ]
-    return not lost or Fail(f"there is no PWM on {listed(lost)}")
+    return not lost or Fail(f"no PWM on {listed(lost)}")
 
 
 def _wants_pwm(w: Wiring, connection: migration.Connection) -> bool:
@@ -266,7 +266,7 @@ def PinsAreNotTaken(c: migration.LibraryChoice) -> bool | Fail:
         device = connection.component
         pin = connection.pin.label if connection.pin is not None else ""
         if pin in library.pins and device is not None and device not in own and connection.signal is not migration.Signal.bus:
-            return fault(device, f"{library.name}, chosen for {_for(c)}, takes {pin}, which '{who(device)}' is on", pin=pin)
+            return fault(device, f"{library.name}, chosen for {_for(c)}, uses {pin}, but '{who(device)}' is on that pin", pin=pin)
     return True
 
 
@@ -284,7 +284,7 @@ def SerialPinsAreFree(p: migration.MigrationPlan) -> bool | Fail:
         pin, component = connection.pin, connection.component
         if pin is not None and component is not None and pin.reserved and "uart" in pin.abilities:
             return fault(
-                component, f"the program talks over the serial port ({talking}), and '{who(component)}' is on {pin.label} of it",
+                component, f"the program uses the serial port ({talking}), but '{who(component)}' is on its pin {pin.label}",
                 pin=pin.label,
             )  # fmt: skip
     return True

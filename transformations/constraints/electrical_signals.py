@@ -24,7 +24,7 @@ devices = signals.context(
 )
 
 
-@nets.constraint(id="RS232", location=drawing, advice="give each a pin of its own")
+@nets.constraint(id="RS232", location=drawing, advice="give each its own pin")
 def HasOneSource(n: hardware.Net) -> bool | Fail:
     """A net is driven by one sensor at most."""
     w = wiring_of(n)
@@ -32,10 +32,10 @@ def HasOneSource(n: hardware.Net) -> bool | Fail:
     if len(set(driving)) < 2:
         return True
     names = listed([f"'{who(o)}'" for o in driving])
-    return fault(driving[1], f"the outputs of {names} are joined; they drive against each other")
+    return fault(driving[1], f"the outputs of {names} are joined and drive against each other")
 
 
-@nets.critique(id="RS233", location=drawing, advice="part them, unless the data sheet allows it")
+@nets.critique(id="RS233", location=drawing, advice="separate them, unless the data sheet allows it")
 def DriversAreApart(n: hardware.Net) -> bool | Fail:
     """Outputs of drivers are not connected to each other."""
     w = wiring_of(n)
@@ -48,8 +48,8 @@ def DriversAreApart(n: hardware.Net) -> bool | Fail:
 
 @devices.critique(
     id="RS256", location=drawing,
-    advice="put a resistor of 10 kilo-ohms from the pin to the other supply: a pull-up that the sketch sets does not stay, "
-    "since the program's functions that read the pin take it away, as there",
+    advice="add a resistor of 10 kilo-ohms from the pin to the other supply; an internal pull-up does not help, because the "
+    "program's functions that read the pin switch it off",
 )  # fmt: skip
 def IsHeldWhileOpen(c: hardware.Component) -> bool | Fail:
     """A pin that a switch connects to a supply has a defined level while the switch is open."""
@@ -58,7 +58,7 @@ def IsHeldWhileOpen(c: hardware.Component) -> bool | Fail:
     if w.facts(c).output != "contact" or len(rails) != 1:  # of two rails a change-over switch always joins its pin to one
         return True
     open_pins = [p.label for p in w.board_pins(c) if not w.once("held", p.net, partial(_is_held, w, p.net))]
-    message = f"nothing holds {listed(open_pins)} while '{who(c)}' is open" if open_pins else ""
+    message = f"no resistor holds {listed(open_pins)} while '{who(c)}' is open" if open_pins else ""
     return not open_pins or fault(c, message, pins=", ".join(open_pins))
 
 
@@ -88,7 +88,7 @@ def lacking(component: hardware.Component, ability: str, needs: Callable[[Wiring
     return [p.label for p in pins if p.net not in served and needs(w, p)]
 
 
-@devices.critique(id="RS240", location=drawing, advice="use an analogue input (A0 and on)")
+@devices.critique(id="RS240", location=drawing, advice="use an analogue input, such as A0")
 def IsMeasuredOnAnAnaloguePin(c: hardware.Component) -> bool | Fail:
     """An analogue voltage is on an analogue input."""
     given = wiring_of(c).facts(c).analog
@@ -100,16 +100,16 @@ def IsMeasuredOnAnAnaloguePin(c: hardware.Component) -> bool | Fail:
         return any_one or name in given or w.means(p.connector, "analog")
 
     pins = lacking(c, "analog_in", needs) if c.role is Role.Input else []
-    message = f"'{who(c)}' gives a voltage, and {listed(pins)} can only tell high from low" if pins else ""
+    message = f"'{who(c)}' has an analogue output, but {listed(pins)} can only read high or low" if pins else ""
     return not pins or fault(c, message, pins=", ".join(pins))
 
 
-@devices.critique(id="RS241", info=True, location=drawing, advice="use a pin with PWM if it is to be more than on or off")
+@devices.critique(id="RS241", info=True, location=drawing, advice="use a pin with PWM to dim it")
 def CanBeDimmed(c: hardware.Component) -> bool | Fail:
     """A device that is usually driven with PWM is on a pin with PWM."""
     wanted = "pwm" in wiring_of(c).facts(c).wants and c.role is Role.Output
     pins = lacking(c, "pwm", lambda w, p: wanted or (c.driver and w.means(p.connector, "pwm")))
-    return not pins or fault(c, f"'{who(c)}' can only be switched on {listed(pins)}, which has no PWM", pins=", ".join(pins))
+    return not pins or fault(c, f"'{who(c)}' can only be on or off, because {listed(pins)} has no PWM", pins=", ".join(pins))
 
 
 @devices.critique(id="RS242", info=True, location=drawing, advice="use a pin with an interrupt if edges must not be missed")
@@ -128,7 +128,7 @@ def CanInterrupt(c: hardware.Component) -> bool | Fail:
 def IsOnASerialPort(c: hardware.Component) -> bool | Fail:
     """A serial device is on the pins of a serial port."""
     pins = lacking(c, "uart", lambda w, p: w.means(p.connector, "uart"))
-    return not pins or fault(c, f"'{who(c)}' talks over {listed(pins)}, where the board has no serial port", pins=", ".join(pins))
+    return not pins or fault(c, f"'{who(c)}' needs a serial port, but {listed(pins)} has none", pins=", ".join(pins))
 
 
 @devices.constraint(id="RS244", location=drawing, advice="use a digital pin")
@@ -137,7 +137,7 @@ def PinCanWrite(c: hardware.Component) -> bool | Fail:
     if c.role is not Role.Output:
         return True
     pins = lacking(c, "digital", lambda w, p: p.connector.namedDirection is not hardware.NamedDirection.read)
-    return not pins or fault(c, f"'{who(c)}' is driven by {listed(pins)}, which can only measure", pins=", ".join(pins))
+    return not pins or fault(c, f"'{who(c)}' needs an output, but {listed(pins)} is only an analogue input", pins=", ".join(pins))
 
 
 @devices.critique(id="RS245", info=True, location=drawing, advice="use another pin if there is one free")
@@ -156,7 +156,7 @@ def _serial(w: Wiring, p: BoardPin) -> bool:
     return p.pin is not None and "uart" in p.pin.abilities and w.means(p.connector, "uart")
 
 
-@devices.critique(id="RS255", location=drawing, advice="put a level shifter or a voltage divider between them")
+@devices.critique(id="RS255", location=drawing, advice="add a level shifter or a voltage divider between them")
 def BearsTheSignals(c: hardware.Component) -> bool | Fail:
     """The pins of a board do not drive a device with a higher voltage than its inputs tolerate."""
     w = wiring_of(c)
@@ -167,7 +167,8 @@ def BearsTheSignals(c: hardware.Component) -> bool | Fail:
         model = w.board_model(p.board)
         if p.connector.kind is Kind.signal and model is not None and model.volts > most and not _gives(p.connector.name):
             return fault(
-                c, f"{p.label} drives {displayed_name(p.connector)} of '{who(c)}' with {model.volts:g} V; it bears {most:g} V"
+                c,
+                f"{p.label} drives {displayed_name(p.connector)} of '{who(c)}' with {model.volts:g} V; its maximum is {most:g} V",
             )
     return True
 

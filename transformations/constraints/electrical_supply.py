@@ -42,7 +42,7 @@ placed = supply.context(hardware.Component, guard=lambda c: c.circuit is not Non
 boards = supply.context(hardware.Component, guard=lambda c: c.circuit is not None and c.role is Role.Board)
 
 
-@nets.constraint(id="RS230", location=drawing, advice="take the wire away that joins them")
+@nets.constraint(id="RS230", location=drawing, advice="remove the wire that joins them")
 def SupplyIsApartFromGround(n: hardware.Net) -> bool | Fail:
     """A supply is not short-circuited to its ground."""
     sources = wiring_of(n).sources(n)
@@ -102,7 +102,7 @@ def _is_supplied(component: hardware.Component, kind: hardware.ConnectorKind) ->
     )
 
 
-@placed.critique(id="RS237", location=drawing, advice="wire it, or take it out of the drawing")
+@placed.critique(id="RS237", location=drawing, advice="wire it, or remove it from the drawing")
 def IsConnected(c: hardware.Component) -> bool | Fail:
     """A component is connected to something, unless nothing in the circuit is."""
     w = wiring_of(c)
@@ -136,7 +136,7 @@ def _leads_to(w: Wiring, net: hardware.Net, wanted: set[hardware.Net]) -> bool:
     return not wanted.isdisjoint(w.once("switched", net, find))
 
 
-@devices.constraint(id="RS239", location=drawing, advice="exchange the two wires, or look at the names of the connectors")
+@devices.constraint(id="RS239", location=drawing, advice="swap the two wires, or check the names of the connectors")
 def IsTheRightWayRound(c: hardware.Component) -> bool | Fail:
     """Ground and supply of a component are not swapped."""
     w = wiring_of(c)
@@ -145,10 +145,10 @@ def IsTheRightWayRound(c: hardware.Component) -> bool | Fail:
     wrong = any((w.volts(net) or 0) > 0 for net in grounds) and not any(w.is_ground(net) for net in grounds)
     if not wrong or (supplies and not any(w.is_ground(net) for net in supplies)):
         return True if not wrong else fault(c, f"the ground of '{who(c)}' is at a supply")
-    return fault(c, f"ground and supply of '{who(c)}' are exchanged" if supplies else f"the ground of '{who(c)}' is at a supply")
+    return fault(c, f"ground and supply of '{who(c)}' are swapped" if supplies else f"the ground of '{who(c)}' is at a supply")
 
 
-@boards.critique(id="RS250", location=drawing, advice="give them a supply of their own, and join its ground to the board's")
+@boards.critique(id="RS250", location=drawing, advice="give them their own supply, and join its ground to the board's")
 def BoardCanSupplyThem(b: hardware.Component) -> bool | Fail:
     """The devices supplied by a board need no more current than it can deliver."""
     w = wiring_of(b)
@@ -159,7 +159,7 @@ def BoardCanSupplyThem(b: hardware.Component) -> bool | Fail:
         if most is not None and sum(loads.values()) > most:
             names = listed([f"'{who(c)}'" for c in loads])
             total = sum(loads.values())
-            message = f"{names} may take {total} mA from the {volts:g} V of '{who(b)}', which gives about {most} mA"
+            message = f"{names} may draw {total} mA from the {volts:g} V of '{who(b)}', which supplies about {most} mA"
             return fault(b, message, needed_ma=total, given_ma=most)
     return True
 
@@ -183,23 +183,26 @@ def _is_fed_there(w: Wiring, component: hardware.Component, connector: hardware.
     return connector.kind is Kind.supply or any(c is connector for c, _ in w.terminals(component))
 
 
-@placed.constraint(id="RS253", location=drawing, advice="use the supply that it is made for, or a regulator")
+@placed.constraint(id="RS253", location=drawing, advice="use its rated supply, or a regulator")
 def BearsItsSupply(c: hardware.Component) -> bool | Fail:
     """The supply voltage of a component does not exceed its maximum."""
     for connector, volts, _, most in _supplied_with(c):
         if most is not None and volts > most:
             return fault(
-                c, f"'{who(c)}' bears {most:g} V at {displayed_name(connector)}, and is given {volts:g} V", volts=volts, most=most
+                c,
+                f"'{who(c)}' gets {volts:g} V at {displayed_name(connector)}; its maximum is {most:g} V",
+                volts=volts,
+                most=most,
             )
     return True
 
 
-@placed.critique(id="RS254", location=drawing, advice="use the supply that it is made for")
+@placed.critique(id="RS254", location=drawing, advice="use its rated supply")
 def SupplyIsEnough(c: hardware.Component) -> bool | Fail:
     """The supply voltage of a component is not below its minimum."""
     for connector, volts, least, _ in _supplied_with(c):
         if least is not None and 0 < volts < least:
-            message = f"'{who(c)}' needs {least:g} V at {displayed_name(connector)}, and is given {volts:g} V"
+            message = f"'{who(c)}' gets {volts:g} V at {displayed_name(connector)}; its minimum is {least:g} V"
             return fault(c, message, volts=volts, least=least)
     return True
 

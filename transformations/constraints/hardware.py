@@ -23,7 +23,7 @@ wires = circuit.context(hardware.Wire, guard=lambda w: w.net is not None)
 
 @components.critique(
     id="RS721", info=True, location=drawing, guard=lambda c: c.title != "" and c.role is not hardware.Role.Decoration,
-    advice="name it by its model index (#1014) in options, or give it a title of its own",
+    advice="name it by its model index (#1014) in options, or give it a unique title",
 )  # fmt: skip
 def TitleIsItsOwn(c: hardware.Component) -> bool | Fail:
     """A title identifies a single component, so that options can refer to it."""

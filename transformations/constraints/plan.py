@@ -37,8 +37,8 @@ def PinIsOfItsConnection(b: migration.PortBinding) -> bool | Fail:
     def follow() -> None:
         b.pin = connection.pin
 
-    wrong = f"the {named(b)} is bound to the connection {connection.name} and to another pin than its own"
-    return b.pin is connection.pin or Fail(wrong, Fix("take the pin of the connection", follow))
+    wrong = f"the {named(b)} is bound to the connection {connection.name}, but not to its pin"
+    return b.pin is connection.pin or Fail(wrong, Fix("use the pin of the connection", follow))
 
 
 @decisions.constraint(id="RS705", severity=Severity.warning)
@@ -55,10 +55,10 @@ def ConfidenceIsAShare(d: migration.Decision) -> bool | Fail:
 @decisions.critique(id="RS706", info=True, advice="choose with --bind or --library, in robosmi.toml, or in the plan")
 def IsDecided(d: migration.Decision) -> bool | Fail:
     """A choice has been made."""
-    return not d.open or Fail(f"nothing is chosen yet for the {named(d)}", options=", ".join(o.label for o in d.options))
+    return not d.open or Fail(f"no choice yet for the {named(d)}", options=", ".join(o.label for o in d.options))
 
 
-@plans.constraint(id="RS708", advice="correct the offsets, or make the plan again with migrate")
+@plans.constraint(id="RS708", advice="correct the offsets, or run migrate again")
 def ChangesDoNotCross(p: migration.MigrationPlan) -> bool | Fail:
     """Text changes do not overlap, and a change that a person added takes effect."""
     wrong: list[str] = []

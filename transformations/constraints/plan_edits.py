@@ -33,15 +33,15 @@ def refuse_nonsense(edited: migration.MigrationPlan) -> None:
     """
     faults = [f for f in edits.run(EmfModel(edited, name="plan")).findings() if f.severity is Severity.error]
     if faults:
-        more = f"; and {len(faults) - 1} more: robosmi check names them" if len(faults) > 1 else ""
+        more = f"; and {len(faults) - 1} more: robosmi check lists them" if len(faults) > 1 else ""
         raise ModelError(f"{faults[0].message} [{faults[0].rule}]{more}", location=faults[0].location, fix=faults[0].fix)
 
 
-@dispositions.constraint(id="RS701", advice="make the plan again with migrate")
+@dispositions.constraint(id="RS701", advice="run migrate again")
 def DecidesOnTheProgram(d: migration.Disposition) -> bool | Fail:
     """A decision about code refers to an element of the plan's program."""
     inside = d.element is not None and root_of(d.element) is plan_of(d).program
-    return inside or Fail(f"a decision ({d.action.name}, {', '.join(d.rules)}) is about nothing in the plan's program")
+    return inside or Fail(f"a decision ({d.action.name}, {', '.join(d.rules)}) refers to nothing in the plan's program")
 
 
 @bindings.constraint(
@@ -52,14 +52,18 @@ def PinIsOfTheBoard(b: migration.PortBinding) -> bool | Fail:
     pin, board = bound_pin(b), plan_of(b).board
     assert pin is not None
     assert board is not None
-    return pin.board is board or Fail(f"the {named(b)} is bound to {pin.label}, which is no pin of {board.title or board.name}")
+    return pin.board is board or Fail(
+        f"the {named(b)} is bound to {pin.label}, which is not a pin of {board.title or board.name}"
+    )
 
 
-@bindings.constraint(id="RS716", advice="give it the connection or the pin that is meant, too (plan.xmi), or use --bind")
+@bindings.constraint(id="RS716", advice="correct one of them in plan.xmi, or use --bind")
 def ChoiceIsWhatItRefersTo(b: migration.PortBinding) -> bool | Fail:
     """The recorded choice of a port agrees with the binding's reference, unless a person edited the reference."""
     now = referred(b) or "nothing"
-    return not only_the_choice_was_edited(b) or Fail(f"the choice of the {named(b)} says {b.choice}, and it is bound to {now}")
+    return not only_the_choice_was_edited(b) or Fail(
+        f"the choice of the {named(b)} is {b.choice}, but the plan binds it to {now}"
+    )
 
 
 @uses.constraint(id="RS717", guard=lambda u: u.adapter is not None, advice="give it the adapter of its function, or none")
@@ -68,25 +72,27 @@ def AdapterIsOfItsFunction(u: migration.AdapterUse) -> bool | Fail:
     adapter = u.adapter
     assert adapter is not None
     own = adapter.name == u.name or any(function is u.function for function in adapter.functions)
-    return own or Fail(f"the adapter of '{u.name}' is one for '{adapter.name}'")
+    return own or Fail(f"'{u.name}' has the adapter of '{adapter.name}'")
 
 
-@uses.constraint(id="RS718", advice="leave one of them")
+@uses.constraint(id="RS718", advice="keep one of them")
 def FunctionIsAdaptedOnce(u: migration.AdapterUse) -> bool | Fail:
     """A function of the source platform has a single adapter use."""
     first = next(other for other in plan_of(u).adapterUses if other.name == u.name)
     return first is u or Fail(f"the plan has two adapter uses of '{u.name}'")
 
 
-@bindings.constraint(id="RS719", guard=lambda b: b.sourcePin >= 0, advice="correct its number, or make the plan again")
+@bindings.constraint(id="RS719", guard=lambda b: b.sourcePin >= 0, advice="correct its number, or run migrate again")
 def NumberIsAPort(b: migration.PortBinding) -> bool | Fail:
     """The number of a port is below the source platform's number of ports."""
     source = plan_of(b).source
     count = source.portCount if source is not None else 0
-    return not count or b.sourcePin < count or Fail(f"the {named(b)} has the number {b.sourcePin}, of 0 to {count - 1}")
+    return (
+        not count or b.sourcePin < count or Fail(f"the {named(b)} has the number {b.sourcePin}; the source has 0 to {count - 1}")
+    )
 
 
-@plans.constraint(id="RS709", advice="correct the offsets, or make the plan again with migrate")
+@plans.constraint(id="RS709", advice="correct the offsets, or run migrate again")
 def ChangesAreInTheirUnits(p: migration.MigrationPlan) -> bool | Fail:
     """The byte range of each text change is inside its unit."""
     wrong = [
@@ -99,7 +105,7 @@ def ChangesAreInTheirUnits(p: migration.MigrationPlan) -> bool | Fail:
 
 @uses.constraint(
     id="RS728", guard=lambda u: u.adapter is not None and bool(u.adapter.pins),
-    advice="put the flow back (portFlows), or make the plan again with migrate",
+    advice="restore the flow (portFlows), or run migrate again",
 )  # fmt: skip
 def CallsAreInAFlow(u: migration.AdapterUse) -> bool | Fail:
     """Each call of an adapter that takes pins belongs to a port flow, which says whether its numbers are ports or pins."""
@@ -112,14 +118,14 @@ def CallsAreInAFlow(u: migration.AdapterUse) -> bool | Fail:
 @libraries.critique(
     id="RS729",
     guard=lambda c: bool(c.choice and c.chosen),
-    advice="correct the one that is not meant (plan.xmi), or use --library",
+    advice="correct one of them in plan.xmi, or use --library",
 )
 def LibraryIsTheOneThatIsRecorded(c: migration.LibraryChoice) -> bool | Fail:
     """The recorded choice of a library agrees with the library that is referred to, if both are given."""
     assert c.chosen is not None
     now = str(c.chosen.name)
     return str(c.choice).lower() == now.lower() or Fail(
-        f"the choice of the {named(c)} says {c.choice}, and it is {now}: that counts"
+        f"the choice of the {named(c)} is {c.choice}, but the plan has {now}, which counts"
     )
 
 
@@ -128,4 +134,6 @@ def LibraryIsOfTheTarget(c: migration.LibraryChoice) -> bool | Fail:
     """A chosen library belongs to the plan's target platform."""
     target, chosen = plan_of(c).target, c.chosen
     assert chosen is not None
-    return chosen.eContainer() is target or Fail(f"the {named(c)} is {chosen.name}, which is none of the target platform")
+    return chosen.eContainer() is target or Fail(
+        f"the {named(c)} is {chosen.name}, which is not a library of the target platform"
+    )

@@ -97,7 +97,7 @@ def PinIsBoundOnce(b: migration.PortBinding) -> bool | Fail:
 @bindings.constraint(
     id="RS731",
     severity=Severity.warning,
-    advice="bind both names to one pin",
+    advice="bind both names to one pin if they belong together",
     guard=lambda b: b.sourcePin >= 0 and _on_one_pin(b),
 )
 def PortIsOnOnePin(b: migration.PortBinding) -> bool | Fail:
@@ -109,8 +109,8 @@ def PortIsOnOnePin(b: migration.PortBinding) -> bool | Fail:
             assert pin is not None
             assert there is not None
             return Fail(
-                f"P{b.sourcePin} is on two pins, the {named(other)} on {there.label} and the {named(b)} on {pin.label}; "
-                "what happens at one does not reach the other",
+                f"the original uses P{b.sourcePin} for the {named(other)} and the {named(b)}; they are now on separate pins, "
+                f"{there.label} and {pin.label}",
                 pin=pin.label,
             )
     return True
@@ -121,7 +121,7 @@ def _on_one_pin(b: migration.PortBinding) -> bool:
     return bound_pin(b) is not None and b.answer is None
 
 
-@bindings.constraint(id="RS714", guard=lambda b: bool(plan_of(b).portFlows), advice="leave one of them, or migrate again")
+@bindings.constraint(id="RS714", guard=lambda b: bool(plan_of(b).portFlows), advice="keep one of them, or migrate again")
 def PortIsDecidedOnce(b: migration.PortBinding) -> bool | Fail:
     """A port of the source, identified by its number or, if conventional, by its name, has a single binding."""
     for other in _before(b):
@@ -141,12 +141,12 @@ def SerialLineIsFree(b: migration.PortBinding) -> bool | Fail:
     assert pin is not None
     if talking is None or not pin.reserved or "uart" not in pin.abilities:
         return True
-    return Fail(f"the {named(b)} is on {pin.label} of the serial line that the program talks over ({talking})", pin=pin.label)
+    return Fail(f"the {named(b)} is on {pin.label}, a pin of the serial port that the program uses ({talking})", pin=pin.label)
 
 
 @bindings.constraint(
     id="RS725", severity=Severity.warning, guard=lambda b: bound_pin(b) is not None,
-    advice="take a sensor with one signal wire, join both wires as its maker allows, or write the body for two pins",
+    advice="use a sensor with one signal wire, join both wires if its data sheet allows it, or write the body for two pins",
 )  # fmt: skip
 def WireIsTheOneOfTheComponent(b: migration.PortBinding) -> bool | Fail:
     """A function that sends and receives on one wire is used with a component that answers on the same wire."""
@@ -177,15 +177,13 @@ def PinDoesWhatIsAsked(b: migration.PortBinding) -> bool | Fail:
     assert pin is not None
     for name, capability in requested_functions(b):
         if capability is platform.PinCapability.pwm and "pwm" not in pin.abilities:
-            return Fail(
-                f"{name} needs PWM, and the {named(b)} is on {pin.label}, which has none: it is switched at half", pin=pin.label
-            )
+            return Fail(f"{pin.label} of the {named(b)} has no PWM, so {name} only switches it on or off", pin=pin.label)
         if capability is platform.PinCapability.analog and "analog_in" not in pin.abilities:
-            return Fail(f"{name} measures a voltage, and the {named(b)} is on {pin.label}, which cannot", pin=pin.label)
+            return Fail(f"{name} measures a voltage, but {pin.label} of the {named(b)} cannot", pin=pin.label)
         takers = [use.name for use in plan_of(b).adapterUses if use.name != name and pin.timer in _timers(use)]
         if capability is platform.PinCapability.pwm and pin.timer and takers:
-            taken = f"{pin.timer}, which {takers[0]} takes"
-            return Fail(f"{name} needs the PWM of {pin.label} for the {named(b)}, which comes from {taken}", pin=pin.label)
+            message = f"{name} needs the PWM of {pin.label} for the {named(b)}, but {takers[0]} uses its timer {pin.timer}"
+            return Fail(message, pin=pin.label)
     return True
 
 
@@ -221,7 +219,7 @@ def _timers(use: migration.AdapterUse) -> set[str]:
 
 @uses.constraint(
     id="RS730", severity=Severity.warning, guard=lambda u: u.adapter is not None,
-    advice="bind the port to the pin where such a part is wired, or take the calls out",
+    advice="bind the port to the pin where such a part is wired, or remove the calls",
 )  # fmt: skip
 def WhatIsAskedIsWired(u: migration.AdapterUse) -> bool | Fail:
     """A function does not read a sensor that a person declared as not wired."""
@@ -232,13 +230,13 @@ def WhatIsAskedIsWired(u: migration.AdapterUse) -> bool | Fail:
     known = f"; its adapter {'; '.join(str(limit) for limit in u.adapter.limits)}" if u.adapter.limits else ""
     count = len(u.calls) + len(MacroCalls(plan_of(u)).of(u))
     return Fail(
-        f"'{u.name}' ({count} call{'s' * (count != 1)}) needs what {names} tell{'s' * (len(missing) == 1)}, "
-        f"which {'is' if len(missing) == 1 else 'are'} not wired{known}"
+        f"'{u.name}' ({count} call{'s' * (count != 1)}) reads {names}, "
+        f"but {'it is' if len(missing) == 1 else 'they are'} not wired{known}"
     )
 
 
 @worded_bindings.constraint(
-    id="RS727", severity=Severity.warning, advice="see whether another connection is meant",
+    id="RS727", severity=Severity.warning, advice="check whether another connection is intended",
     guard=lambda b: b.chosenBy is migration.ChosenBy.person and b.connection is not None and b.connection.component is not None,
 )  # fmt: skip
 def ComponentIsWhatTheProgramExpects(b: migration.PortBinding) -> bool | Fail:
@@ -248,10 +246,10 @@ def ComponentIsWhatTheProgramExpects(b: migration.PortBinding) -> bool | Fail:
     assert connection.component is not None
     title, kinds = connection.component.title, kinds_of(connection)
     if b.role and kinds and b.role not in kinds:
-        return Fail(f"the {named(b)} is bound to '{title}' ({', '.join(sorted(kinds))}), and its functions expect: {b.role}")
+        return Fail(f"the {named(b)} is bound to '{title}' ({', '.join(sorted(kinds))}), but its functions expect: {b.role}")
     reads = b.origin != "convention" and b.signal is not migration.Signal.write and connection.signal is migration.Signal.write
     silent = reads and connection.component.role is hardware.Role.Output
-    return not silent or Fail(f"the program reads the {named(b)}, and '{title}' there tells nothing")
+    return not silent or Fail(f"the program reads the {named(b)}, but '{title}' there has no output")
 
 
 def _on_one_wire(adapter: platform.Adapter) -> bool:
@@ -262,9 +260,7 @@ def _wire(connection: migration.Connection) -> str:
     return next(iter(displayed_names(connection.connectors)), str(connection.name))
 
 
-@connections.critique(
-    id="RS724", info=True, advice="see whether the drawing says what is meant; bind ports by the mapping's name"
-)
+@connections.critique(id="RS724", info=True, advice="check that the drawing is right; bind ports by the mapping's name")
 def PinReachesOneComponent(c: migration.Connection) -> bool | Fail:
     """A pin that is not a bus reaches one component; with several, a port bound to the pin is named after the first."""
     titles = _on_pin(c)
@@ -274,7 +270,7 @@ def PinReachesOneComponent(c: migration.Connection) -> bool | Fail:
     return Fail(f"pin {c.pin.label} reaches {len(titles)} components: {', '.join(titles)}", pin=c.pin.label)
 
 
-@connections.constraint(id="RS715", severity=Severity.warning, advice="see whether the drawing says what is meant")
+@connections.constraint(id="RS715", severity=Severity.warning, advice="check that the drawing is right")
 def PinReachesFewComponents(c: migration.Connection) -> bool | Fail:
     """A pin that is not a bus reaches two components at most."""
     titles = _on_pin(c)

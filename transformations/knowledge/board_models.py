@@ -71,7 +71,7 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
     path = board_file(name, project)
     if path is None:
         known = board_names(project)
-        raise UsageError(f"no board is called '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(known)}")
+        raise UsageError(f"unknown board '{name}'{did_you_mean(name, known)}", fix=f"use one of: {', '.join(known)}")
     table = table_of(path)
     check_keys(table, (*_BOARD_KEYS, *_MAPPING_KEYS))
     chip = load_microcontroller(table.text("mcu"), project, table)
@@ -82,7 +82,7 @@ def load_board(name: str, project: Path | None = None) -> platform.Board:
     check_names(pins, table)
     labels = [pin.label for pin in pins]
     if (led := table.text("led", "")) and led not in labels:
-        raise table.error("led", f"is '{led}', which is no pin of this board{did_you_mean(led, labels)}")
+        raise table.error("led", f"is '{led}', which is not a pin of this board{did_you_mean(led, labels)}")
     return platform.Board(
         name=path.stem,
         title=table.text("title", path.stem),
@@ -99,7 +99,7 @@ def _boot_loader(entry: DataTable) -> platform.BootLoader:
     check_keys(entry, _BOOT_LOADER_KEYS)
     bauds = list(entry.numbers("bauds"))
     if not bauds or min(bauds) <= 0:
-        raise entry.error("bauds", "must hold one baud rate or more")
+        raise entry.error("bauds", "must have one baud rate or more")
     return platform.BootLoader(
         programmer=entry.text("programmer"),
         bauds=bauds,
@@ -120,7 +120,7 @@ def check_keys(table: DataTable, known: Sequence[str]) -> None:
     """Refuse an unknown key (PlatformDataError), which would be ignored silently."""
     for key in table.values:
         if key not in known:
-            raise table.error(key, f"is no key of it{did_you_mean(key, known)}")
+            raise table.error(key, f"is not a key of it{did_you_mean(key, known)}")
 
 
 def _pin(entry: DataTable, timers: Sequence[str]) -> platform.Pin:
@@ -134,9 +134,9 @@ def _pin(entry: DataTable, timers: Sequence[str]) -> platform.Pin:
         if ability not in ABILITIES:
             raise entry.error("abilities", f"has '{ability}', which is none of: {', '.join(ABILITIES)}")
     if (timer := entry.text("timer", "")) and timer not in timers:
-        raise entry.error("timer", f"is '{timer}', which is no timer of the microcontroller: {', '.join(timers)}")
+        raise entry.error("timer", f"is '{timer}', which is not a timer of the microcontroller: {', '.join(timers)}")
     if (channel := entry.text("channel", "")) not in (CHANNELS if timer else ("",)):
-        known = f"which is none of: {', '.join(CHANNELS)}" if timer else "and the pin has no timer"
+        known = f"which is none of: {', '.join(CHANNELS)}" if timer else "but the pin has no timer"
         raise entry.error("channel", f"is '{channel}', {known}")
     return platform.Pin(
         label=entry.text("label"),
@@ -162,7 +162,7 @@ def load_microcontroller(name: str, project: Path | None = None, named_in: DataT
     """
     if (path := _chip_file(name, project)) is None:
         known = sorted({file.stem for folder in folders(KIND, project) for file in (folder / "mcus").glob("*.toml")})
-        problem = f"is '{name}', a microcontroller of which nothing is known{did_you_mean(name, known)}"
+        problem = f"is '{name}', an unknown microcontroller{did_you_mean(name, known)}"
         raise named_in.error("mcu", problem) if named_in is not None else PlatformDataError(f"'mcu' {problem}")
     table = table_of(path)
     check_keys(table, OF_MICROCONTROLLERS)
@@ -209,7 +209,7 @@ def _chip_file(name: str, project: Path | None) -> Path | None:
 def _signature(table: DataTable) -> str:
     signature = table.text("signature", "").lower()
     if signature and not re.fullmatch("[0-9a-f]{6}", signature):
-        raise table.error("signature", f"must be six hexadecimal digits, it is '{signature}'")
+        raise table.error("signature", f"must be six hexadecimal digits, but is '{signature}'")
     return signature
 
 
@@ -243,7 +243,7 @@ def load_mapping(platform_name: str, board: platform.Board, project: Path | None
     for key, named in (("literals", list(literals)), ("interrupts", list(interrupts))):
         for label in named:
             if table is not None and label not in labels:
-                raise table.error(f"{key}.{label}", f"is no pin of this board{did_you_mean(label, labels)}")
+                raise table.error(f"{key}.{label}", f"is not a pin of this board{did_you_mean(label, labels)}")
     rules = _literal_rules(platform_name, project)
     return platform.BoardMapping(
         board=board,
@@ -281,7 +281,7 @@ def _check_mapping(table: DataTable, platform_name: str, board: str, project: Pa
                 if full_name in (theirs.text("fqbn", ""), *theirs.texts("fqbn_also", ())):
                     nearer = next(f for f in folders(KIND, project) if table.path.is_relative_to(f) or other.is_relative_to(f))
                     own, far = (table, other) if table.path.is_relative_to(nearer) else (theirs, table.path)
-                    raise own.error("fqbn", f"is '{full_name}', which the board '{far.stem}' is called ({far})")
+                    raise own.error("fqbn", f"is '{full_name}', which is also the name of the board '{far.stem}' ({far})")
 
 
 def mapped_files(platform_name: str, project: Path | None = None) -> list[Path]:
@@ -384,7 +384,7 @@ def _text(path: str, changed: int) -> str:
     try:
         return inputs.read_text(path, inputs.SETTINGS)
     except (OSError, UnicodeDecodeError) as error:
-        raise PlatformDataError(f"cannot be read: {error}", location=Location(path), fix="mend or remove the file") from error
+        raise PlatformDataError(f"cannot be read: {error}", location=Location(path), fix="correct or remove the file") from error
 
 
 def table_of(path: Path) -> DataTable:
@@ -419,9 +419,9 @@ def check_ports(pins: Iterable[platform.Pin], text: str, board: DataTable, chip:
     for pin in pins:
         if pin.port and known.fullmatch(str(pin.port)) is None:
             raise PlatformDataError(
-                f"the port of '{pin.label}' is '{pin.port}', which is no pin of the microcontroller '{chip.path.stem}'",
+                f"the port of '{pin.label}' is '{pin.port}', which is not a pin of the microcontroller '{chip.path.stem}'",
                 location=Location(str(board.path), line_of_value(text, str(pin.port))),
-                fix=f"write a port that it has ({re.sub(r'[|]', ', ', known.pattern)}), or name the microcontroller of the board",
+                fix=f"write one of its ports ({re.sub(r'[|]', ', ', known.pattern)}), or give the board's microcontroller",
             )
 
 

@@ -71,7 +71,7 @@ def _with_pins(path: Path, table: DataTable, project: Path | None) -> DataTable:
     if not only_draws(path):
         return table
     if (hardware := board_file(path.stem, project)) is None:
-        raise table.error("drawn_as", f"is of the board '{path.stem}', which no other file has with its pins")
+        raise table.error("drawn_as", f"is of the board '{path.stem}', but no other file has this board's pins")
     return table_of(hardware)
 
 
@@ -82,10 +82,10 @@ def _connectors(drawn: DataTable, board: DataTable) -> dict[str, str]:
     found: dict[str, str] = {}
     for label in table.values:
         if label not in labels:
-            raise table.error(label, f"is no pin of this board{did_you_mean(label, labels)}")
+            raise table.error(label, f"is not a pin of this board{did_you_mean(label, labels)}")
         for connector in table.texts(label):
             if connector in found:
-                raise table.error(label, f"has {connector}, which is {found[connector]} already")
+                raise table.error(label, f"has {connector}, which is already {found[connector]}")
             found[connector] = label
     return found
 

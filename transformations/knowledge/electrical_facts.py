@@ -220,13 +220,13 @@ _WORDS = {
 def _entry(device: Mapping[str, Json], path: str) -> _Entry:
     odd = next((key for key in device if key not in _KEYS and key not in _FINDERS), None)
     if odd is not None:
-        raise _damaged(path, device, f"'{odd}' is no key of a device{did_you_mean(odd, [*_KEYS, *_FINDERS])}")
+        raise _damaged(path, device, f"'{odd}' is not a key of a device{did_you_mean(odd, [*_KEYS, *_FINDERS])}")
     wrong = next((key for key, value in device.items() if not _is_right(key, value)), None)
     if wrong is not None or "kind" not in device or not any(device.get(key) for key in _FINDERS[:3]):
         what = (
             f"'{wrong}' has the value {device[wrong]!r}{_known_words(wrong, device[wrong])}"
             if wrong
-            else "kind is missing, or what it is found by"
+            else "its kind or the keys that find it are missing"
         )
         raise _damaged(path, device, what)
     forbidden = Phrases((word, 0) for word in _texts(device, "not"))
@@ -279,9 +279,9 @@ def _is_right(key: str, value: Json) -> bool:
 def _known_words(key: str, value: Json) -> str:
     """The message about a wrong value: the allowed ones, and the one that was probably meant."""
     if key not in _WORDS:
-        return "; it is two numbers, the lower one first" if key == "volts" else ""
+        return "; write two numbers, the lower one first" if key == "volts" else ""
     odd = next((str(one) for one in (value if isinstance(value, list) else [value]) if one not in _WORDS[key]), "")
-    return f"{did_you_mean(odd.lower(), _WORDS[key])}; it may be: {', '.join(_WORDS[key])}"
+    return f"{did_you_mean(odd.lower(), _WORDS[key])}; use one of: {', '.join(_WORDS[key])}"
 
 
 _TABLES = {"device": list, "names": dict, "board": dict}
@@ -291,30 +291,30 @@ _BOARD = ("supply_ma",)
 
 def _check_tables(table: Mapping[str, Json], path: str) -> None:
     """Refuse unknown tables and keys, which would be ignored silently."""
-    fix = "the head of the built-in parts/electrical.toml says what the keys mean"
+    fix = "the head of the built-in parts/electrical.toml explains the keys"
     for key, value in table.items():
         if key not in _TABLES:
-            what = f"is no table of this file{did_you_mean(key.lower(), _TABLES) or '; each device is a [[device]]'}"
+            what = f"is not a table of this file{did_you_mean(key.lower(), _TABLES) or '; each device is a [[device]]'}"
         elif not isinstance(value, _TABLES[key]) or (
             isinstance(value, list) and not all(isinstance(entry, dict) for entry in value)
         ):
-            what = f"is written [[{key}]]" if key == "device" else f"is written [{key}]"
+            what = f"must be [[{key}]]" if key == "device" else f"must be [{key}]"
         else:
             continue
         raise PlatformDataError(f"'{key}' {what}", location=Location(path, line_of_key(_text(path), key)), fix=fix)
     for key, names in as_table(table.get("names", {})).items():
         if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
-            raise PlatformDataError(f"'names.{key}' is no list of texts", location=Location(path), fix=fix)
+            raise PlatformDataError(f"'names.{key}' is not a list of texts", location=Location(path), fix=fix)
     for key in as_table(table.get("board", {})):
         if key not in _BOARD:
-            raise PlatformDataError(f"'board.{key}' is no key{did_you_mean(key, _BOARD)}", location=Location(path), fix=fix)
+            raise PlatformDataError(f"'board.{key}' is not a key{did_you_mean(key, _BOARD)}", location=Location(path), fix=fix)
 
 
 def _damaged(path: str, device: Mapping[str, Json], why: str) -> PlatformDataError:
     return PlatformDataError(
         f"an entry for '{device.get('kind', '')}' cannot be used: {why}",
         location=Location(path, line_of_value(_text(path), str(device.get("kind", "")))),
-        fix="the head of the built-in parts/electrical.toml says what the keys mean",
+        fix="the head of the built-in parts/electrical.toml explains the keys",
     )
 
 

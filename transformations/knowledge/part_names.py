@@ -102,6 +102,9 @@ class PartNames(Struct, frozen=True):
     numbered_labels: Phrases
     not_numbered_labels: Phrases
     device_properties: frozenset[str] = frozenset()
+    number_properties: frozenset[str] = frozenset()
+    transistors: tuple[str, ...] = ()
+    transistor_numbers: tuple[str, ...] = ()
     headers: tuple[str, ...] = ()
     solder_jumpers: tuple[str, ...] = ()
     symbols: Mapping[str, tuple[str, ...]] = {}
@@ -123,7 +126,7 @@ def names(project: Path | None = None) -> PartNames:
         path = folder / "parts" / "names.toml"
         if path.is_file():
             return _names(str(path), path.stat().st_mtime_ns)
-    raise PlatformDataError("there is no parts/names.toml in the platform repository", fix="install robosmi again")
+    raise PlatformDataError("the platform repository has no parts/names.toml", fix="install robosmi again")
 
 
 def connector_kind(name: str, known: PartNames) -> str:
@@ -204,7 +207,7 @@ def read_toml(path: Path | str) -> dict[str, Json]:
         text = inputs.read_text(path, inputs.DATA)
     except (OSError, UnicodeDecodeError) as error:
         raise PlatformDataError(
-            f"cannot be read: {error}", location=Location(str(path)), fix="mend or remove the file"
+            f"cannot be read: {error}", location=Location(str(path)), fix="correct or remove the file"
         ) from error
     return parse_toml(text, str(path), 1)
 
@@ -222,7 +225,7 @@ def parse_toml(text: str, path: str, first_line: int) -> dict[str, Json]:
         line, column = (int(at[1]) + first_line - 1, int(at[2])) if at else (first_line, None)
         cause = str(error).partition(" (at ")[0]
         place = Location(path, line, column)
-        raise PlatformDataError(f"not valid TOML: {cause}", location=place, fix="mend the entry") from error
+        raise PlatformDataError(f"not valid TOML: {cause}", location=place, fix="correct the entry") from error
 
 
 @cache
@@ -239,6 +242,9 @@ def _names(path: str, changed: int) -> PartNames:  # `changed` keys the cache
         numbered_labels=_phrases(boards.texts("arduino_labels", ())),
         not_numbered_labels=_phrases(boards.texts("not_arduino_labels", ())),
         device_properties=frozenset(drawn.texts("device", ())),
+        number_properties=frozenset(drawn.texts("number", ())),
+        transistors=drawn.texts("transistors", ()),
+        transistor_numbers=drawn.texts("transistor_numbers", ()),
         headers=drawn.texts("headers", ()),
         solder_jumpers=drawn.texts("solder_jumpers", ()),
         symbols={means: symbols.texts(means) for means in symbols.values},

@@ -253,7 +253,7 @@ def role_rules(project: Path | None) -> list[RoleRules]:
     """
     found = [_rules(str(path), path.stat().st_mtime_ns) for path in _files("roles.toml", project)]
     if not found:
-        raise PlatformDataError("there is no parts/roles.toml in the platform repository", fix="install robosmi again")
+        raise PlatformDataError("the platform repository has no parts/roles.toml", fix="install robosmi again")
     return found
 
 
@@ -316,7 +316,7 @@ def _entries(path: str, key: str, keys: Sequence[str]) -> list[RoleRule]:
     odd = next((name for name in table if name != key), None)
     entries = table.get(key, [])
     if odd is not None or not isinstance(entries, list) or not all(isinstance(entry, Mapping) for entry in entries):
-        what = f"'{odd}' means nothing here{did_you_mean(odd, [key])}" if odd is not None else f"'{key}' is no list of tables"
+        what = f"unknown table '{odd}'{did_you_mean(odd, [key])}" if odd is not None else f"'{key}' is not a list of tables"
         raise PlatformDataError(what, location=Location(path), fix=f"begin each entry with [[{key}]]")
     tools = None if Path(path).is_relative_to(built_in("platform_repo")) else _tools()
     for entry in entries:
@@ -325,7 +325,7 @@ def _entries(path: str, key: str, keys: Sequence[str]) -> list[RoleRule]:
             raise PlatformDataError(
                 f"the entry for {entry['role']} ({entry['why']}) cannot be used: {problem}",
                 location=Location(path),
-                fix="the head of the built-in parts/roles.toml says what the keys mean",
+                fix="the head of the built-in parts/roles.toml explains the keys",
             )
     return entries
 
@@ -336,9 +336,9 @@ def _check_role(entry: Mapping[str, Json], path: str) -> None:
         near = next((t for key in entry if key not in ("role", "why") and (t := did_you_mean(key, ("role", "why")))), "")
         said = f"an entry has the role '{role}' and the reason '{entry.get('why', '')}'{did_you_mean(role, ROLES) or near}"
         raise PlatformDataError(
-            f"an entry for '{role}' says no reason{near}" if role in ROLES else said,
+            f"an entry for '{role}' has no reason{near}" if role in ROLES else said,
             location=Location(path, line_of_value(inputs.read_text(path, inputs.DATA), role)),
-            fix=f"give it a why, and as role one of: {', '.join(ROLES)}",
+            fix=f"give it a `why`, and one of these roles: {', '.join(ROLES)}",
         )
 
 
@@ -346,15 +346,15 @@ def _problem(entry: Mapping[str, Json], keys: Sequence[str], tools: Collection[s
     """The message about what is wrong with an entry, or an empty text; `tools` are the known ones, None for any."""
     for key, value in entry.items():
         if key not in keys:
-            return f"'{key}' is no key{did_you_mean(key, keys)}"
+            return f"'{key}' is not a key{did_you_mean(key, keys)}"
         named = list(value) if key in _BY_TOOL and isinstance(value, Mapping) else []
         if tools is not None and (odd := next((tool for tool in named if tool not in tools), None)) is not None:
-            return f"'{key}.{odd}' names a drawing tool that no reader reads{did_you_mean(odd, tools)}"
+            return f"'{key}.{odd}' names an unknown drawing tool{did_you_mean(odd, tools)}"
         if not _fits(key, value):
             return f"'{key}' has the value {value!r}"
         kinds = [str(kind) for kind in value] if key == "named" and isinstance(value, list) else []
         if (odd := next((kind for kind in kinds if kind not in _NAMED), None)) is not None:
-            return f"'named' has '{odd}'{did_you_mean(odd, _NAMED)}; there are: {', '.join(_NAMED)}"
+            return f"'named' has '{odd}'{did_you_mean(odd, _NAMED)}; use one of: {', '.join(_NAMED)}"
     return ""
 
 

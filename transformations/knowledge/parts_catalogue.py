@@ -112,7 +112,7 @@ def _chunks(path: Path, changed: int) -> tuple[tuple[int, str], ...]:
         text = inputs.read_text(path, inputs.DATA)
     except (OSError, UnicodeDecodeError) as error:
         place = Location(str(path))
-        raise PlatformDataError(f"cannot be read: {error}", location=place, fix="mend or remove the file") from error
+        raise PlatformDataError(f"cannot be read: {error}", location=place, fix="correct or remove the file") from error
     found: list[tuple[int, list[str]]] = []
     for number, line in enumerate(text.splitlines(), 1):
         if _HEAD.fullmatch(line):
@@ -128,7 +128,7 @@ def _no_part(path: Path, number: int, line: str) -> PlatformDataError:
     """The error for a file with unknown content at its beginning, such as a misspelt table."""
     other = did_you_mean(path.name.lower(), _NO_PARTS)
     return PlatformDataError(
-        f"'{line[:60]}' is in no [[part]]{other and ', by its name' + other}", location=Location(str(path), number),
+        f"'{line[:60]}' is outside every [[part]]{other and ', by its name' + other}", location=Location(str(path), number),
         fix="write [[part]] before each part; files of other kinds are called " + ", ".join(_NO_PARTS),
     )  # fmt: skip
 
@@ -144,7 +144,9 @@ def _table(path: str, line: int, chunk: str) -> dict[str, Json]:
     for key, known in [(key, ("part",)) for key in parsed] + [(key, _PART_KEYS) for key in table]:
         if key not in known:
             place = Location(path, line + (line_of_key(chunk, key) or 1) - 1)
-            raise PlatformDataError(f"'{key}' is no key of a part{did_you_mean(key.lower(), known)}", location=place, fix=_KEYS)
+            raise PlatformDataError(
+                f"'{key}' is not a key of a part{did_you_mean(key.lower(), known)}", location=place, fix=_KEYS
+            )
     if (role := table.get("role", "Unknown")) not in ROLES:
         cause = f"part '{as_list(lists[0])[0]}' has the unknown role '{role}'"
         raise PlatformDataError(cause, location=Location(path, line), fix=f"use one of: {', '.join(ROLES)}")
@@ -185,13 +187,13 @@ def _entry(path: str, line: int, chunk: str, part_id: str, tool: str) -> Part | 
         buses = {name: tuple(as_texts(members)) for name, members in as_table(table.get("buses", {})).items()}
         shapes = tuple(re.compile(shape).pattern for shape in as_texts(table.get("shapes", ())))
         title, family, role, description = text("title"), text("family"), text("role", "Unknown"), text("description")
-        tags, evidence = tuple(as_texts(table.get("tags", ()))), text("evidence", "so says the entry")
+        tags, evidence = tuple(as_texts(table.get("tags", ()))), text("evidence", "given in the entry")
         properties = {str(k): str(v) for k, v in as_table(table.get("properties", {})).items()}
     except (KeyError, TypeError, ValueError, AttributeError, re.error) as error:
         raise PlatformDataError(f"part '{part_id}' is damaged: {error!r}", location=Location(path, line), fix=_KEYS) from error
     faults = [f"connector '{c.id}' has the unknown kind '{c.kind}'" for c in connectors.values() if c.kind not in KINDS]
     faults += [
-        f"bus '{bus}' has a connector that the part has not"
+        f"bus '{bus}' has a connector that the part does not have"
         for bus, members in buses.items()
         if not connectors.keys() >= {*members}
     ]

@@ -63,7 +63,7 @@ class PartsFile:
             raise self._damaged((error.strerror if isinstance(error, OSError) else None) or str(error)) from error
         if self._all("PRAGMA application_id") != [(APPLICATION,)] or self._all("PRAGMA user_version") != [(FORMAT,)]:
             self.close()
-            raise self._damaged(f"it is no file of parts of format {FORMAT}")
+            raise self._damaged(f"it is not a file of parts of format {FORMAT}")
         named = self._all("SELECT name FROM sqlite_master WHERE name = 'tool'")
         self.tool = str(self._all("SELECT name FROM tool")[0][0]) if named else FIRST_TOOL
 

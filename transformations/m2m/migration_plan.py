@@ -257,7 +257,7 @@ def close_idle_choices(plan: migration.MigrationPlan) -> None:
         if names.isdisjoint(str(library.name) for library in choice.candidates):
             functions = ", ".join(dict.fromkeys(str(call.calleeName) for call in calls))
             choice.chosenBy, choice.open, choice.choice = migration.ChosenBy.rule, False, NO_LIBRARY
-            choice.evidence.append(f"what the program does here needs none: {functions}")
+            choice.evidence.append(f"the functions used here need none: {functions}")
 
 
 def _calls(plan: migration.MigrationPlan, component: hardware.Component) -> list[ccode.Call]:

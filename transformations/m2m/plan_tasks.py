@@ -22,7 +22,7 @@ from robosmi.transformations.queries.adapter_signature import target_signature
 from robosmi.transformations.queries.names import name_of
 from robosmi.transformations.queries.plans.binding_edits import binding_links, referred, trace_binding
 from robosmi.transformations.queries.plans.plan import called, is_at_declaration, needs_own_types
-from robosmi.transformations.queries.plans.port_pins import NOT_WIRED
+from robosmi.transformations.queries.plans.port_pins import NOT_WIRED, PIN_RULE
 from robosmi.transformations.queries.plans.verdicts import UNDEFINED, body_effort, unserved_headers
 from robosmi.transformations.queries.ports.idle_ports import is_idle
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
@@ -123,7 +123,7 @@ def _settle(decision: migration.Decision, choice: str) -> None:
         decision.open = not choice
 
 
-DERIVED = frozenset({"RS330", "RS331", "RS401", "RS501", "RS502", "RS503", "RS504"})
+DERIVED = frozenset({"RS330", "RS331", "RS401", "RS501", "RS502", "RS503", "RS504", PIN_RULE})
 """Rules whose tasks follow from decisions and are derived anew when a decision changes."""
 
 
@@ -150,15 +150,15 @@ def _adapters(plan: migration.MigrationPlan) -> Iterator[Task]:
             continue
         calls = [*adapter.calls, *of_macros.of(adapter)]
         count = len(calls)
-        reason = adapter.reason if adapter.function is not None else "no file that was given defines it"
+        reason = adapter.reason if adapter.function is not None else "none of the given files defines it"
         why = f"; {reason}" if reason not in ("", NO_ADAPTER) else ""
         yield Task(
             rule="RS501",
             severity=Level.warning,
             message=f"write the body of '{target_signature(adapter)}', called {count} time{'s' * (count != 1)}{why}",
             effort=body_effort(adapter),
-            fix=f"{_where(plan, adapter)}: do on the target what '{adapter.signature}' does"
-            + ("; or give the file that defines it, too" if adapter.function is None else ""),
+            fix=f"{_where(plan, adapter)}: implement '{adapter.signature}' for the target"
+            + ("; or also give the file that defines it" if adapter.function is None else ""),
             elements=[adapter, *calls],
             **_place(_declared(plan, adapter) or (calls[0] if calls else None)),  # type: ignore[arg-type]
         )
@@ -181,7 +181,7 @@ def _symbols(plan: migration.MigrationPlan) -> Iterator[Task]:
         yield Task(
             rule="RS502",
             severity=Level.warning,
-            message=f"give the placeholder of '{symbol.name}' its meaning{f': {meaning}' if meaning else ''}",
+            message=f"implement the placeholder of '{symbol.name}'{f': {meaning}' if meaning else ''}",
             effort="large" if header is not None and header.name in unserved else "small",
             fix="in adapters.h",
             elements=[symbol, *symbol.uses],
@@ -197,9 +197,9 @@ def _undefined(plan: migration.MigrationPlan) -> Iterator[Task]:
             yield Task(
                 rule="RS502",
                 severity=Level.warning,
-                message=f"give '{variable.name}' its value: no file that was given defines it",
+                message=f"give '{variable.name}' a value: none of the given files defines it",
                 effort="small",
-                fix="where it is declared; or give the file that defines it, too",
+                fix="where it is declared; or also give the file that defines it",
                 elements=[disposition],
                 **_place(variable),  # type: ignore[arg-type]
             )
@@ -218,8 +218,8 @@ def _bindings(plan: migration.MigrationPlan) -> Iterator[Task]:
         yield Task(
             rule="RS330",
             severity=Level.warning if options else Level.info,
-            message=f"say which target pin the port '{binding.name}'{pin}{what} is on"
-            + (f"; candidates: {', '.join(options)}" if options else "; the drawing has nothing for it")
+            message=f"choose the target pin of port '{binding.name}'{pin}{what}"
+            + (f"; candidates: {', '.join(options)}" if options else "; no part in the drawing fits")
             + ("; until then its calls do nothing" if plan.portFlows else ""),
             effort="small",
             fix=f'--bind {key}=PIN, or [bind] {key} = "PIN" in robosmi.toml'
@@ -261,7 +261,7 @@ def _assembler(plan: migration.MigrationPlan) -> Iterator[Task]:
         yield Task(
             rule="RS503", severity=Level.warning, effort="medium",
             message=f"assembler{where} was left out{pieces}: {'; '.join(found[0].reasons)}",
-            fix=f"write in C what it does, in the {called(plan)}; its text stands there as a comment",
+            fix=f"write it in C in the {called(plan)}, which has its text as a comment",
             elements=found,
             **_place(found[0].element),  # type: ignore[arg-type]
         )  # fmt: skip
@@ -278,7 +278,7 @@ def _unsupported(plan: migration.MigrationPlan) -> Iterator[Task]:
                 rule="RS503", severity=Level.warning, effort="small" if "unknown-include" in disposition.rules else "medium",
                 message=f"'{name}' was left out: {'; '.join(disposition.reasons)}",
                 fix=("give its folder with -I, or " if "unknown-include" in disposition.rules else "")
-                + f"put what the program needs of it into the {called(plan)}",
+                + f"add the parts that the program needs to the {called(plan)}",
                 elements=[disposition],
                 **_place(disposition.element),  # type: ignore[arg-type]
             )  # fmt: skip
@@ -291,24 +291,39 @@ def _unparsed(plan: migration.MigrationPlan) -> Iterator[Task]:
             yield Task(
                 rule="RS504",
                 severity=Level.error,
-                message=f"mend the source, which is no C here and was carried over as it is ({finding.message})",
+                message=f"correct the source, which is not valid C here and was copied unchanged ({finding.message})",
                 effort="small",
                 fix=f"correct the source and migrate it again, or correct the {called(plan)}",
                 path=finding.path,
                 line=finding.line,
                 column=finding.column,
             )
+        elif finding.rule == "RS102":
+            yield Task(
+                rule="RS504", severity=Level.warning, effort="small", message=f"write what could not be read: {finding.message}",
+                fix=finding.fix, path=finding.path, line=finding.line, column=finding.column,
+            )  # fmt: skip
         elif finding.rule in ("RS312", "RS337", "RS342"):
             yield Task(
                 rule="RS504",
                 severity=Level.warning,
-                message=f"write otherwise what a compiler of the target may refuse: {finding.message}",
+                message=f"rewrite this for the target's compiler: {finding.message}",
                 effort="small",
                 fix=finding.fix,
                 path=finding.path,
                 line=finding.line,
                 column=finding.column,
             )
+
+
+def _pins(plan: migration.MigrationPlan) -> Iterator[Task]:
+    """Tasks for the places of the finished program whose pin is not the plan's, or cannot be followed."""
+    for finding in plan.findings:
+        if finding.rule == PIN_RULE:
+            yield Task(
+                rule=PIN_RULE, severity=Level.warning, effort="small", message=f"write the right pin: {finding.message}",
+                fix=finding.fix, path=finding.path, line=finding.line, column=finding.column, elements=[*finding.elements],
+            )  # fmt: skip
 
 
 def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
@@ -318,9 +333,9 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
             yield Task(
                 rule="RS331",
                 severity=Level.info,
-                message=f"the port '{binding.name}' is bound to {binding.pin.label}, and nothing that is called uses it here",
+                message=f"port '{binding.name}' is bound to {binding.pin.label}, but no called function uses it here",
                 effort="small",
-                fix="leave the wire out, or let it be",
+                fix="remove the wire, or keep it unused",
                 elements=[binding],
             )
     bound = {id(pin) for b in plan.portBindings if (pin := b.connection.pin if b.connection is not None else b.pin) is not None}
@@ -331,7 +346,7 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
             yield Task(
                 rule="RS331",
                 severity=Level.info,
-                message=f"'{component.title}' ({connection.name}) is drawn but no port of the program is bound to it",
+                message=f"'{component.title}' ({connection.name}) is drawn, but no port of the program is bound to it",
                 effort="small",
                 fix="bind a port to it, or leave it unused",
                 path=str(component.circuit.path) if component.circuit is not None else "",
@@ -340,5 +355,5 @@ def _unused(plan: migration.MigrationPlan) -> Iterator[Task]:
 
 
 _MAKERS: tuple[Callable[[migration.MigrationPlan], Iterator[Task]], ...] = (
-    _unparsed, _adapters, _symbols, _undefined, _bindings, _libraries, _unsupported, _assembler, _unused,
+    _unparsed, _adapters, _symbols, _undefined, _bindings, _libraries, _unsupported, _assembler, _pins, _unused,
 )  # fmt: skip

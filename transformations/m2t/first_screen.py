@@ -162,15 +162,20 @@ def works(plan: migration.MigrationPlan, work: Work) -> str:
     """A sentence on how many calls work, and what the others lack."""
     calls = work.calls
     several = work.unread != 1
-    lost = f"{work.unread} call{'s' * several} in text that could not be read {'are' if several else 'is'} not counted"
+    lost = f"{work.unread} call{'s' * several} in unreadable text not counted"
     if not calls["total"]:
-        return f"nothing is known: {lost}" if work.unread else "the program calls no function of its platform"
+        return lost if work.unread else "the program calls no platform function"
     parts = [
-        (calls[WAITS], "for a pin"), (calls[TO_WRITE], "for a body"), (calls[NO_SUPPORT], "for what the target lacks"),
+        (calls[WAITS], f"need{'s' * (calls[WAITS] == 1)} a pin"), (calls[TO_WRITE], f"need{'s' * (calls[TO_WRITE] == 1)} a body"),
+        (calls[NO_SUPPORT], "not possible on the target"),
     ]  # fmt: skip
-    others = ["waiting: " + ", ".join(f"{count} {said}" for count, said in parts if count)] if any(n for n, _ in parts) else []
-    others += [f"{calls[NOT_WIRED_CALL]} not wired, as you said"] * bool(calls[NOT_WIRED_CALL])
-    care = f" ({calls[WITH_CARE]} with limits)" if calls[WITH_CARE] else ""
+    others = [", ".join(f"{count} {said}" for count, said in parts if count)] if any(n for n, _ in parts) else []
+    others += [f"{calls[NOT_WIRED_CALL]} not connected by your choice"] * bool(calls[NOT_WIRED_CALL])
+    care = (
+        f" ({calls[WITH_CARE]} behave{'s' * (calls[WITH_CARE] == 1)} slightly differently, see Known differences)"
+        if calls[WITH_CARE]
+        else ""
+    )
     functions = len(plan.adapterUses)
     some = f"{work.working} of {calls['total']} calls of {functions} platform function{'s' * (functions != 1)} are ready{care}"
     return "; ".join([some, *others, *[lost] * bool(work.unread)])
@@ -180,11 +185,14 @@ def decided(work: Work) -> str:
     """A phrase on how many choices are open."""
     choices, left = work.choices()
     total = len(choices)
-    if not total:
-        return "nothing to choose"
+    waiting = work.calls[WAITS]
+    if not total and not waiting:
+        return "no choices"
     if not left:
-        return f"nothing is open; {total} choice{'s are' if total != 1 else ' is'} made"
-    return f"{len(left)} open of {total} choice{'s' * (total != 1)}"
+        made = "no choices" if not total else f"all {total} decided" if total != 1 else "1 decided"
+        calls = f"{waiting} call{'s' * (waiting != 1)}"
+        return f"{made}; {calls} may reach ports that have no pin: bind them by number (RS326, RS327)" if waiting else made
+    return f"{len(left)} of {total} choice{'s' * (total != 1)} open"
 
 
 def written(work: Work) -> str:
@@ -198,7 +206,7 @@ def written(work: Work) -> str:
     for group in work.groups():
         open_ = [task for task in group.tasks if not task.done]
         if group.title:
-            by += [f"{len(open_)} of {group.title}, which the target cannot serve"] * bool(open_)
+            by += [f"{len(open_)} of {group.title}, not possible on the target"] * bool(open_)
         else:
             by += [f"{count} {effort}" for effort in EFFORTS if (count := sum(task.effort == effort for task in open_))]
     return f"{len(left)} of {len(work.write)} left: {', '.join(by)}"
@@ -207,7 +215,7 @@ def written(work: Work) -> str:
 def checked(work: Work) -> str:
     """A phrase on how much is to be checked."""
     done = sum(task.done for task in work.check)
-    return f"{done} of {len(work.check)} done" if work.check else "no pin is bound yet" if work.decide else "nothing"
+    return f"{done} of {len(work.check)} done" if work.check else "no port has a pin yet" if work.decide else "nothing"
 
 
 # ---- lines
@@ -219,10 +227,10 @@ def _decide_hint(plan: migration.MigrationPlan, work: Work) -> str:
     libraries = any(task.rule == "RS401" for task in work.decide)
     said = ["ports under [bind] (or --bind NAME=PIN)"] * ports
     said += ["libraries under [libraries] (or --library COMPONENT=LIBRARY)"] * libraries
-    none = "what is not wired" if not libraries else "none" if not ports else "what is not wired, or needs no library"
-    drawing = " With a drawing or a pin table (--hardware) ports are proposed." * (plan.circuit is None and ports)
+    none = "not connected" if not libraries else "no library" if not ports else "not connected or no library"
+    drawing = " With a drawing or a pin table (--hardware), RoboSMi proposes pins." * (plan.circuit is None and ports)
     silent = " Until a port has a pin, its calls do nothing." * (ports and bool(plan.portFlows))
-    typed = f'Type into robosmi.toml beside the program: {" and ".join(said)}; "none" for {none}.'
+    typed = f'Write into robosmi.toml next to the program: {" and ".join(said)}; "none" means {none}.'
     return f"{typed} Then migrate again.{silent}{drawing}"
 
 
@@ -230,10 +238,10 @@ def _write_hint(plan: migration.MigrationPlan, work: Work) -> str:
     """A hint on where to write bodies; empty if there are none."""
     bodies = any(task.rule == "RS501" or (task.rule == "RS502" and "in adapters.h" in task.fix) for task in work.write)
     beside = any("in adapters.h" not in task.fix for task in work.write if task.rule in ("RS501", "RS502"))
-    own = f" (in the {called(plan)} for what it declares itself)" * beside
+    own = f", or in the {called(plan)} for its own declarations" * beside
     unknown = any(isinstance(e, migration.AdapterUse) and e.function is None for task in work.write for e in task.elements)
-    given = " Where a file defines a function that was not given, give it to migrate, too." * unknown
-    return f"Each stands in adapters.h as a TODO{own}; what you write there is kept.{given}" if bodies else ""
+    given = " If another file defines the function, also give that file to migrate." * unknown
+    return f"Find each TODO in adapters.h{own}. Later runs preserve what you write there.{given}" if bodies else ""
 
 
 def _choice(plan: migration.MigrationPlan, task: migration.PlanTask, sources: Mapping[str, bytes]) -> Item:
@@ -248,7 +256,7 @@ def _choice(plan: migration.MigrationPlan, task: migration.PlanTask, sources: Ma
         place = f", {where}" if (where := task_place(plan, task)) else ""
         source = "" if decision.conventionalPort is not None else _line(decision.element, sources)
         return Item(f"port '{decision.name}'{what}{place}", source, how.line, more, str(task.rule), "", bool(task.done))
-    more = f"{more} or none" if more else "none, or one that you know"
+    more = f"{more} or none" if more else "none, or the name of a library"
     return Item(f"library for '{how.subject}'", "", how.line, more, str(task.rule), "", bool(task.done))
 
 
@@ -266,7 +274,7 @@ def _bodies(work: Work) -> Iterable[Item]:
     """The lines of what is to be written; tasks of one cause follow a line that gives it."""
     for group in work.groups():
         if group.title:
-            yield Item(f"{group.title} cannot be served: {group.reason}")
+            yield Item(f"{group.title} is not possible on the target: {group.reason}")
         for task in group.tasks:
             yield replace(_task(work.plan, task, short=True), effort="") if group.title else _task(work.plan, task)
 

@@ -29,7 +29,7 @@ from robosmi.transformations.queries.reports.written_bodies import task_key
 
 CHUNK = 25
 """Rows that a browser lays out together; chunks out of sight are laid out later."""
-SEVERITIES = {"error": "Errors", "warning": "Warnings", "info": "Worth knowing"}
+SEVERITIES = {"error": "Errors", "warning": "Warnings", "info": "Notes"}
 
 
 def works(plan: migration.MigrationPlan, sources: Mapping[str, bytes], known: Counted | None = None) -> dict[str, Json]:
@@ -91,7 +91,7 @@ def _choice(
     return {
         "id": one.id, "kind": one.kind, "subject": how.subject, "open": bool(decision.open), "chosen": told.chosen or "",
         "by": WHO[told.by], "at": told.at or "", "why": told.why, "table": how.table,
-        "title": f"Which pin is the port {said} on?" if port else f"Which library drives '{one.subject}'?",
+        "title": f"Which pin is port {said} on?" if port else f"Which library drives '{one.subject}'?",
         "line": line_of(decision.element, sources) if isinstance(decision, migration.PortBinding) else "",
         "ranked": [answer_row(option) for option in told.options if option.score],
         "drawn": [answer_row(option) for option in plain if option.value in pins],
@@ -143,7 +143,7 @@ def _body(plan: migration.MigrationPlan, task: migration.PlanTask, texts: Mappin
         known.append(f"{use.signature};")
         if use.function is not None:
             known += [f"declared in {use.function.header.name}"] if use.function.header is not None else []
-            known += ["it waits until it is done"] if use.function.blocking else []
+            known += ["it blocks until it is done"] if use.function.blocking else []
             known += ["it starts code on another core"] if use.function.startsCog else []
         known += [str(note) for note in use.notes]
     stubs = (_stub(text, str(use.name)) for text in texts.values()) if use is not None else ()

@@ -36,8 +36,8 @@ def pin_table(connections: Sequence[migration.Connection], board: str, target: P
     ending = target.suffix.lower()
     if ending not in _ENDINGS:
         raise UsageError(
-            f"a pin table is no '{target.suffix or target.name}' file{did_you_mean(ending, _ENDINGS)}",
-            fix=f"name it with one of: {', '.join(_ENDINGS)}",
+            f"a pin table cannot be a '{target.suffix or target.name}' file{did_you_mean(ending, _ENDINGS)}",
+            fix=f"use one of the endings: {', '.join(_ENDINGS)}",
         )
     rows = [_row(connection, rests) for connection in sorted(connections, key=_place)]
     return _csv(rows, board) if ending == ".csv" else _toml(rows, board)

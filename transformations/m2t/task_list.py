@@ -157,16 +157,16 @@ def _port(binding: migration.PortBinding) -> dict[str, str]:
 def _target(binding: migration.PortBinding) -> str:
     pin = binding.connection.pin if binding.connection is not None else binding.pin
     if pin is None:
-        return "not wired" if not binding.open else "open: its calls do nothing"
+        return "not connected" if not binding.open else "open: its calls do nothing"
     answer = binding.answer.pin if binding.answer is not None and binding.answer is not binding.connection else None
-    return f"{pin.label} (answers at {answer.label})" if answer is not None else str(pin.label)
+    return f"{pin.label} (echo on {answer.label})" if answer is not None else str(pin.label)
 
 
 def _library(choice: migration.LibraryChoice) -> dict[str, str]:
     unused = choice.chosen is not None and not choice.included
     return {
         "component": choice.component.title if choice.component else "",
-        "choice": (choice.choice or "open") + ", which nothing in the program uses" * unused,
+        "choice": (choice.choice or "open") + ", not used by the program" * unused,
         "by": WHO[choice.chosenBy.name],
         "candidates": ", ".join(o.label for o in list(choice.options)[:5]),
     }
@@ -179,7 +179,7 @@ def _group(unit: ccode.SourceUnit, judged: Sequence[Construct]) -> dict[str, Jso
 def _outside(judged: Sequence[Construct]) -> list[dict[str, Json]]:
     """What the program uses and does not declare, with the line of its first use."""
     mine = [c for c in judged if c.unit is None]
-    return [_table("used and declared elsewhere (line of the first use)", mine)] if mine else []
+    return [_table("declared elsewhere (line of the first use)", mine)] if mine else []
 
 
 def _table(title: str, mine: Sequence[Construct]) -> dict[str, Json]:
@@ -191,7 +191,7 @@ def _table(title: str, mine: Sequence[Construct]) -> dict[str, Json]:
     return {"title": title, "counts": _counts(mine), "rows": rows}
 
 
-_BELOW = "its adapter has limits, see below"
+_BELOW = "its adapter behaves slightly differently, see Known differences"
 VERDICT_WORDS = {
     "retained": "retained", "adapted": "adapted", "adapted_with_care": "adapted with care", "needs_you": "needs you",
     "not_supported": "not supported",
@@ -203,7 +203,7 @@ def _counts(judged: Sequence[Construct]) -> str:
     """How many constructs have each verdict, in words; the first number is their sum."""
     counts = verdict_counts(judged)
     summed = ", ".join(f"{counts[verdict]} {word}" for verdict, word in VERDICT_WORDS.items() if counts[verdict])
-    return f"{counts['total']} construct{'s' * (counts['total'] != 1)}: {summed or 'none'}."
+    return f"{counts['total']} element{'s' * (counts['total'] != 1)}: {summed or 'none'}."
 
 
 def _adapter(adapter: migration.AdapterUse, of_macros: MacroCalls) -> dict[str, Json]:

@@ -25,9 +25,9 @@ def terminal_lines(
     """
     board = plan.board.title if plan.board else "the target"
     screen = first_screen(plan, sources, known=known)
-    lines = [f"{'made' if made else 'would make'} {sketch} for {board}"]
+    lines = [f"{'generated' if made else 'would generate'} {sketch} for {board}"]
     lines += [_sum("too big", short) for short in screen.shortages]
-    lines.append(_sum("works", screen.works))
+    lines.append(_sum("works", screen.works + ("; not compiled yet" if plan.build is None else "")))
     for word, each in (("decide", screen.decide), ("write", screen.write), ("check", screen.check)):
         lines += _list(word, each)
     if screen.needs:
@@ -41,7 +41,7 @@ def terminal_lines(
         for choice in plan.libraryChoices:
             if choice.chosen is not None:
                 included[choice.chosen.name] = included.get(choice.chosen.name, False) or choice.included
-        named = [name + " (nothing uses it: not included)" * (not included[name]) for name in sorted(included)]
+        named = [name + " (not used, not included)" * (not included[name]) for name in sorted(included)]
         lines.append(f"{_INDENT}libraries: {', '.join(named) or 'none chosen'}")
     return [*lines, f"{_INDENT}see {sketch / 'MIGRATION.md'}"] if made else lines
 

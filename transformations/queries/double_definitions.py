@@ -32,10 +32,10 @@ def double_definitions(program: ccode.Program, copies: Mapping[str, bytes], name
         folder = os.path.dirname(path)
         elsewhere = [f"{os.path.relpath(other, folder or '.')}:{again.line}" for other, again in others if other != path]
         if elsewhere:
-            message = f"'{name}' is also defined in {' and '.join(elsewhere)}: a linker takes one definition alone"
+            message = f"'{name}' is also defined in {' and '.join(elsewhere)}: a linker accepts only one definition"
             place, advice = (
                 Location(path, declared.line, declared.column),
-                "give the files of one program, or take one definition out",
+                "give the files of one program, or remove one definition",
             )
             yield Finding("RS342", Severity.warning, message, place, fix=advice)
 

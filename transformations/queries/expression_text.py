@@ -41,6 +41,8 @@ def expression_text(element: Element | None) -> str:
     if isinstance(element, ccode.Member):
         return f"{_tight(element.object) if element.object is not None else ''}{'->' if element.arrow else '.'}{element.name}"
     if isinstance(element, ccode.ConditionalExpression):
+        if element.condition is None:  # GNU C's `a ?: b`
+            return f"{_tight(element.whenTrue)} ?: {expression_text(element.whenFalse)}"
         return f"{_tight(element.condition)} ? {expression_text(element.whenTrue)} : {expression_text(element.whenFalse)}"
     if isinstance(element, ccode.SizeOf):
         inner = element.measured.spelling if element.measured is not None else expression_text(element.operand)

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from msgspec import Struct
 
 from robosmi.metamodels import ccode, migration
+from robosmi.transformations.knowledge.lexer import tokens
 from robosmi.transformations.queries.block_braces import ends_in_brace
 from robosmi.transformations.queries.text_changes import decision_of, effective
 
@@ -98,6 +99,7 @@ class SourceText:
         self._placed = _placed(self.changes)
         self._starts = [start for start, *_ in self._placed]
         self._encoding = unit.encoding or "utf-8"
+        self._bytes = [] if self._encoding in _UNICODE else _bytes_of_literals(data)
         self._given = sorted(enumerate(given), key=lambda pair: pair[1].startOffset)
         self._comments: list[ccode.Comment] = sorted(unit.comments, key=lambda comment: comment.startOffset)
         self._comment_starts = [comment.startOffset for comment in self._comments]
@@ -160,7 +162,11 @@ class SourceText:
         return self._comments[bisect_left(self._comment_starts, start) : bisect_left(self._comment_starts, end)]
 
     def _decode(self, start: int, end: int) -> str:
-        text = self.data[start:end].decode(self._encoding, errors="replace")
+        parts, position = [], start
+        for place in self._bytes[bisect_left(self._bytes, start) : bisect_left(self._bytes, end)]:
+            parts += [self.data[position:place].decode(self._encoding, errors="replace"), f"\\{self.data[place]:03o}"]
+            position = place + 1
+        text = "".join([*parts, self.data[position:end].decode(self._encoding, errors="replace")])
         return text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
 
     def pieces(self, start: int, end: int, elements: Iterable[ccode.Located]) -> Iterator[Piece]:
@@ -188,6 +194,27 @@ class SourceText:
     def _piece(self, start: int, end: int, elements: list[ccode.Located]) -> Piece:
         text, applied = self.slice(start, end)
         return Piece(text, start, end, tuple(elements), applied)
+
+
+_UNICODE = frozenset({"utf-8", "UTF-8", "UTF-16"})
+"""Encodings of a unit whose bytes are those of UTF-8 here."""
+
+
+def _bytes_of_literals(data: bytes) -> list[int]:
+    """The places of bytes beyond ASCII in strings and characters: the program sends these bytes, so they become escapes.
+
+    A copy in UTF-8 would have two bytes for each. Those of comments and names are letters.
+    """
+    found: list[int] = []
+    pending = [(0, token) for token in tokens(data)]
+    for shift, (kind, start, end, text) in pending:
+        if kind == "directive" and not shift:
+            rest = data[start + 1 : end]
+            if not re.match(rb"\s*(?:include|error|warning|pragma)\b", rest):
+                pending += [(start + 1, token) for token in tokens(rest)]
+        elif kind in ("string", "char") and not text.isascii():
+            found += [place for place in range(shift + start, shift + end) if data[place] > 0x7F]
+    return sorted(found)
 
 
 def _placed(changes: Iterable[migration.TextChange]) -> list[tuple[int, int, str, migration.TextChange]]:

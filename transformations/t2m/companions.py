@@ -80,7 +80,7 @@ class DrawingFolder:
         self._room -= len(data)
         if self._room < 0 or len(self.companions) >= MOST_FILES:
             most = f"{MOST_FILES:,} files and {inputs.DRAWING.limit}"
-            raise SourceError(f"the drawing's files are more than {most}", location=place, fix="split the drawing")
+            raise SourceError(f"the drawing has more than {most}", location=place, fix="split the drawing")
         self._read[name] = data
         self.companions.append(name)
         return data

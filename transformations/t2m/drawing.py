@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Container, Iterable, Mapping, Sequence
+from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import NamedTuple
 
@@ -109,7 +110,7 @@ class CircuitBuilder:
 
     def _looked_up(self, part_id: str, defined: Part | None, board: DrawnBoard | None, own: bool) -> KnownPart:
         found = self.catalogue.find(part_id) or defined
-        part = found or Part(part_id, evidence="no entry in the catalogue of parts and no definition in the drawing")
+        part = found or Part(part_id, evidence="the part is neither in the catalogue nor defined in the drawing")
         part, by_name = replace(part, tool=self.tool), board is not None
         if board is None and part.role in ("Unknown", "Board"):
             board = drawn_board(part_id, self.tool, self.project)
@@ -118,7 +119,7 @@ class CircuitBuilder:
             part = replace(part, role="Board", evidence=evidence, title=part.title or board.title)
         part = classify_by_id(part, self.project) if own else classify(part, self.project)
         if own and part.role == "Unknown":
-            part = replace(part, evidence=part.evidence or "it is of your own making")
+            part = replace(part, evidence=part.evidence or "it is a custom part")
         if part.role == "Unknown" and not part.evidence:
             told = f"family '{part.family}' and title '{part.title}'" if part.family else f"title '{part.title}'"
             part = replace(part, evidence=f"no rule fits {told}{part.source and ' of ' + part.source}")
@@ -142,7 +143,7 @@ class CircuitBuilder:
         """
         known = self._known.get(placed.part_id)
         if known is None:
-            raise self.fault(f"places '{placed.identity}' as part '{placed.part_id}', which it did not give to know()")
+            raise self.fault(f"places '{placed.identity}' as part '{placed.part_id}', but did not pass that part to know()")
         if placed.identity in self._placed:
             raise self.fault(f"places two components of the identity '{placed.identity}'")
         self._placed[placed.identity] = placed.title
@@ -185,7 +186,7 @@ class CircuitBuilder:
             "RS208",
             Severity.warning,
             f"'{placed.title or known.part.title}' is connected at {', '.join(lacking[:5])}{', ...' if len(lacking) > 5 else ''},"
-            f" which its part '{known.part.title or placed.part_id}' has not; what is connected there was left out",
+            f" which its part '{known.part.title or placed.part_id}' does not have; the connection was left out",
             placed.line,
             f"check the part, or update it in {self.tool.capitalize()}",
             connectors=[*lacking],
@@ -266,16 +267,16 @@ class CircuitBuilder:
             return found
         if end.component not in self._placed:
             guess = did_you_mean(end.component, self._placed)
-            raise self.fault(f"names the end '{end.component}.{end.connector}', and has placed no '{end.component}'{guess}")
+            raise self.fault(f"names the end '{end.component}.{end.connector}', but has not placed '{end.component}'{guess}")
         own = [known.connector for known in self._ends if known.component == end.component]
         raise self.fault(
-            f"names the end '{end.component}.{end.connector}', and '{end.component}' has no such connector"
+            f"names the end '{end.component}.{end.connector}', but '{end.component}' has no such connector"
             f"{did_you_mean(end.connector, own)}"
         )
 
     def fault(self, cause: str) -> ModelError:
         """The error for a reader that breaks the rules of this interface."""
-        fix = "report it to the authors of the reader, which must hold what docs/how-to/add-a-drawing-reader.md says"
+        fix = "report it to the authors of the reader; docs/how-to/add-a-drawing-reader.md has the rules"
         return ModelError(f"the reader of {self.tool} drawings {cause}", location=Location(self.path), fix=fix)
 
     # ---- one component
@@ -285,10 +286,27 @@ class CircuitBuilder:
         if (role := self._given.get(placed.identity)) is not None:
             return replace(known.part, role=role, evidence=GIVEN)
         if known.part.role != "Unknown" or known.own:
-            return known.part
+            return known.part if known.own or known.board is not None else self._numbered(placed, known.part)
         named = replace(known.part, connectors={fact.id: fact for fact in facts})
         hint = "" if known.defined else placed.hint
         return classify_drawn(named, placed.title, placed.properties, hint, self.project)
+
+    def _numbered(self, placed: Placed, part: Part) -> Part:
+        """The part that a person's part number says: drawn with a general part, it may be something else."""
+        number = next(
+            (text for key, text in placed.properties.items() if key.lower() in self.names.number_properties and text), ""
+        )
+        if not number or number in part.properties.values() or part.role not in ("Input", "Output", "Both"):
+            return part
+        said = classify(Part(number, tool=self.tool, title=number), self.project)
+        if said.role not in ("Unknown", "Board") and (said.role, said.driver) != (part.role, part.driver):
+            evidence = f"part number '{number}': {said.evidence}"
+            return replace(part, role=said.role, driver=said.driver, title=number, evidence=evidence)
+        drawn, called = part.family.lower(), number.lower()
+        if said.role == "Unknown" and _fits(drawn, self.names.transistors) and not _fits(called, self.names.transistor_numbers):
+            evidence = f"it is drawn as '{part.title}', and its part number '{number}' is none of a transistor"
+            return replace(part, role="Unknown", driver=False, title=number, evidence=evidence)
+        return part
 
     def _connectors(self, placed: Placed, known: KnownPart) -> list[PartConnector]:
         """The connectors of a component in the part's order, followed by those that only the drawing names."""
@@ -333,10 +351,10 @@ class CircuitBuilder:
         self.report(
             "RS257",
             Severity.warning,
-            f"'{placed.title or board.title}' is connected at '{fact.id}', which seems to be {label}, and is no pin in the data"
-            f" of the board '{board.name}'",
+            f"'{placed.title or board.title}' is connected at '{fact.id}', which seems to be {label}, but the "
+            f"board '{board.name}' has no such pin",
             placed.line,
-            "move what is wired there to a pin that the board has, or describe the board (docs/how-to/add-a-board.md)"
+            "move the wire to a pin that the board has, or describe the board (docs/how-to/add-a-board.md)"
             if by_name
             else f'add {label} = ["{fact.id}"] to [drawn_as.connectors] of tool "{self.tool}" in boards/{board.name}.toml',
             connectors=[fact.id],
@@ -346,8 +364,9 @@ class CircuitBuilder:
         about = f"{part.family} {part.title}".lower()
         if known.by_bus and "solder" in about and "jumper" in about and len({*placed.used}) > 1:
             self.report(
-                "RS217", Severity.info, f"the solder jumper '{placed.title}' is not crossed: nothing says whether it is closed",
-                placed.line, "draw a wire in its place where it is closed",
+                "RS217", Severity.info,
+                f"the solder jumper '{placed.title}' counts as open: the drawing does not show whether it is closed",
+                placed.line, "draw a wire instead if it is closed",
             )  # fmt: skip
         if part.role == "Unknown":
             named = f"'{placed.title}' (#{placed.identity})" if placed.title else f"#{placed.identity}"
@@ -355,7 +374,7 @@ class CircuitBuilder:
             self.report(
                 "RS203",
                 Severity.warning,
-                f"what {named} does is unknown: {what}, {part.evidence}",
+                f"the role of {named} is unknown: {what}, {part.evidence}",
                 placed.line,
                 "give its role in robosmi.toml under [roles], or add the part to the catalogue",
                 module_id=placed.listed_as or placed.part_id,
@@ -365,7 +384,7 @@ class CircuitBuilder:
             self.report(
                 "RS203",
                 Severity.info,
-                f"the part of '{placed.title or placed.identity}' is not in the catalogue; known is what the drawing says",
+                f"the part of '{placed.title or placed.identity}' is not in the catalogue; only the drawing describes it",
                 placed.line,
                 "add the part to the catalogue",
                 module_id=placed.listed_as or placed.part_id,
@@ -387,6 +406,10 @@ def free_identity(name: str, line: int, taken: Container[str]) -> str:
         number += 1
         identity = f"{own}.{number}"
     return identity
+
+
+def _fits(text: str, patterns: Iterable[str]) -> bool:
+    return any(fnmatchcase(text, pattern) for pattern in patterns)
 
 
 def _properties(part: Part, own: Mapping[str, str]) -> dict[str, str]:

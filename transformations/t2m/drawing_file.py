@@ -32,7 +32,7 @@ def drawing_bytes(path: Path, kind: str, give: str, fix: str) -> bytes:
     if not data.strip():
         raise SourceError("the file is empty", location=place, fix=fix)
     if (encoding := _wide_encoding(data)) is not None:
-        raise SourceError(f"it is in {encoding}, and not in UTF-8", location=place, fix="save it as UTF-8")
+        raise SourceError(f"its encoding is {encoding}, not UTF-8", location=place, fix="save it as UTF-8")
     return data
 
 

@@ -22,12 +22,12 @@ def given_roles(roles: Mapping[str, str], titles: Mapping[str, str]) -> dict[str
     result: dict[str, str] = {}
     for name, role in roles.items():
         if role not in ROLES:
-            cause = f"'{role}' is no role{did_you_mean(role, ROLES)}; [roles] of {FILE_NAME} gives it to '{name}'"
+            cause = f"unknown role '{role}'{did_you_mean(role, ROLES)} of '{name}' in [roles] of {FILE_NAME}"
             raise UsageError(cause, fix=f"use one of: {', '.join(ROLES)}")
         found = [identity for identity, title in titles.items() if name in (f"#{identity}", title)]
         if len(found) != 1:
             known = sorted({title for title in titles.values() if title})
-            cause = f"{len(found)} components are called '{name}'" if found else f"no component is called '{name}'"
+            cause = f"{len(found)} components are called '{name}'" if found else f"unknown component '{name}'"
             fix = f"use one of: {', '.join(f'#{i}' for i in found) if found else ', '.join(known)}"
             named = f", to which [roles] of {FILE_NAME} gives '{role}'"
             raise UsageError(cause + ("" if found else did_you_mean(name, known)) + named, fix=fix)

@@ -64,7 +64,7 @@ def parse_xml(
     except etree.XMLSyntaxError as error:
         line, column = error.position
         place = Location(path, line or None, column or None)
-        cause = (error.msg or "no XML at all").partition(", line")[0].partition(", use XML_PARSE")[0]
+        cause = (error.msg or "not XML").partition(", line")[0].partition(", use XML_PARSE")[0]
         raise SourceError(
             f"'{what}' is not well-formed XML: {cause}", location=place, fix=f"open it in {tool} and save it again"
         ) from error

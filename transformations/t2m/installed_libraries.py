@@ -60,19 +60,19 @@ def read_libraries(folder: Path) -> Found:
         SourceError: there is no such folder.
     """
     if not folder.is_dir():
-        raise SourceError("there is no such folder", location=Location(str(folder)), fix="give a folder of libraries")
+        raise SourceError("no such folder", location=Location(str(folder)), fix="give a folder of libraries")
     found, seen, names = Found(), set[Path](), dict[str, str]()
     for path in _folders(folder, found):
         real = path.resolve()
         if real in seen:
-            found.skipped[str(path)] = "it is a link to a folder that was read before"
+            found.skipped[str(path)] = "it is a link to a folder that is already read"
             continue
         seen.add(real)
         row = _library(path, found)
         if row is None:
             continue
         if row["name"] in names:
-            found.skipped[str(path)] = f"the library '{row['name']}' was read before, in {names[row['name']]}"
+            found.skipped[str(path)] = f"the library '{row['name']}' is already read from {names[row['name']]}"
             continue
         names[row["name"]] = str(path)
         found.rows.append(row)
@@ -114,7 +114,7 @@ def _library(folder: Path, found: Found) -> LibraryRow | None:
         if path.name.isprintable():
             headers += [path] if path.is_file() else []
         else:
-            found.skipped[_clean(str(path))] = "its name has characters that cannot be kept"
+            found.skipped[_clean(str(path))] = "its name has characters that cannot be stored"
     if not headers:
         found.skipped.setdefault(str(folder), "it has no header")
         return None
@@ -150,7 +150,7 @@ def _declared(folder: Path, found: Found) -> dict[str, str]:
         pairs = (line.partition("=") for line in text.splitlines() if not line.startswith("#"))
         said = {key.strip(): _clean(value) for key, equals, value in pairs if equals}
         if not 0 < len(said.get("name", "")) <= _LONGEST_NAME:
-            found.skipped[str(properties)] = "it names no library; the folder's name was taken"
+            found.skipped[str(properties)] = "it names no library; RoboSMi uses the folder's name"
             said.pop("name", None)
         return said
     if manifest.is_file() and (text := _text(manifest, found)) is not None:
@@ -161,7 +161,7 @@ def _declared(folder: Path, found: Found) -> dict[str, str]:
         if isinstance(data, dict):
             said = {key: _clean(value) for key, value in _from_manifest(data).items()}
             return said if len(said["name"]) <= _LONGEST_NAME else {**said, "name": ""}
-        found.skipped[str(manifest)] = "it is no JSON object; the folder's name was taken"
+        found.skipped[str(manifest)] = "it is not a JSON object; RoboSMi uses the folder's name"
     return {}
 
 

@@ -34,7 +34,7 @@ from robosmi.transformations.knowledge.platforms.api_spelling import spelled
 from robosmi.transformations.t2m.library_rows import LibraryRow
 
 _ADDRESS = re.compile(r"\s*[<(][^<>()@]*@[^<>()]*[>)]|[^\s@]+@\S+")
-_FIX = "take a file that has one library a line, as the README beside the index says"
+_FIX = "use a file with one library per line; the README next to the index has the format"
 
 
 def build(index_jsonl_gz: Path, target: Path, api_jsonl_gz: Path | None = None) -> tuple[int, int]:
@@ -93,7 +93,7 @@ def _checked(row: Any, place: Location) -> tuple[LibraryRow, list[HeaderApi]]:
     try:
         return library, [header_api(item) for item in row.get("api") or ()]
     except (ValueError, TypeError) as error:
-        raise SourceError(f"what '{row['name']}' declares has another form: {error}", location=place, fix=_FIX) from error
+        raise SourceError(f"the declarations of '{row['name']}' are malformed: {error}", location=place, fix=_FIX) from error
 
 
 def _texts(value: object) -> bool:
@@ -132,7 +132,7 @@ def main(arguments: list[str]) -> int:
     """The command line: SOURCE, TARGET and perhaps a second source with what headers declare. Returns the exit code."""
     try:
         if len(arguments) not in (2, 3):
-            raise UsageError("a source and a target are wanted", fix="library_index index.jsonl.gz index.sqlite [api.jsonl.gz]")
+            raise UsageError("give a source and a target", fix="library_index index.jsonl.gz index.sqlite [api.jsonl.gz]")
         libraries, headers = build(Path(arguments[0]), Path(arguments[1]), *(Path(more) for more in arguments[2:]))
     except RobosmiError as error:
         print(error, file=sys.stderr)
@@ -146,7 +146,7 @@ if __name__ == "__main__":
 
 
 _KIND = re.compile(r"^(enum|struct|class|union):(?!:)")
-_API_FIX = "take a file that has one header a line, as the README beside the index says"
+_API_FIX = "use a file with one header per line; the README next to the index has the format"
 
 
 def read_api(api_jsonl_gz: Path) -> dict[str, list[HeaderApi]]:
@@ -173,7 +173,7 @@ def _row(line: str, place: Location) -> tuple[str, HeaderApi]:
             raise ValueError("it names no library")
         return row["library"], header_api(row)
     except ValueError as error:
-        raise SourceError(f"this line does not say what a header declares: {error}", location=place, fix=_API_FIX) from error
+        raise SourceError(f"this line does not list a header's declarations: {error}", location=place, fix=_API_FIX) from error
 
 
 def header_api(row: Mapping[str, Json]) -> HeaderApi:

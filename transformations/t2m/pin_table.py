@@ -42,7 +42,7 @@ MOST_THROUGH = 100
 """Passive parts that a signal may go through one after another; drawings have one or two."""
 
 MOST_PARTS = 2_000
-"""Parts that a table may have; each costs a look into the tables of parts and into the index of libraries."""
+"""Parts that a table may have: each is looked up in tables of parts, and by some commands in the index of libraries."""
 
 _FIX = "see docs/reference/pin-tables.md for the columns"
 _NO_PIN = "pin = []"
@@ -71,6 +71,8 @@ def recognises(head: bytes) -> bool:
     ]
     if "[[pin]]" in lines or _NO_PIN in lines:
         return True
+    if lines and lines[0].lower().lstrip('"').startswith("sep="):
+        lines = lines[1:]
     return bool(lines) and {*COLUMNS[:2]} <= {cell.strip().lower() for cell in re.split("[,;\t]", lines[0])}
 
 
@@ -226,20 +228,20 @@ class _Table:
         found = classify(Part("", title=rows[0]["part"]), self.project)
         driver = any(row["driver"].lower() in _TRUE for row in rows)
         if told:
-            why = GIVEN if given else "the table says so"
+            why = GIVEN if given else "given in the table"
             if not any(row["driver"] for row in rows):
                 driver = found.driver and found.role == told
             return Part("", found.title, role=told, evidence=why, driver=driver)
         unclear = f"no rule fits the part '{rows[0]['part']}'"
         if found.role in _SILENT and any(self._label(row) in self.labels.values() for row in rows):
-            unclear = f"the part '{rows[0]['part']}' is taken for {found.role} by its name, but a pin is wired to it"
+            unclear = f"the part '{rows[0]['part']}' has the role {found.role} by its name, but a pin is wired to it"
             found = Part("", found.title, role="Unknown", evidence=unclear)
         if found.role == "Unknown":
             self.findings.append(
                 Finding(
                     "RS203",
                     Severity.warning,
-                    f"what '{title}' does is unknown: {unclear}",
+                    f"the role of '{title}' is unknown: {unclear}",
                     Location(self.path, rows[0].line),
                     fix="give its role in the table or in robosmi.toml under [roles]",
                 )
@@ -267,7 +269,7 @@ class _Table:
                     title=title,
                     partTitle=passive_named(title, self.names),
                     role=hardware.Role.Passive,
-                    roleEvidence="the signal goes through it, as the table says",
+                    roleEvidence="the signal goes through it, by the table",
                     connectors=[near, far],
                 )
                 passives.append(part)
@@ -317,6 +319,8 @@ def _rows(path: Path, data: bytes) -> tuple[str, list[_Row]]:
     return _toml_rows(path, text) if path.suffix.lower() == ".toml" else _csv_rows(path, text)
 
 
+_ANNOUNCED = re.compile(r"""(?i:\s*"?sep=(.)"?[,;\t]*+)\s*""")
+"""Matches the line with which Excel says what separates the cells."""
 _CELL = r'(?:"[^"]*+(?:""[^"]*+)*+"(?:[^",;\t][^,;\t]*)?|[^",;\t][^,;\t]*|)'
 _CLOSED = re.compile(rf"{_CELL}(?:[,;\t]{_CELL})*")
 """Matches a line at whose end no quoted cell is open."""
@@ -341,8 +345,10 @@ def _records(text: str) -> list[tuple[int, str]]:
 
 def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
     lines = _records(text)
+    announced = _ANNOUNCED.fullmatch(lines[0][1]) if lines else None
+    lines = lines[1:] if announced is not None else lines
     sample = lines[0][1] if lines else ""
-    separator = max(",;\t", key=sample.count)
+    separator = announced[1] if announced is not None else max(",;\t", key=sample.count)
     header = [cell.strip().lower() for cell in next(csv.reader([sample], delimiter=separator), [])]
     _check_columns(header, Location(str(path), lines[0][0] if lines else 1))
     rows: list[_Row] = []
@@ -353,14 +359,14 @@ def _csv_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
             raise SourceError(f"not valid CSV: {error}", location=Location(str(path), number), fix=_FIX) from error
         if len(cells) > len(header):
             raise SourceError(
-                f"a row has {len(cells)} cells, the head {len(header)}",
+                f"a row has {len(cells)} cells, but the header has {len(header)}",
                 location=Location(str(path), number),
-                fix="put a cell with a comma in it in quotes",
+                fix="put cells that contain a comma in quotes",
             )
         rows.append(_Row(number, dict(zip(header, (csv_text(cell.strip()) for cell in cells), strict=False))))
     boards = list(dict.fromkeys(row["board"] for row in rows if row["board"]))
     if len(boards) > 1:
-        raise SourceError(f"the rows name {len(boards)} boards", location=Location(str(path)), fix="keep one table a board")
+        raise SourceError(f"the rows name {len(boards)} boards", location=Location(str(path)), fix="use one table per board")
     return boards[0] if boards else "", [row for row in rows if any(row[column] for column in COLUMNS if column != "board")]
 
 
@@ -373,14 +379,14 @@ def _toml_rows(path: Path, text: str) -> tuple[str, list[_Row]]:
         raise SourceError("the table has no row", location=Location(str(path)), fix=_FIX)
     entries = table.get("pin", [])
     if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
-        raise SourceError("'pin' is no list of tables", location=Location(str(path)), fix="write each row as [[pin]]")
+        raise SourceError("'pin' is not a list of tables", location=Location(str(path)), fix="write each row as [[pin]]")
     for entry in entries:
         _check_columns([*entry], Location(str(path)))
     heads = [number for number, line in enumerate(text.splitlines(), 1) if line.strip() == "[[pin]]"]
     places = heads if len(heads) == len(entries) else [1] * len(entries)
     board = table.get("board", "")
     if not isinstance(board, str):
-        raise SourceError("'board' is no text", location=Location(str(path)), fix='write board = "uno"')
+        raise SourceError("'board' is not a text", location=Location(str(path)), fix='write board = "uno"')
     return board, [_Row(place, {k: _cell(v) for k, v in e.items()}) for place, e in zip(places, entries, strict=True)]
 
 
@@ -391,7 +397,7 @@ def _cell(value: object) -> str:
 def _check_columns(columns: Sequence[str], place: Location) -> None:
     for column in columns:
         if column not in COLUMNS:
-            raise SourceError(f"no column is called '{column}'{did_you_mean(column, COLUMNS)}", location=place, fix=_FIX)
+            raise SourceError(f"unknown column '{column}'{did_you_mean(column, COLUMNS)}", location=place, fix=_FIX)
     for column in COLUMNS[:2]:
         if column not in columns:
-            raise SourceError(f"there is no column '{column}'", location=place, fix=_FIX)
+            raise SourceError(f"the column '{column}' is missing", location=place, fix=_FIX)

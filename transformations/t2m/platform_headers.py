@@ -102,7 +102,7 @@ def read_headers(folder: Path, api: ApiIndex, include_dirs: Sequence[Path] = (),
         MissingToolError: libclang is not installed.
     """
     if not folder.is_dir():
-        raise SourceError("there is no such folder", location=Location(str(folder)), fix="give the folder of the headers")
+        raise SourceError("no such folder", location=Location(str(folder)), fix="give the folder of the headers")
     found = ApiFound()
     files = _files(folder, found)
     names = _names(folder, files, found)
@@ -114,7 +114,7 @@ def read_headers(folder: Path, api: ApiIndex, include_dirs: Sequence[Path] = (),
     for name, paths in sorted(names.items()):
         for path in paths:
             if name in found.paths:
-                found.skipped[str(path)] = f"another header of that name was read: {found.paths[name]}"
+                found.skipped[str(path)] = f"another header has the same name: {found.paths[name]}"
                 continue
             try:
                 unit, _ = read_unit(path, api, folders, defines)
@@ -123,7 +123,7 @@ def read_headers(folder: Path, api: ApiIndex, include_dirs: Sequence[Path] = (),
                 continue
             entry = _entry(unit, by_path)
             if lost := _damaged(unit, entry):
-                found.skipped[str(path)] = f"the rest was read, but not {', '.join(lost)}: syntax errors"
+                found.skipped[str(path)] = f"syntax errors: RoboSMi reads the rest, but not {', '.join(lost)}"
             missing.update(n for n in entry.includes if n not in names and api.header_kind(n) is None and not _resolved(unit, n))
             entry.kind = api.raw_kind(name) or "platform"
             read[name] = entry
@@ -180,7 +180,7 @@ def _names(folder: Path, files: Iterable[Path], found: ApiFound) -> dict[str, li
             headers.append(path)
     if len(headers) > MOST:
         raise SourceError(
-            f"there are {len(headers)} headers in this folder, more than a platform has ({MOST})",
+            f"this folder has {len(headers)} headers, but the limit is {MOST}",
             location=Location(str(folder)), fix="give the folder of the platform's own headers",
         )  # fmt: skip
     names: dict[str, list[Path]] = {}

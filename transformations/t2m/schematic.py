@@ -118,7 +118,7 @@ class _Making:
         self.known: dict[str, tuple[str, KnownPart]] = {part.identity: self._known(part) for part in drawn.parts}
         if (odd := next((end for net in drawn.nets for end in net.ends if end.component not in self.known), None)) is not None:
             guess = did_you_mean(odd.component, self.known)
-            raise builder.fault(f"names the end '{odd.component}.{odd.connector}', and has no part '{odd.component}'{guess}")
+            raise builder.fault(f"names the end '{odd.component}.{odd.connector}', but has no part '{odd.component}'{guess}")
 
     # ---- what parts are
 
@@ -141,16 +141,16 @@ class _Making:
             source="the drawing", description=part.description or self._meaning(part), buses=self._joined_inside(part),
         )  # fmt: skip
         if part.power:
-            return replace(found, role="Power", evidence="it is a symbol of a supply or a ground"), None, False
+            return replace(found, role="Power", evidence="it is a supply or ground symbol"), None, False
         if not part.pins and part.defined:
             return replace(found, role="Decoration", evidence="its symbol has no pins"), None, False
         if self._called(part, self.builder.names.solder_jumpers):
-            evidence = "a bridge of solder, which is not crossed"
+            evidence = "a solder jumper, which counts as open"
             return replace(found, family="solder jumper", role="Passive", evidence=evidence), None, False
         if (board := self._board(part)) is not None:
             return replace(found, buses=self._joined(part)), board, False
         if (chip := self._chip(part)) and part.identity not in self.chips:
-            return replace(found, role="Board", evidence=f"a bare {chip}: it runs a program"), None, False
+            return replace(found, role="Board", evidence=f"a bare {chip}, which runs a program"), None, False
         if self._called(part, self.builder.names.headers):
             return self._header(part, found)
         if part.value:
@@ -202,14 +202,14 @@ class _Making:
         counted.update({f" {number}": "" for number in range(part.count - len(counted))})
         if (stands := drawn_chip(texts, counted, self.project)) is None:
             self.report(
-                "RS215", Severity.warning, f"'{part.title}' is {chip}, which no board of the repository has as it is drawn",
-                part.line, "draw the board that is to run the program, or describe one (docs/how-to/add-a-board.md)",
+                "RS215", Severity.warning, f"'{part.title}' is {chip}, but no board of the repository matches the drawing",
+                part.line, "draw the board that runs the program, or describe one (docs/how-to/add-a-board.md)",
             )  # fmt: skip
             return None
         self.chips[part.identity] = (stands.chip, stands.clock)
         self.report(
             "RS215", Severity.info,
-            f"'{part.title}' is a bare {stands.chip}: it is taken as {stands.board.title}, its pins by their ports",
+            f"'{part.title}' is a bare {stands.chip}: RoboSMi treats it as {stands.board.title}, with its pins by their ports",
             part.line, "check that the target board has the same chip",
         )  # fmt: skip
         lacking = [
@@ -220,7 +220,7 @@ class _Making:
         if lacking:
             self.report(
                 "RS216", Severity.error, f"{stands.board.title} has no pins for {', '.join(lacking)} of '{part.title}'",
-                part.line, "move what is wired there to other pins",
+                part.line, "move the wires to other pins",
             )  # fmt: skip
         return stands.board
 
@@ -252,7 +252,7 @@ class _Making:
         ]
         title = part.value or ", ".join(told[:_NET_NAMES]) or part.symbol
         return (
-            replace(found, title=title, family="", description="", evidence="a header, and what hangs on it is not drawn"),
+            replace(found, title=title, family="", description="", evidence="a header without a drawn device"),
             None,
             True,
         )
@@ -317,8 +317,8 @@ class _Making:
             if hertz and hertz != clock and hertz > 1_000_000:
                 self.report(
                     "RS218", Severity.warning,
-                    f"'{part.title}' is a clock of {part.value}, and programs for the board expect {clock // 1_000_000} MHz",
-                    part.line, "times and baud rates differ: check that the target board has the clock that you need",
+                    f"'{part.title}' is a clock of {part.value}, but programs for the board expect {clock // 1_000_000} MHz",
+                    part.line, "check that the target board has the clock that you need; times and baud rates differ",
                 )  # fmt: skip
 
     def _without_board(self) -> None:
@@ -333,13 +333,13 @@ class _Making:
         ]  # fmt: skip
         if len(found) > 1:
             self.report(
-                "RS219", Severity.error, f"there is no board: {', '.join(found[:4])} seem to be the headers of one", None,
-                "draw the board by its own symbol (an Arduino Uno, a shield), so that its pins are told",
+                "RS219", Severity.error, f"the drawing has no board, but {', '.join(found[:4])} seem to be its headers", None,
+                "draw the board with its own symbol, such as an Arduino Uno or a shield",
             )  # fmt: skip
             return
         self.report(
-            "RS229", Severity.warning, "there is no board in this drawing: its parts and nets are read, and no pin is told", None,
-            "give the file that has the board, or give a part the role Board in robosmi.toml under [roles]",
+            "RS229", Severity.warning, "the drawing has no board: RoboSMi reads its parts and nets, but no pins", None,
+            "give the file with the board, or give a part the role Board in robosmi.toml under [roles]",
         )  # fmt: skip
 
     def _bears_labels(self, part: SchematicPart) -> bool:

@@ -53,9 +53,7 @@ def job(
     mcu = board.microcontroller.name if board.microcontroller is not None else ""
     path, known = _facts()
     if mcu not in known:
-        raise UsageError(
-            f"no simulator is told enough about the microcontroller '{mcu}'", fix=f"use one of: {', '.join(sorted(known))}"
-        )
+        raise UsageError(f"no simulator data for the microcontroller '{mcu}'", fix=f"use one of: {', '.join(sorted(known))}")
     try:
         channels, timers = known[mcu]["analog"], known[mcu]["timers"]
     except KeyError as error:

@@ -166,5 +166,5 @@ def _told(channel: str, rests: tuple[Rest, Rest], expected: Expected, kind: Rest
     source, target = (
         ActivityEvent(1000 * rest.at_ms, LINE, (does.format(place),)) for rest, place in zip(rests, places, strict=True)
     )
-    message = f"{target.value[0]}, instead of {places[0]:.1f} (between {least:.1f} and {most:.1f} are the same)"
+    message = f"{target.value[0]}; the original {places[0]:.1f} (tolerance {least:.1f} to {most:.1f})"
     return FirstDifference(rests[0].at_ms, channel, message, source, target)

@@ -17,18 +17,18 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
-    listing = actions.add_parser("list", help="which functions have an adapter, and whose it is")
-    showing = actions.add_parser("show", help="an adapter with its text")
+    listing = actions.add_parser("list", help="list the functions with an adapter, and its origin")
+    showing = actions.add_parser("show", help="show an adapter with its text")
     showing.add_argument("name", metavar="NAME", help="a function of the source platform, or HEADER/NAME")
-    saving = actions.add_parser("save", help="keep bodies that were written in a generated program as adapter files")
+    saving = actions.add_parser("save", help="save bodies written in a generated program as adapter files")
     saving.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate")
     saving.add_argument(
         "--as", dest="whose", choices=("user", "project"), default="user",
-        help="for all programs of yours (default), or beside robosmi.toml for those of the project",
+        help="user: for all your programs (default); project: next to robosmi.toml, for this project",
     )  # fmt: skip
     for action in (listing, showing):
-        action.add_argument("--target", metavar="NAME", help="the target (default: as in migrate)")
-        action.add_argument("--source-platform", metavar="NAME", help="the source platform (default: as in migrate)")
+        action.add_argument("--target", metavar="NAME", help="target (default: as in migrate)")
+        action.add_argument("--source-platform", metavar="NAME", help="source platform (default: as in migrate)")
     for action in (listing, showing, saving):
         action.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 

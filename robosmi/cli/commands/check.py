@@ -20,7 +20,7 @@ def configure(parser: Options) -> None:
     parser.add_argument("model", metavar="MODEL|DRAWING|PLAN", type=Path, help="a drawing, a stored plan.xmi or another model")
     parser.add_argument(
         "--metamodel", dest="metamodels", action="append", default=[], metavar="X.ecore", type=Path,
-        help="metamodel of MODEL, which is XMI; may be given several times",
+        help="metamodel of an XMI model; repeatable",
     )  # fmt: skip
 
 

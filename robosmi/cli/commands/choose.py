@@ -24,13 +24,13 @@ def configure(parser: Options) -> None:
         "answers", metavar="ID=VALUE", nargs="*",
         help="a choice (port:NAME, library:ID, or the name of a port or component) and a pin, a connection, a library or none",
     )  # fmt: skip
-    parser.add_argument("--reopen", action="append", default=[], metavar="ID", help="leave a choice open again")
-    parser.add_argument("--why", default="", metavar="TEXT", help="the reason, which is kept in the plan")
-    parser.add_argument("--source", metavar="FILE", type=Path, help="a source of the program, beside which robosmi.toml lies")
+    parser.add_argument("--reopen", action="append", default=[], metavar="ID", help="open a choice again")
+    parser.add_argument("--why", default="", metavar="TEXT", help="reason, stored in the plan")
+    parser.add_argument("--source", metavar="FILE", type=Path, help="a source file of the program, next to robosmi.toml")
     parser.add_argument(
-        "--history", metavar="PLACE", help="a file or an SQLAlchemy URL with earlier choices instead of the user's"
+        "--history", metavar="PLACE", help="file or SQLAlchemy URL of the library history (default: the user's own)"
     )
-    parser.add_argument("--dry-run", action="store_true", help="say what would be made and write nothing")
+    parser.add_argument("--dry-run", action="store_true", help="show what would be generated; write nothing")
 
 
 class _Arguments(argparse.Namespace):
@@ -54,9 +54,9 @@ def run(arguments: _Arguments) -> Report:
     report = Report("choose")
     answers = pairs(arguments.answers, "choose")
     if twice := set(answers) & set(arguments.reopen):
-        raise UsageError(f"'{min(twice)}' is chosen and left open", fix="give one of them")
+        raise UsageError(f"'{min(twice)}' is both chosen and opened", fix="give only one of them")
     if not answers and not arguments.reopen:
-        raise UsageError("nothing is chosen", fix="give ID=VALUE; robosmi open shows what there is to choose")
+        raise UsageError("no choice is given", fix="give ID=VALUE; robosmi open shows the choices")
     done: ChosenSketch = content("chain", "choose")(
         arguments.output, answers | dict.fromkeys(arguments.reopen, ""), why=arguments.why, source=arguments.source,
         dry_run=arguments.dry_run, history=arguments.history,

@@ -17,8 +17,10 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate, or the sketch's own folder")
-    parser.add_argument("--board", metavar="NAME", help="another board than the one in the sketch's project file")
-    parser.add_argument("-o", dest="into", metavar="DIR", type=output_folder, help="folder for the program instead of OUT/build")
+    parser.add_argument("--board", metavar="NAME", help="board to compile for, instead of the one in the sketch's project file")
+    parser.add_argument(
+        "-o", dest="into", metavar="DIR", type=output_folder, help="folder for the compiled program (default: OUT/build)"
+    )
 
 
 class _Arguments(argparse.Namespace):
@@ -47,9 +49,9 @@ def _stack(stack: StackBound) -> str:
     said = f"at most {stack.bytes} bytes, {stack.interrupts} of them for interrupts"
     if stack.certain:
         return said
-    doubts = [(stack.recursive, "call themselves"), (stack.unknown, "take as much as is computed while the program runs")]
+    doubts = [(stack.recursive, "are recursive"), (stack.unknown, "allocate a size known only at run time")]
     more = "; ".join(f"{', '.join(names)} {what}" for names, what in doubts if names)
-    return f"{said.replace('at most', 'about')}, and more where functions go deeper: {more}"
+    return f"{said.replace('at most', 'about')}, or more: {more}"
 
 
 def _lines(compiled: CompileReport) -> list[str]:
@@ -64,7 +66,7 @@ def _lines(compiled: CompileReport) -> list[str]:
         lines.append(f"  stack: {_stack(compiled.stack)}")
     lines += [f"  library: {library.name} ({library.source})" for library in compiled.libraries]
     if compiled.ok and not compiled.fits:
-        lines.append(f"  too big for this board{f'; it fits on {compiled.fits_on}' if compiled.fits_on else ''}")
+        lines.append(f"  too big for this board{f'; fits on {compiled.fits_on}' if compiled.fits_on else ''}")
     if compiled.hex is not None:
         lines.append(f"  program: {compiled.hex}")
     return lines

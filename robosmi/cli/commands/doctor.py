@@ -88,19 +88,19 @@ PACKAGES = {
     "networkx": ("networkx", "connector mapping"),
     "filelock": ("filelock:FileLock", "writing into output folders"),
     "sexpdata": ("sexpdata", "reading drawings"),
-    "tomlkit": ("tomlkit", "keeping choices in robosmi.toml"),
+    "tomlkit": ("tomlkit", "saving choices in robosmi.toml"),
 }
 """Required Python packages: distribution name -> (what is imported to test it, what it is needed for)."""
 
 
 OPTIONAL = {
-    "mcp": ("mcp.server", "assistants", "mcp", "robosmi mcp: assistants use the commands as tools, held to one folder"),
-    "SQLAlchemy": ("sqlalchemy", "a shared history", "database", "a history of library choices in a database that a team shares"),
+    "mcp": ("mcp.server", "assistants", "mcp", "robosmi mcp: serve the commands as tools for assistants, confined to one folder"),
+    "SQLAlchemy": ("sqlalchemy", "a shared history", "database", "sharing a library history in a database"),
 }
 """Optional Python packages: distribution name -> (what is imported to test it, its purpose, the extra, what it enables)."""
-_SIMULATION = "simulate runs the migrated program, and verify compares what it does; one simulator is enough"
-_ORIGINALS = "verify runs the original, and so compares the migrated program with it"
-_UPLOAD = "upload puts a compiled sketch on its board"
+_SIMULATION = "simulating the migrated program (simulate, verify); one simulator is enough"
+_ORIGINALS = "running the original (verify)"
+_UPLOAD = "uploading a compiled sketch"
 
 
 class ToolStatus(Struct, frozen=True):

@@ -13,7 +13,9 @@ if TYPE_CHECKING:
 
 def configure(parser: Options) -> None:
     """Add the command's options."""
-    parser.add_argument("rules", nargs="*", metavar="RULE", help="id or name of a rule, as RS311; none lists all")
+    parser.add_argument(
+        "rules", nargs="*", metavar="RULE", help="id or name of a rule, such as RS311; without it, list all rules"
+    )
 
 
 class _Arguments(argparse.Namespace):

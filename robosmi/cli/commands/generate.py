@@ -18,11 +18,13 @@ if TYPE_CHECKING:
 
 def configure(parser: Options) -> None:
     """Add the command's options."""
-    parser.add_argument("plan", metavar="plan.xmi", type=Path, help="a stored plan, perhaps edited")
+    parser.add_argument("plan", metavar="plan.xmi", type=Path, help="a stored plan, edited or not")
     parser.add_argument("-o", dest="output", metavar="OUT", type=output_folder, required=True, help="output folder")
-    parser.add_argument("--bench", action="store_true", help="make a sketch that tries one component at a time, too: OUT/bench")
-    parser.add_argument("--dry-run", action="store_true", help="say what would be made and write nothing")
-    parser.add_argument("--strict", action="store_true", help="stop when a choice is open")
+    parser.add_argument(
+        "--bench", action="store_true", help="also generate OUT/bench, a sketch that tests one component at a time"
+    )
+    parser.add_argument("--dry-run", action="store_true", help="show what would be generated; write nothing")
+    parser.add_argument("--strict", action="store_true", help="stop if a choice is open")
 
 
 class _Arguments(argparse.Namespace):

@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("sketch", metavar="SKETCH", type=Path, help="the drawing, or a pin table (.csv, .toml)")
-    parser.add_argument("--target", metavar="NAME", help="target whose board it has (default: as in migrate)")
+    parser.add_argument("--target", metavar="NAME", help="target whose board the drawing shows (default: as in migrate)")
     parser.add_argument("-o", dest="output", metavar="hardware.xmi", type=Path, help="store the hardware model as XMI")
-    parser.add_argument("--svg", metavar="FILE", type=Path, help="draw board, nets and components, with what is wrong")
+    parser.add_argument("--svg", metavar="FILE", type=Path, help="draw board, nets and components, with errors marked")
     parser.add_argument("--write-table", metavar="FILE", type=Path, help="write the wiring as a pin table (.csv or .toml)")
 
 

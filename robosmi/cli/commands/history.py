@@ -19,10 +19,10 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
-    listing = actions.add_parser("list", help="show the choices")
+    listing = actions.add_parser("list", help="list the choices")
     forget = actions.add_parser("forget", help="remove choices")
-    export = actions.add_parser("export", help="write them to FILE.xmi, FILE.csv or FILE.json")
-    taking = actions.add_parser("import", help="take over those of FILE.xmi, FILE.csv or FILE.json")
+    export = actions.add_parser("export", help="write the choices to FILE.xmi, FILE.csv or FILE.json")
+    taking = actions.add_parser("import", help="add the choices of FILE.xmi, FILE.csv or FILE.json")
     forget.add_argument("--part", metavar="TITLE", help="title of the part")
     forget.add_argument("--part-id", metavar="ID", help="identifier of the part in its catalogue")
     forget.add_argument("--library", metavar="NAME", help="name of the library")
@@ -30,7 +30,9 @@ def configure(parser: Options) -> None:
     for sub in (export, taking):
         sub.add_argument("file", metavar="FILE", type=Path)
     for sub in (listing, forget, export, taking):
-        sub.add_argument("--history", metavar="PLACE", help="a file or an SQLAlchemy URL instead of the user's own history")
+        sub.add_argument(
+            "--history", metavar="PLACE", help="file or SQLAlchemy URL of the library history (default: the user's own)"
+        )
         sub.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 
@@ -57,7 +59,7 @@ def run(arguments: _Arguments) -> Report:
     elif arguments.action == "forget":
         count = history.forget(arguments.part_id, arguments.part, arguments.library, everything=arguments.everything)
         report.result = {"place": history.place, "forgotten": count}
-        report.lines = [f"forgot {count} choice{'s' if count != 1 else ''}"]
+        report.lines = [f"removed {count} choice{'s' if count != 1 else ''}"]
     elif arguments.action == "export":
         written: list[HistoryEntry] = content("chain", "history_export")(history, arguments.file)
         report.artifacts = [{"path": str(arguments.file), "kind": "history"}]

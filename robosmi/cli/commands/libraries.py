@@ -21,12 +21,12 @@ _SHOWN = 10
 def configure(parser: Options) -> None:
     """Add the command's options."""
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
-    taking = actions.add_parser("import", help="add the libraries of a folder")
+    taking = actions.add_parser("import", help="add a folder's libraries to the index")
     taking.add_argument("folder", metavar="DIR", type=Path, help="folder of libraries, one library, or a PlatformIO project")
-    showing = actions.add_parser("show", help="what a library offers: classes, methods, functions, constants")
-    showing.add_argument("name", metavar="NAME", help="its name in the index")
+    showing = actions.add_parser("show", help="list a library's classes, methods, functions and constants")
+    showing.add_argument("name", metavar="NAME", help="name of the library in the index")
     for action in (taking, showing):
-        action.add_argument("--platform", metavar="NAME", help="platform that the libraries are for")
+        action.add_argument("--platform", metavar="NAME", help="platform of the libraries")
         action.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 
@@ -59,7 +59,7 @@ def _import(folder: Path, platform: str) -> Report:
         "index": str(done.index), "known": done.known,
     }  # fmt: skip
     report.findings = [
-        Finding("RS420", Severity.info, f"left out: {reason}", Location(path)) for path, reason in done.skipped.items()
+        Finding("RS420", Severity.info, f"skipped: {reason}", Location(path)) for path, reason in done.skipped.items()
     ]
     names = [f"{name} {version}".rstrip() for name, version in done.added]
     more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""

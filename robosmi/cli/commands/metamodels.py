@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
-    export = actions.add_parser("export", help="write the .ecore files for Eclipse users")
+    export = actions.add_parser("export", help="write the .ecore files, for Eclipse")
     export.add_argument("folder", metavar="DIR", type=Path)
-    generate = actions.add_parser("generate", help="generate typed Python packages from .ecore files and what they refer to")
+    generate = actions.add_parser("generate", help="generate typed Python packages from .ecore files and those they refer to")
     generate.add_argument("metamodels", metavar="X.ecore", type=Path, nargs="+")
     generate.add_argument("-o", dest="output", metavar="DIR", type=output_folder, required=True)
     for sub in (export, generate):

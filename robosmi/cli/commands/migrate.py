@@ -40,25 +40,31 @@ def configure(parser: Options) -> None:
         action="append",
         default=[],
         metavar="COMPONENT=LIBRARY",
-        help="library for a drawn component",
+        help="use a library for a drawn component",
     )
-    parser.add_argument("--bind", action="append", default=[], metavar="NAME=PIN", help="target pin for a port of the source")
-    parser.add_argument("--adapters", choices=("filled", "placeholders"), help="bodies of adapters")
+    parser.add_argument(
+        "--bind", action="append", default=[], metavar="NAME=PIN", help="connect a port of the source to a target pin"
+    )
+    parser.add_argument(
+        "--adapters",
+        choices=("filled", "placeholders"),
+        help="generate adapters with bodies, or as placeholders to write yourself",
+    )
     parser.add_argument(
         "--widths", choices=("fix", "keep"), default="fix",
-        help="fix: numbers keep the widths of the source; keep: the text stays, with a finding where it may matter",
+        help="fix: numbers keep their widths of the source; keep: leave the types unchanged and report where it may matter",
     )  # fmt: skip
     parser.add_argument(
-        "--history", metavar="PLACE", help="a file or an SQLAlchemy URL with earlier choices instead of the user's"
+        "--history", metavar="PLACE", help="file or SQLAlchemy URL of the library history (default: the user's own)"
     )
-    parser.add_argument("--bench", action="store_true", help="make a sketch that tries one component at a time, too: OUT/bench")
-    parser.add_argument("--dry-run", action="store_true", help="say what would be made and write nothing")
-    parser.add_argument("--yes", action="store_true", help="ask nothing")
-    parser.add_argument("--strict", action="store_true", help="stop when a choice is open")
-    parser.add_argument("--verify", action="store_true", help="compare the sketch with the original at the end")
     parser.add_argument(
-        "--open", action="store_true", help="go on with the page of the plan in the browser, as robosmi open does"
+        "--bench", action="store_true", help="also generate OUT/bench, a sketch that tests one component at a time"
     )
+    parser.add_argument("--dry-run", action="store_true", help="show what would be generated; write nothing")
+    parser.add_argument("--yes", action="store_true", help="do not ask questions")
+    parser.add_argument("--strict", action="store_true", help="stop if a choice is open")
+    parser.add_argument("--verify", action="store_true", help="compare the sketch with the original afterwards")
+    parser.add_argument("--open", action="store_true", help="open the plan in the browser afterwards, like robosmi open")
 
 
 class _Arguments(argparse.Namespace):
@@ -151,12 +157,12 @@ def ask_libraries(
         print(f"\nWhich library drives '{terminal(choice['component'])}'?", file=out or sys.stdout)
         for number, candidate in enumerate(candidates, 1):
             print(terminal(f"  {number}  {candidate['library']}: {'; '.join(candidate['reasons'])}"), file=out or sys.stdout)
-        print("  0  none; a name takes another library; Enter leaves it open", file=out or sys.stdout)
+        print("  0  no library; or type a library's name; Enter: decide later", file=out or sys.stdout)
         names = [str(candidate["library"]) for candidate in candidates]
         try:
             text = answer("> ").strip()
             while text.isdecimal() and int(text) > len(names):
-                print(f"  there is no number {int(text)} in the list", file=out or sys.stdout)
+                print(f"  the list has no number {int(text)}", file=out or sys.stdout)
                 text = answer("> ").strip()
         except EOFError:
             return said
@@ -188,15 +194,18 @@ def ask_ports(
         options = list(choice["options"])[:SHOWN]
         others = [name for name in choice["names"] if name != choice["name"]]
         also = f" ({', '.join(others)})" if others else ""
-        print(f"\nWhich pin is the port '{terminal(choice['name'])}'{terminal(also)} on?", file=out or sys.stdout)
+        print(f"\nWhich pin is port '{terminal(choice['name'])}'{terminal(also)} on?", file=out or sys.stdout)
         for number, option in enumerate(options, 1):
             print(terminal(f"  {number}  {option['label']}: {'; '.join(option['reasons'])}"), file=out or sys.stdout)
-        print("  0  none, it is not wired; the label of a pin takes that; Enter leaves it open", file=out or sys.stdout)
+        print("  0  not connected; or type a pin's label; Enter: decide later", file=out or sys.stdout)
         names = [str(option["label"]) for option in options]
         try:
             text = answer("> ").strip()
             while text and not (text.isdecimal() and int(text) <= len(names)) and text not in (*pins, NONE):
-                print(f"  there is no {'number' if text.isdecimal() else 'pin'} {terminal(text)}", file=out or sys.stdout)
+                print(
+                    f"  {'the list has no number' if text.isdecimal() else 'the board has no pin'} {terminal(text)}",
+                    file=out or sys.stdout,
+                )
                 text = answer("> ").strip()
         except EOFError:
             return said
@@ -242,11 +251,11 @@ class Answers:
 
         change = added_to_project(folder, entries)
         if change.stays:
-            print(f"\nThe answers are kept in the plan alone: {terminal(change.stays)}.", file=self.out or sys.stdout)
+            print(f"\nYour answers are saved only in the plan: {terminal(change.stays)}.", file=self.out or sys.stdout)
         if not change.files:
             return {}
         count, place = sum(len(each) for each in entries.values()), displayed_path(folder / FILE_NAME)
-        print(f"\nKeep {count} answer{'s' * (count != 1)} in {terminal(place)}? (y, Enter: no)", file=self.out or sys.stdout)
+        print(f"\nSave {count} answer{'s' * (count != 1)} in {terminal(place)}? (y; Enter: no)", file=self.out or sys.stdout)
         try:
             wanted = self.answer("> ").strip().lower() in ("y", "yes")
         except EOFError:

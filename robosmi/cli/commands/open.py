@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("output", metavar="OUT", type=output_folder, help="output folder of migrate or generate")
-    parser.add_argument("--port", type=int, default=0, metavar="N", help="the port of the page; any that is free if not given")
-    parser.add_argument("--no-browser", action="store_true", help="print the address and open no browser")
-    parser.add_argument("--source", metavar="FILE", type=Path, help="a source of the program, beside which robosmi.toml lies")
+    parser.add_argument("--port", type=int, default=0, metavar="N", help="TCP port of the page (default: any free port)")
+    parser.add_argument("--no-browser", action="store_true", help="print the address; do not open a browser")
+    parser.add_argument("--source", metavar="FILE", type=Path, help="a source file of the program, next to robosmi.toml")
 
 
 class _Arguments(argparse.Namespace):
@@ -62,7 +62,7 @@ def serve(report: Report, output: Path, port: int = 0, *, browser: bool = True, 
     page.document(live=True, nonce="")  # whatever is wrong with the plan is said before anything is served
     server = PageServer(page, port)
     report.result = {**report.result, "url": server.url, "pid": os.getpid()}
-    report.lines += [f"the page of {output}: {server.url}", "Ctrl-C ends it; all that it shows as saved is in the plan"]
+    report.lines += [f"{output} is open at {server.url}", "Press Ctrl-C to stop; the plan has all saved changes"]
 
     def go_on() -> None:
         sys.stdout.flush()

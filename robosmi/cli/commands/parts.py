@@ -19,10 +19,10 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
-    add = actions.add_parser("import", help="read part definitions and give each a role")
+    add = actions.add_parser("import", help="read part definitions and assign each a role")
     add.add_argument("folders", metavar="DIR", nargs="+", type=Path, help="folder with part definitions")
     add.add_argument(
-        "-o", dest="output", metavar="FILE.sqlite", type=Path, help="the file to write (default: in the user's data folder)"
+        "-o", dest="output", metavar="FILE.sqlite", type=Path, help="file to write (default: in the user's data folder)"
     )
     add.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 

@@ -19,8 +19,8 @@ def configure(parser: Options) -> None:
     actions = parser.add_subparsers(dest="action", metavar="ACTION", required=True)
     taking = actions.add_parser("import", help="read the headers of a folder")
     taking.add_argument("folder", metavar="DIR", type=Path, help="folder with the platform's headers")
-    taking.add_argument("--name", metavar="NAME", required=True, help="what --source-platform is to call it")
-    taking.add_argument("--like", metavar="NAME", help="known platform with the same compiler settings and meanings")
+    taking.add_argument("--name", metavar="NAME", required=True, help="name for --source-platform")
+    taking.add_argument("--like", metavar="NAME", help="known platform with the same compiler settings and semantics")
     taking.add_argument(
         "-I",
         dest="include_dirs",
@@ -30,7 +30,7 @@ def configure(parser: Options) -> None:
         type=Path,
         help="folder that the headers include from",
     )
-    taking.add_argument("-D", dest="defines", action="append", default=[], metavar="NAME", help="macro defined from outside")
+    taking.add_argument("-D", dest="defines", action="append", default=[], metavar="NAME", help="define a macro")
     taking.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON document to stdout")
 
 

@@ -19,16 +19,24 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument(
-        "model", metavar="MODEL", type=Path, help="model file of any technology, or folder with tables; it is called M"
+        "model",
+        metavar="MODEL",
+        type=Path,
+        help="model file of any technology, or folder with tables; its name in EXPRESSION is M",
     )
-    parser.add_argument("expression", metavar="EXPRESSION", help="as: 'Book.all.select(lambda b: b.year > 2000).name'")
-    parser.add_argument("--driver", metavar="NAME", help="driver to open MODEL with (default: by its ending)")
+    parser.add_argument("expression", metavar="EXPRESSION", help="for example 'Book.all.select(lambda b: b.year > 2000).name'")
+    parser.add_argument("--driver", metavar="NAME", help="driver that opens MODEL (default: by its file extension)")
     parser.add_argument(
         "--metamodel", dest="metamodels", action="append", default=[], metavar="X.ecore", type=Path,
-        help="metamodel of MODEL, which is XMI; may be given several times",
+        help="metamodel of an XMI model; repeatable",
     )  # fmt: skip
     parser.add_argument(
-        "--model", dest="models", action="append", default=[], metavar="NAME=MODEL", help="another model, and what it is called"
+        "--model",
+        dest="models",
+        action="append",
+        default=[],
+        metavar="NAME=MODEL",
+        help="another model and its name in EXPRESSION",
     )
 
 
@@ -55,10 +63,10 @@ def run(arguments: _Arguments) -> Report:
     others = pairs(arguments.models, "--model")
     for name in others:
         if not name.isidentifier() or name.startswith("_") or name in ("M", "Q"):
-            raise UsageError(f"--model {name}=...: this name cannot be used", fix="take letters and digits, and neither M nor Q")
+            raise UsageError(f"--model {name}=...: this name is not allowed", fix="use letters and digits; M and Q are taken")
     driver = arguments.driver or ("emf" if arguments.metamodels else None)
     if arguments.metamodels and driver != "emf":
-        raise UsageError(f"the driver '{driver}' takes no metamodel", fix="leave --metamodel out, or use the driver emf")
+        raise UsageError(f"the driver '{driver}' takes no metamodel", fix="omit --metamodel, or use the driver emf")
     options = {"metamodel": Metamodel.load(*arguments.metamodels)} if arguments.metamodels else {}
     models = [open_model(arguments.model, driver, "M", **options)]
     models += [open_model(path, name=name) for name, path in others.items()]

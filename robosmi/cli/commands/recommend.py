@@ -20,9 +20,9 @@ def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("sketch", metavar="SKETCH", nargs="?", type=Path, help="the drawing")
     parser.add_argument("--components", metavar="FILE.json", type=Path, help="components as JSON instead of a drawing")
-    parser.add_argument("--ranker", metavar="NAME", help="how to rank")
+    parser.add_argument("--ranker", metavar="NAME", help="ranker to use")
     parser.add_argument(
-        "--history", metavar="PLACE", help="a file or an SQLAlchemy URL with earlier choices instead of the user's"
+        "--history", metavar="PLACE", help="file or SQLAlchemy URL of the library history (default: the user's own)"
     )
 
 
@@ -39,7 +39,7 @@ def run(arguments: _Arguments) -> Report:
     """Run the command."""
     given = arguments.sketch or arguments.components
     if given is None or (arguments.sketch is not None and arguments.components is not None):
-        raise UsageError("give a drawing or --components, one of them", fix="see: robosmi recommend --help")
+        raise UsageError("give either a drawing or --components", fix="see: robosmi recommend --help")
     report = Report("recommend")
     project = project_of(given)
     done: RankedLibraries = content("chain", "recommend")(

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("output", metavar="OUT", type=output_folder, help="output folder of migrate or generate")
-    parser.add_argument("-o", dest="path", required=True, metavar="FILE.html", type=Path, help="the file")
+    parser.add_argument("-o", dest="path", required=True, metavar="FILE.html", type=Path, help="file to write")
 
 
 class _Arguments(argparse.Namespace):

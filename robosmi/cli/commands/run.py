@@ -15,22 +15,22 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("chain", metavar="CHAIN.toml", type=Path, help="the chain")
-    parser.add_argument("--dry-run", action="store_true", help="write nothing; show what would change")
+    parser.add_argument("--dry-run", action="store_true", help="show what would change; write nothing")
     parser.add_argument(
-        "--force", action="store_true", help="do every step, whatever has changed; a model changed by hand is kept as NAME.orig"
+        "--force", action="store_true", help="run every step, changed or not; a model that you edited is saved as NAME.orig"
     )
     parser.add_argument(
         "--fix",
         nargs="?",
         const="first",
         choices=("first", "last"),
-        help="perform the first (or last) fix of every finding of a validation, and store the models that it changes",
+        help="apply the first (or last) fix of every validation finding, and save the changed models",
     )
     parser.add_argument(
         "--no-keep",
         dest="keep",
         action="store_false",
-        help="make generated files anew as EGL does: edits outside of protected regions are lost",
+        help="overwrite generated files as EGL does: edits outside protected regions are lost",
     )
 
 

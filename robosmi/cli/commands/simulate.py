@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate, or the program's own folder")
-    parser.add_argument("--scenario", metavar="FILE", type=Path, help="what its components show over time (TOML)")
+    parser.add_argument("--scenario", metavar="FILE", type=Path, help="inputs over time (TOML)")
     parser.add_argument("--seconds", metavar="N", type=float, help="simulated seconds (default: the scenario's, else 5)")
-    parser.add_argument("--engine", metavar="NAME", help="simulator; the first that is installed if not given")
-    parser.add_argument("-o", dest="vcd", metavar="FILE.vcd", type=Path, help="write the trace for a viewer of waveforms")
+    parser.add_argument("--engine", metavar="NAME", help="simulator (default: the first that is installed)")
+    parser.add_argument("-o", dest="vcd", metavar="FILE.vcd", type=Path, help="write the trace for a waveform viewer")
 
 
 class _Arguments(argparse.Namespace):

@@ -32,6 +32,6 @@ def run(arguments: _Arguments) -> Report:
     folder, files = trust(arguments.folder)
     odd = misnamed(folder, files)
     report.result = {"folder": str(folder), "trusted": files, "misnamed": list(odd)}
-    report.lines = [f"trusted as they are now, in {folder}:", *(f"  {name}" for name in files)]
-    report.lines += [f"{name} replaces no template{meant}" for name, meant in odd.items()]
+    report.lines = [f"trusted in {folder}, until they change:", *(f"  {name}" for name in files)]
+    report.lines += [f"{name} matches no template{meant}" for name, meant in odd.items()]
     return report

@@ -31,6 +31,6 @@ def run(arguments: _Arguments) -> Report:
     report = Report("undo")
     done = undo(arguments.output)
     report.result = {"restored": done.restored, "removed": done.removed}
-    report.lines = [f"put back in {arguments.output}:", *(f"  {name}" for name in done.restored)]
-    report.lines += [f"  {name} is gone again" for name in done.removed]
+    report.lines = [f"restored in {arguments.output}:", *(f"  {name}" for name in done.restored)]
+    report.lines += [f"  {name} (removed)" for name in done.removed]
     return report

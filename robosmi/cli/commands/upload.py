@@ -16,11 +16,11 @@ if TYPE_CHECKING:
 def configure(parser: Options) -> None:
     """Add the command's options."""
     parser.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate, or the sketch's own folder")
-    parser.add_argument("--port", metavar="PORT", required=True, help="serial port of the board, as the system calls it")
-    parser.add_argument("--build", metavar="DIR", type=output_folder, help="the folder that compile -o was given")
-    parser.add_argument("--baud", metavar="N", type=int, help="baud rate of the boot loader, instead of the board's")
-    parser.add_argument("--unfinished", action="store_true", help="send a program with bodies that are still to be written, too")
-    parser.add_argument("--dry-run", action="store_true", help="send nothing; say what would be done")
+    parser.add_argument("--port", metavar="PORT", required=True, help="serial port of the board, such as /dev/ttyACM0")
+    parser.add_argument("--build", metavar="DIR", type=output_folder, help="folder given to compile -o")
+    parser.add_argument("--baud", metavar="N", type=int, help="baud rate of the boot loader (default: the board's)")
+    parser.add_argument("--unfinished", action="store_true", help="upload even if bodies are still to be written")
+    parser.add_argument("--dry-run", action="store_true", help="show the upload command; send nothing")
 
 
 class _Arguments(argparse.Namespace):
@@ -44,9 +44,9 @@ def run(arguments: _Arguments) -> Report:
     )  # fmt: skip
     report = Report("upload")
     report.result = done.to_json()
-    what = "is on" if done.sent else "would be sent to"
+    what = "uploaded" if done.sent else "would upload"
     report.lines = [
-        f"the program ({done.bytes} bytes) {what} '{done.board}' at {done.port}, with {done.tool}",
+        f"{what} {done.bytes} bytes to '{done.board}' at {done.port} with {done.tool}",
         f"  {report.result['command']}",
     ]
     return report

@@ -20,14 +20,24 @@ def configure(parser: Options) -> None:
     parser.add_argument("output", metavar="OUT", type=Path, help="output folder of migrate")
     parser.add_argument(
         "--scenario", dest="scenarios", action="append", default=[], metavar="FILE", type=Path,
-        help="a scenario (TOML); those stored with the models and generated ones if none is given",
+        help="a scenario (TOML); repeatable (default: the stored and the generated scenarios)",
     )  # fmt: skip
-    parser.add_argument("--engine", metavar="NAME", help="simulator; the first that is installed if not given")
-    parser.add_argument("--seed", metavar="N", type=int, default=1, help="of the search for scenarios (default: 1)")
+    parser.add_argument("--engine", metavar="NAME", help="simulator (default: the first that is installed)")
+    parser.add_argument("--seed", metavar="N", type=int, default=1, help="seed of the scenario search (default: 1)")
+    parser.add_argument("--trust-original", action="store_true", help="run the original even without a sandbox")
     parser.add_argument(
-        "--trust-original", action="store_true", help="run the original also where this system has no sandbox for it"
-    )
+        "--require-coverage", metavar="PERCENT", type=_percent,
+        help="exit with 1 when an output was not compared, or fewer of the original's lines were reached",
+    )  # fmt: skip
     parser.add_argument("-o", dest="vcd", metavar="FILE.vcd", type=Path, help="write both traces of the first difference")
+
+
+def _percent(text: str) -> float:
+    """A number from 0 to 100."""
+    value = float(text)
+    if not 0 <= value <= 100:
+        raise argparse.ArgumentTypeError(f"'{text}' is not from 0 to 100")
+    return value
 
 
 class _Arguments(argparse.Namespace):
@@ -38,6 +48,7 @@ class _Arguments(argparse.Namespace):
     engine: str | None
     seed: int
     trust_original: bool
+    require_coverage: float | None
     vcd: Path | None
     verbose: bool
 
@@ -53,5 +64,10 @@ def run(arguments: _Arguments) -> Report:
     report.ok, report.failure_code = done.exit_code == 0, done.exit_code
     report.result, report.findings = done.result, list(done.findings)
     report.lines = done.verdict.lines(arguments.verbose)
+    if report.ok and arguments.require_coverage is not None and not done.verdict.covers(arguments.require_coverage):
+        report.ok, report.failure_code = False, 1
+        report.lines.append(
+            f"too little was compared: --require-coverage asks for every output and {arguments.require_coverage:g} % of the lines"
+        )
     report.artifacts = [{"path": str(path), "kind": kind} for path, kind in done.written]
     return report

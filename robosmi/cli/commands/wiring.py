@@ -24,10 +24,8 @@ def configure(parser: Options) -> None:
     """Add the command's options."""
     forms = registry().names(FORM)
     parser.add_argument("output", metavar="OUT", type=output_folder, help="output folder of migrate or generate")
-    parser.add_argument("--as", dest="form", required=True, choices=forms, help=f"the form: {', '.join(forms)}")
-    parser.add_argument(
-        "-o", dest="path", required=True, metavar="PATH", type=Path, help="the file, or the folder of the project"
-    )
+    parser.add_argument("--as", dest="form", required=True, choices=forms, help=f"output form: {', '.join(forms)}")
+    parser.add_argument("-o", dest="path", required=True, metavar="PATH", type=Path, help="file, or folder of the project")
 
 
 class _Arguments(argparse.Namespace):
@@ -42,7 +40,7 @@ def run(arguments: _Arguments) -> Report:
     """Run the command."""
     report = Report("wiring")
     if not str(arguments.path).strip("\0 "):
-        raise UsageError("the place for the wiring has no name", fix="give a file or a folder: -o PATH")
+        raise UsageError("the path for the wiring is empty", fix="give a file or a folder: -o PATH")
     done: HandedWiring = content("chain", "wiring")(arguments.output, arguments.form, arguments.path)
     report.result = {"form": arguments.form, "path": str(arguments.path), **done.result}
     report.findings, report.artifacts = list(done.findings), done.artifacts()

@@ -52,6 +52,7 @@ from robosmi.model.elements.ecore import (
     EStructuralFeature,
 )
 from robosmi.model.elements.feature_values import FeatureCollection
+from robosmi.model.elements.features import without_elements
 from robosmi.model.elements.ordering import post_order
 from robosmi.model.elements.pyecore_internals import add_silently, contain, key_of, set_features_of, set_key
 from robosmi.model.elements.python_names import MEMBER, python_name
@@ -96,6 +97,19 @@ class DynamicClass(type(ecore.EObject)):  # type: ignore[misc]
             return list(post_order(start, lambda one: one.__bases__[::-1]))[::-1]
 
 
+class EcoreSubclass(DynamicClass, type(ecore.EPackage), type(ecore.EModelElement)):  # type: ignore[misc]
+    """The class of dynamic classes that inherit from one of Ecore's own; only annotated and named elements can be made."""
+
+    __init__ = type.__init__  # pyecore's would add the class to a package of its own
+    __instancecheck__ = type.__instancecheck__  # for pyecore's, a module that is a package would be an element
+
+    def __call__(cls, /, *args: Any, **features: Any) -> Any:
+        """A new element."""
+        if (reason := without_elements(cls.eClass)) is not None:
+            raise ModelError(reason, fix="create one of a class that inherits from EModelElement, ENamedElement or EObject")
+        return super().__call__(*args, **features)
+
+
 class PackageMaker:
     """Makes packages one after the other; a description that was given before has the package that was made then."""
 
@@ -121,7 +135,7 @@ class PackageMaker:
         for root in packages:
             epackages: dict[Package, EPackage] = {}
             for package in root.walk():
-                epackage = epackages[package] = self.packages[package] = ecore.EPackage(package.name, package.uri, package.prefix)
+                epackage = epackages[package] = self.packages[package] = ecore.EPackage(package.name, *_namespace(package))
                 if package.parent is not None:
                     epackages[package.parent].eSubpackages.append(epackage)
                 for classifier in package.classifiers:
@@ -154,7 +168,8 @@ class PackageMaker:
         bases = [b for b in bases if not any(b is not other and issubclass(other, b) for other in bases)]
         if not any(issubclass(base, Element) for base in bases):
             bases.insert(0, Element)
-        python: Any = DynamicClass(cls.name, tuple(bases), {"__doc__": cls.documentation or None, "__module__": cls.package.path})
+        kind = DynamicClass if all(type(base) in (DynamicClass, type(Element)) for base in bases) else EcoreSubclass
+        python: Any = kind(cls.name, tuple(bases), {"__doc__": cls.documentation or None, "__module__": cls.package.path})
         eclass = ecore.EClass(cls.name, abstract=cls.abstract, metainstance=python)
         eclass.interface = cls.interface
         eclass.eSuperTypes.extend(supertypes)
@@ -217,6 +232,12 @@ class PackageMaker:
         return made
 
 
+def _namespace(package: Package) -> tuple[str | None, str | None]:
+    """Namespace and prefix as the file has them: empty ones are not missing ones."""
+    attributes = package.node.attributes if package.node is not None else {"nsURI": package.uri, "nsPrefix": package.prefix}
+    return attributes.get("nsURI"), attributes.get("nsPrefix")
+
+
 def _supertypes_first(classes: list[Class]) -> Iterator[Class]:
     """The classes, each after its supertypes."""
     wanted = set(classes)
@@ -251,6 +272,8 @@ def _enumeration(described: Enumeration) -> EEnum:
     for literal in described.literals:
         one = ecore.EEnumLiteral(literal.name, literal.value)
         one.literal = literal.text
+        if literal.node is None or "literal" not in literal.node.attributes:
+            set_features_of(one).pop(pyecore_ecore.EEnumLiteral.literal, None)  # its name stands for it
         if hasattr(ecore.EEnum, literal.name) or literal.name in made.__dict__:  # pyecore makes an attribute of each literal
             contain(one, made, pyecore_ecore.EEnum.eLiterals)
             add_silently(collection, one)
@@ -268,20 +291,20 @@ def _known(classifier: Classifier) -> EClassifier:
         found = getattr(pyecore_ecore, classifier.name, None)
         if isinstance(classifier, Class):
             eclass = getattr(found, "eClass", None) if isinstance(found, type) else None
-            return eclass if eclass is not None else _map_entry() if "MapEntry" in classifier.name else ecore.EObject.eClass
+            return eclass if eclass is not None else _missing(classifier.name)
         return found if isinstance(found, ecore.EDataType) else ecore.EJavaObject
     if isinstance(classifier, Class):
-        return ecore.EObject.eClass
+        return _missing(classifier.name)
     return _plain(classifier.name, _XML_TYPES.get(classifier.name, "java.lang.String"))
 
 
-def _map_entry() -> EClass:
-    """Ecore's EStringToStringMapEntry, which pyecore has as a dict."""
-    python: Any = DynamicClass("EStringToStringMapEntry", (Element,), {})
-    eclass = python.eClass = ecore.EClass("EStringToStringMapEntry", metainstance=python)
-    for name in ("key", "value"):
-        feature = ecore.EAttribute(name, ecore.EString)
-        setattr(python, name, feature)
+def _missing(name: str) -> EClass:
+    """A class of Ecore or XMLType that pyecore does not have; EStringToStringMapEntry is a dict there, and has features here."""
+    python: Any = DynamicClass(name, (Element,), {})
+    eclass = python.eClass = ecore.EClass(name, metainstance=python)
+    for key in ("key", "value") if "MapEntry" in name else ():
+        feature = ecore.EAttribute(key, ecore.EString)
+        setattr(python, key, feature)
         eclass.eStructuralFeatures.append(feature)
     return eclass
 

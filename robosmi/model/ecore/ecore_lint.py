@@ -1,7 +1,7 @@
-"""What is odd in .ecore files that can be read all the same: bounds and opposites that no model can fulfil, misspelt attributes.
+"""What is odd in .ecore files that can be read all the same: bounds and opposites that no model can fulfil, misspelt features.
 
-EMF's validation reports the same of bounds and opposites, and its loader refuses unknown attributes; here they would be read
-over, and the model would be blamed.
+EMF's validation reports the same of bounds and opposites, and its loader refuses unknown attributes and elements; here they
+would be read over, and the model would be blamed.
 """
 
 from __future__ import annotations
@@ -32,11 +32,34 @@ _ATTRIBUTES = {
     "EReference": (*_FEATURE, "containment", "container", "resolveProxies", "eOpposite", "eKeys"),
     "EOperation": (*_TYPED, "eExceptions"),
     "EParameter": _TYPED,
+    "EAnnotation": ("source", "references"),
+    "EGenericType": ("eTypeParameter", "eClassifier"),
+    "ETypeParameter": _NAMED,
+    "EStringToStringMapEntry": ("key", "value"),
 }
 """Class of Ecore -> the features that an .ecore file may write as attributes."""
+_PARTS = {
+    "EPackage": ("eClassifiers", "eSubpackages"),
+    "EClass": ("eStructuralFeatures", "eOperations", "eTypeParameters", "eGenericSuperTypes"),
+    "EDataType": ("eTypeParameters",),
+    "EEnum": ("eTypeParameters", "eLiterals"),
+    "EEnumLiteral": (),
+    "EAttribute": ("eGenericType",),
+    "EReference": ("eGenericType",),
+    "EOperation": ("eGenericType", "eTypeParameters", "eParameters", "eGenericExceptions"),
+    "EParameter": ("eGenericType",),
+    "EAnnotation": ("details", "contents", "references"),
+    "EGenericType": ("eUpperBound", "eLowerBound", "eTypeArguments", "eTypeParameter", "eClassifier"),
+    "ETypeParameter": ("eBounds",),
+    "EStringToStringMapEntry": ("key", "value"),
+}
+"""Class of Ecore -> the features, beside annotations and attributes, that an .ecore file may write as elements."""
 _KINDS = {
     "EPackage": "EPackage", "eSubpackages": "EPackage", "eLiterals": "EEnumLiteral", "eOperations": "EOperation",
-    "eParameters": "EParameter",
+    "eParameters": "EParameter", "eAnnotations": "EAnnotation", "eGenericType": "EGenericType",
+    "eGenericSuperTypes": "EGenericType", "eGenericExceptions": "EGenericType", "eTypeArguments": "EGenericType",
+    "eUpperBound": "EGenericType", "eLowerBound": "EGenericType", "eBounds": "EGenericType", "eTypeParameters": "ETypeParameter",
+    "details": "EStringToStringMapEntry",
 }  # fmt: skip
 """Tag of an element without `xsi:type` -> its class."""
 
@@ -51,18 +74,31 @@ def lint(path: Path, packages: Sequence[Package]) -> list[Finding]:
     Raises:
         SourceError: the file cannot be read.
     """
-    return [*_unknown_attributes(path, EcoreFiles().load(path).roots), *_contradictions(packages)]
+    return [*_unknown_names(path, EcoreFiles().load(path).roots), *_contradictions(packages)]
 
 
-def _unknown_attributes(path: Path, nodes: Iterable[EcoreNode]) -> Iterator[Finding]:
+def _unknown_names(path: Path, nodes: Iterable[EcoreNode]) -> Iterator[Finding]:
     for node in nodes:
         kind = node.kind or _KINDS.get(node.tag, "")
-        known = _ATTRIBUTES.get(kind, ())
-        for name in node.attributes if known else ():
+        if kind not in _ATTRIBUTES:
+            if node.kind:
+                message = f"'{kind}' is no class of Ecore{did_you_mean(kind, _ATTRIBUTES)}"
+                yield _finding(message, Location(str(path), node.line), "correct its xsi:type")
+            continue
+        known = _ATTRIBUTES[kind]
+        for name in node.attributes:
             if name not in known and name != "href":
                 message = f"'{name}' is no attribute of an {kind}{did_you_mean(name, known)}: it is read over"
                 yield _finding(message, Location(str(path), node.line), "correct its name, or take it out")
-        yield from _unknown_attributes(path, node.children)
+        parts = ("eAnnotations", *_PARTS[kind], *known)
+        for child in node.children:
+            if child.tag not in parts and child.tag != "Extension":
+                message = (
+                    f"'{child.tag}' is no feature of an {kind}{did_you_mean(child.tag, parts)}: it is lost with all it contains"
+                )
+                yield _finding(message, Location(str(path), child.line), "correct its name, or take it out")
+        if kind != "EAnnotation":  # what an annotation contains may be of any metamodel
+            yield from _unknown_names(path, [child for child in node.children if child.tag in parts])
 
 
 def _contradictions(packages: Sequence[Package]) -> Iterator[Finding]:

@@ -143,7 +143,7 @@ class MetamodelReader:
             node, parent = stack.pop()
             package = Package(
                 self._name(file, node, "package"), self._place(file, node), _documentation(node), node.get("nsURI"),
-                node.get("nsPrefix") or node.get("name"), file.path, parent, node=node, find=partial(self._referred, file),
+                node.get("nsPrefix", node.get("name")), file.path, parent, node=node, find=partial(self._referred, file),
             )  # fmt: skip
             self._built[node] = package
             (outermost if parent is None else parent.subpackages).append(package)
@@ -171,7 +171,7 @@ class MetamodelReader:
                 made.literals.append(
                     Literal(
                         name, self._place(file, child), _documentation(child),
-                        self._integer(file, child, "value", 0), child.get("literal") or name,
+                        self._integer(file, child, "value", 0), child.get("literal", name),
                     )
                 )  # fmt: skip
                 made.literals[index].node = child

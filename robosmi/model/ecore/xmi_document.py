@@ -54,6 +54,8 @@ class Document(Struct):
         references: element, entry, URIs, line, whether the text is one URI: what is still to be linked.
         parts: container, entry, URI, line, place among its siblings of contained elements that lie in other files.
         counted: elements whose class bounds the number of values, with their lines.
+        schema_locations: namespaces and the places of their metamodels (xsi:schemaLocation), as the file has them.
+        unsupported: whether it has elements of a class that is right, and that cannot be read.
     """
 
     path: Path
@@ -62,3 +64,5 @@ class Document(Struct):
     references: list[tuple[EObject, FeatureEntry, str, int, bool]] = []
     parts: list[tuple[EObject, FeatureEntry, str, int, int]] = []
     counted: list[tuple[EObject, ClassPlan, int]] = []
+    schema_locations: list[tuple[str, str]] = []
+    unsupported: bool = False

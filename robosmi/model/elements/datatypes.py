@@ -283,7 +283,7 @@ def _key(datatype: EDataType) -> str:
 
 def literal_text(literal: EEnumLiteral) -> str:
     """The text of an enumeration's literal in a file; its name if it has no other."""
-    return str(literal.literal or literal.name)
+    return str(literal.name if literal.literal is None else literal.literal)
 
 
 def from_text(datatype: EDataType) -> FromText | None:
@@ -312,7 +312,7 @@ def _guarded(convert: FromText) -> FromText:
 
 
 def _read_literal(enum: EEnum) -> FromText:
-    known = {literal.name: literal for literal in enum.eLiterals} | {literal_text(x): x for x in enum.eLiterals}
+    known = {literal_text(literal): literal for literal in enum.eLiterals}
 
     def read(text: str) -> Any:
         if text not in known:
@@ -352,6 +352,8 @@ class DefaultError(ModelError, ValueError):
 def default(feature: EStructuralFeature, datatype: EDataType) -> Any:
     """The value that an attribute has where a file says nothing, as EMF has it.
 
+    An empty default that is no value of the type, as generators for CIM write it, is that of the type.
+
     Raises:
         DefaultError: the metamodel's default is no value of the type.
     """
@@ -361,12 +363,19 @@ def default(feature: EStructuralFeature, datatype: EDataType) -> Any:
         try:
             return literal if convert is None else convert(literal)
         except ValueError as error:
+            if not literal:
+                return default_of_type(datatype)
             said = f"the default value '{literal}' of '{feature.name}' is no value of {datatype.name}"
             raise DefaultError(
                 said, fix="correct its defaultValueLiteral in the .ecore file; robosmi check FILE.ecore"
             ) from error
     if feature.default_value is not None:
         return feature.default_value
+    return default_of_type(datatype)
+
+
+def default_of_type(datatype: EDataType) -> Any:
+    """The value that attributes of a type have without a default of their own."""
     if isinstance(datatype, EEnum):
         return datatype.eLiterals[0] if len(datatype.eLiterals) else None
     return _DEFAULTS.get(_key(datatype))

@@ -99,6 +99,21 @@ def is_abstract(eclass: EClass) -> bool:
     return bool(eclass.abstract or eclass.interface) and eclass is not ecore.EObject.eClass
 
 
+_EXTENDED = frozenset({"EObject", "EModelElement", "ENamedElement"})
+
+
+def without_elements(eclass: EClass) -> str | None:
+    """Why a class that inherits from one of Ecore's own cannot have elements here, or None if it can.
+
+    Annotations and a name are features like others. An element that also is a class, a package or a feature would be a part of
+    a metamodel, which pyecore keeps as Python's classes and attributes.
+    """
+    for base in reversed(list(post_order([eclass], supertypes))):
+        if is_of_ecore(base) and base is not eclass and base.name not in _EXTENDED:
+            return f"{eclass.name} inherits from Ecore's {base.name}: elements of such classes are not supported"
+    return None
+
+
 def is_off(element: EObject, name: str) -> bool:
     """Whether a flag that is on by default was switched off; pyecore returns False also for one that was never set."""
     feature = type(element).__dict__.get(name) or getattr(type(element), name)

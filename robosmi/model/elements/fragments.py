@@ -6,14 +6,15 @@ reader's and writer's.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from typing import Any
-from urllib.parse import quote, unquote
+from urllib.parse import unquote
 
 from robosmi.errors import ModelError, did_you_mean
 from robosmi.model.elements.by_name import feature_value
 from robosmi.model.elements.ecore import EModelElement, ENamedElement, EObject
-from robosmi.model.elements.features import all_features
+from robosmi.model.elements.features import all_features, is_of_ecore
 from robosmi.model.elements.pyecore_internals import key_of, xmi_id_of
 from robosmi.model.elements.structure import contents, place_in
 
@@ -49,9 +50,9 @@ def fragment_of(element: Any, roots: Sequence[EObject]) -> str:
         return identity
     steps: list[str] = []
     while (container := element.eContainer()) is not None and (feature := element.eContainmentFeature()) is not None:
-        name = element.name if isinstance(element, ENamedElement) else None
+        name = element.name if isinstance(element, ENamedElement) and is_of_ecore(element.eClass) else None
         if name and _named(container, name) is element:
-            steps.append(quote(name, safe=_SAFE))
+            steps.append(segment(name))
         elif feature.many:
             steps.append(f"@{feature.name}.{place_in(getattr(container, key_of(feature)), element)}")
         else:
@@ -61,7 +62,12 @@ def fragment_of(element: Any, roots: Sequence[EObject]) -> str:
     return "/".join(["/" if len(roots) < 2 else f"/{place}", *reversed(steps)])
 
 
-_SAFE = "!$&'()*+,;=@~-._:"
+_ENCODED = re.compile(r"""[\x00-\x20"#%&',/:<>]""")
+
+
+def segment(name: str) -> str:
+    """A name as a step of a fragment, with the characters escaped that EMF's BasicEObjectImpl escapes."""
+    return _ENCODED.sub(lambda match: f"%{ord(match.group()):02X}", name)
 
 
 def _named(container: EObject, name: str) -> Any:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
+from robosmi.errors import ModelError
 from robosmi.model.elements import ecore
 from robosmi.model.elements.compact_slots import is_prepared, prepare
 from robosmi.model.elements.construct import initialise
@@ -123,6 +124,13 @@ class Element(_Base):
                 object.__setattr__(self, name, value)
             except TypeError as error:
                 raise value_error(type(self).__name__, name, value, error) from error
+
+        def __reduce_ex__(self, protocol: Any) -> Any:
+            """Refuse `copy` and `pickle`, which would follow references into containers, metamodels and listeners."""
+            raise ModelError(
+                f"{self!r} cannot be copied or pickled: it refers to its container, its metamodel and other models",
+                fix="save the model and load it again: robosmi.save_model(root, PATH), robosmi.load_model(PATH)",
+            )
 
         def __getattr__(self, name: str) -> Any:
             if name[:2] == "__":

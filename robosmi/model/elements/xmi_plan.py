@@ -91,7 +91,7 @@ class ClassPlan:
         self.fixed = compact_slots.features_fixed(self.cls)
         self.entries: dict[str, FeatureEntry] = {f"{XMI}}}id": FeatureEntry(XMI_ID)}
         self.bounds: list[tuple[str, str, int, int]] = []
-        self.refused: str | None = None
+        self.refused = features.without_elements(eclass)
         compact_slots.prepare(self.cls)
         for feature in features.all_features(eclass):
             self._add(feature)

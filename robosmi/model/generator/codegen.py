@@ -186,10 +186,6 @@ def generate_built_in() -> None:
     update(folder, render(sorted(folder.glob("*.ecore"))).files)
 
 
-if __name__ == "__main__":
-    generate_built_in()
-
-
 _REPAIR = "correct it in the .ecore file"
 _LONGEST = 200
 """Bytes of a package's name, which is that of a folder; file systems take 255."""
@@ -286,3 +282,7 @@ def _class(cls: Class) -> Iterator[Problem]:
                 "a feature has the wrong kind of type", feature.location,
                 f"the attribute '{feature.path}' has the class '{kind.name}'", f"make it an EReference: {_REPAIR}",
             )  # fmt: skip
+
+
+if __name__ == "__main__":
+    generate_built_in()

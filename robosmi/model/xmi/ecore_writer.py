@@ -72,8 +72,15 @@ class EcoreText:
 
     def write(self, packages: list[Any]) -> bytes:
         """The bytes for root packages."""
+        self._write(packages, with_xsi=True)
+        if not any(line.startswith("xsi:type=") for line in self.lines):  # EMF declares only what it uses, and wraps by that
+            self.lines.clear()
+            self._write(packages, with_xsi=False)
+        return "".join(self.lines).encode()
+
+    def _write(self, packages: list[Any], with_xsi: bool) -> None:
         head = [("xmi:version", "2.0"), ("xmlns:xmi", "http://www.omg.org/XMI")]
-        head.append(("xmlns:xsi", "http://www.w3.org/2001/XMLSchema-instance"))
+        head += [("xmlns:xsi", "http://www.w3.org/2001/XMLSchema-instance")] if with_xsi else []
         head.append(("xmlns:ecore", ecore.nsURI))
         self.add('<?xml version="1.0" encoding="UTF-8"?>\n')
         packages = [as_package(package) for package in packages]
@@ -85,7 +92,6 @@ class EcoreText:
             self.add(">\n" if roots else "/>\n")
             self.elements(roots, 1)
             self.add("</xmi:XMI>\n" if roots else "")
-        return "".join(self.lines).encode()
 
     def add(self, text: str) -> None:
         """Add a text; a line's width is counted as EMF does."""
@@ -95,11 +101,15 @@ class EcoreText:
     def open(self, tag: str, attributes: list[tuple[str, str]], depth: int) -> None:
         """A start tag, not yet closed; attributes wrap after the width, which EMF counts without the namespaces."""
         self.add(f"{'  ' * depth}<{tag}")
-        width = self.width
+        width, after_namespaces, wide = self.width, False, False
         for name, value in attributes:
-            self.add(f"\n{'  ' * (depth + 2)}" if self.width > WIDTH else " ")
+            wraps = self.width > WIDTH or (after_namespaces and wide)
+            self.add(f"\n{'  ' * (depth + 2)}" if wraps else " ")
+            if after_namespaces:
+                self.width = width
             self.add(f'{name}="{value}"')
-            if name == "xmlns:ecore":
+            after_namespaces, wide = name == "xmlns:ecore", self.width > WIDTH
+            if after_namespaces:
                 self.width = width
 
     def elements(self, roots: list[Item], depth: int = 0) -> None:
@@ -185,7 +195,7 @@ def _text(element: DynamicEObject, name: str, form: str, value: Any, default: An
     if form == "on":
         return "false" if is_off(element, name) else None
     if form == "literal":
-        return str(value) if value is not None and value != element.name else None
+        return str(value) if value is not None and element.eIsSet(name) else None
     if value is None or value == default:
         return None
     if form == "flag":

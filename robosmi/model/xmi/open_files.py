@@ -65,6 +65,12 @@ class OpenFiles:
             if place not in self._models:
                 self._read[place] = document, _digest(place)
 
+    def places(self) -> dict[Path, list[DynamicEObject]]:
+        """The root elements of all files that are open or were read with them."""
+        return {path: document.roots for path, (document, _) in self._read.items()} | {
+            path: model.roots for path, model in self._models.items()
+        }
+
     def find(self, path: Path) -> Document | None:
         """The elements of a file that is open, as they are now, or None."""
         if (model := self._models.get(path)) is None:

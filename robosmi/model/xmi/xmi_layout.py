@@ -22,8 +22,9 @@ if TYPE_CHECKING:
 
 
 _KEPT = 1 << 10  # texts of values of one feature
-FEATURE_MAP, VALUE, VALUES, LINKS, CHILDREN = range(5)
-"""How a feature is written: not at all if it is empty, an attribute, elements with text, references, contained elements."""
+FEATURE_MAP, VALUE, VALUES, LINKS, CHILDREN, DETAILS = range(6)
+"""How a feature is written: not at all if it is empty, an attribute, elements with text, references, contained elements, or pairs
+of texts."""
 
 _PLAIN = {"EInt": int, "ELong": int, "EString": str, "EIntegerObject": int, "ELongObject": int, "EDouble": float, "EFloat": float}
 
@@ -140,6 +141,8 @@ def _column(eclass: EClass, feature: EStructuralFeature) -> Column | None:
         return column
     if kind.name == datatypes.FEATURE_MAP:
         return Column(FEATURE_MAP, feature)
+    if kind is ecore.EStringToStringMapEntry:
+        return Column(DETAILS, feature)
     if features.is_off(kind, "serializable"):
         return None
     column = Column(VALUES if feature.many else VALUE, feature)

@@ -21,12 +21,12 @@ from robosmi.errors import ModelError
 from robosmi.model.elements import datatypes, ecore
 from robosmi.model.elements.compact_slots import plain_value
 from robosmi.model.elements.ecore import EClass, EModelElement, EObject, EPackage, EStructuralFeature, EValue, Scalar
-from robosmi.model.elements.features import as_package, id_attribute, root_package
+from robosmi.model.elements.features import as_package, id_attribute, is_of_ecore, root_package
+from robosmi.model.elements.fragments import segment
 from robosmi.model.elements.pyecore_internals import container_of, containing_feature_of, is_value, key_of, value_in, xmi_id_of
 
 _ODD_ID = re.compile(r"^/|^\?|[\s#:]|^$")
 _NOT_IN_PATHS = re.compile(r"(?![A-Za-z0-9/_.!~*'()@=+$,;-])[\x00-\x9f]")  # as EMF's URI.createFileURI, but for & and :
-_SAFE = "/!$&'()*+,;=@~-._:"
 
 
 class Unplaced(Exception):
@@ -111,7 +111,7 @@ class XmiLocations:
         climbed: list[EObject] = []
         one = target
         while id(one) not in self._known:
-            if isinstance(one, (ecore.EModelElement, type)):
+            if isinstance(one, type) or (isinstance(one, ecore.EModelElement) and is_of_ecore(one.eClass)):
                 file, fragment = self.in_metamodel(one)  # a metamodel that is one of the models has a file
                 return file, fragment if file else metamodel_uri(one)
             climbed.append(one)
@@ -230,15 +230,15 @@ def metamodel_place(element: EModelElement | type) -> tuple[EPackage, str]:
     steps: list[str] = []
     while not isinstance(one, ecore.EPackage):
         container = one.eContainer()
-        if container is None and one.name == "EStringToStringMapEntry":  # ours, since pyecore has none
+        if container is None and one.name in ("EStringToStringMapEntry", "EFactory"):  # ours, since pyecore has none
             container = ecore.eClass
         if container is None:
             raise Unplaced
-        steps.append(quote(str(one.name), safe=_SAFE))
+        steps.append(segment(str(one.name)))
         one = container
     package, root = as_package(one), root_package(one)
     while package is not root and package.eSuperPackage is not None:
-        steps.append(quote(str(package.name), safe=_SAFE))
+        steps.append(segment(str(package.name)))
         package = as_package(package.eSuperPackage)
     return root, f"/{''.join(f'/{step}' for step in reversed(steps))}"
 

@@ -28,6 +28,7 @@ from robosmi.model.ecore.xmi_document import (
     UnknownEncoding,
     Unreadable,
 )
+from robosmi.model.elements import ecore
 from robosmi.model.elements.compact_slots import (
     UNBOXED_TYPES,
     AttributeValue,
@@ -39,7 +40,7 @@ from robosmi.model.elements.compact_slots import (
 from robosmi.model.elements.datatypes import ECORE_URI
 from robosmi.model.elements.ecore import DynamicEObject
 from robosmi.model.elements.features import class_in, class_names
-from robosmi.model.elements.pyecore_internals import CONTAINER, CONTAINING_FEATURE, IDENTITY, add_silently, key_of
+from robosmi.model.elements.pyecore_internals import CONTAINER, CONTAINING_FEATURE, IDENTITY, add_silently, key_of, value_in
 from robosmi.model.elements.xmi_plan import (
     CHILD,
     CHILDREN,
@@ -138,6 +139,7 @@ class Builder:
             self.here(f"{plan.name} is abstract: the element needs an xsi:type")
         elif plan.refused:
             self.here(plan.refused)
+            self.document.unsupported = True
         else:
             return True
         self.skip()
@@ -213,6 +215,16 @@ class Builder:
             many = slots[entry.key] = collection(element, entry.feature)
         if not add_silently(many, value):
             self.here(f"{owner}.{entry.feature.name} takes each value once: '{text}' is there already")
+
+    def add_pair(self, element: DynamicEObject, slots: Slots, entry: FeatureEntry, attributes: dict[str, str]) -> None:
+        """Add a pair of texts to the details of an annotation."""
+        pairs: Any = {}
+        if entry.key in slots:
+            pairs = value_in(slots[entry.key])
+        else:
+            slots[entry.key] = new_slot(AttributeValue, element, entry.feature, pairs)
+        pairs[attributes.get("key")] = attributes.get("value")
+        self.skip()
 
     def external_part(self, element: DynamicEObject, entry: FeatureEntry, link: str) -> None:
         """Note a contained element that lies in another file."""
@@ -421,7 +433,10 @@ class _Parser(Builder):
         return None, None
 
     def text_of(self, element: DynamicEObject, slots: Slots, entry: FeatureEntry, attributes: dict[str, str]) -> None:
-        """Take the text up to the end of the current element as a value or a reference."""
+        """Take the text up to the end of the current element as a value or a reference; a pair of an annotation has two."""
+        if entry.kind == VALUE and entry.feature.eType is ecore.EStringToStringMapEntry:
+            self.add_pair(element, slots, entry, attributes)
+            return
         line = self.expat.CurrentLineNumber
         owner = type(element).__name__
         self.depth = 1
@@ -459,6 +474,8 @@ class _Parser(Builder):
             raise Unreadable("there is a second root", self.expat.CurrentLineNumber)
         if not self.several:
             if text := attributes.pop(f"{XSI}}}schemaLocation", None):
+                words = text.split()
+                self.document.schema_locations = list(zip(words[::2], words[1::2], strict=False))
                 self.locations(text)
             if name == "XMI" and XMI_NAMESPACES.fullmatch(uri):
                 self.several = True

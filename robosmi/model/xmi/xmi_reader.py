@@ -59,14 +59,21 @@ Problems = list[tuple[Location, str]]
 
 
 class DamagedModelError(ModelError):
-    """Files that contradict their metamodels; `problems` has place and text of everything that is wrong."""
+    """Files that contradict their metamodels; `problems` has place and text of everything that is wrong.
 
-    def __init__(self, problems: Problems) -> None:
+    Args:
+        problems: of these.
+        unsupported: whether a file uses what RoboSMi cannot read, and which is no fault of the file.
+    """
+
+    def __init__(self, problems: Problems, unsupported: bool = False) -> None:
         self.problems = problems
+        repair = "repair the file, or make it again with the tool that wrote it"
+        other = "process the model with Eclipse EMF, or remove what is not supported from the metamodel"
         super().__init__(
             f"the model contradicts its metamodel in {len(problems)} place(s):\n{_listed(problems)}",
             location=problems[0][0],
-            fix="repair the file, or make it again with the tool that wrote it",
+            fix=other if unsupported else repair,
         )
 
 
@@ -146,7 +153,7 @@ def read_documents(
     if reader.fatal is not None:
         raise UnreadableModelError(reader.sorted_problems(), *reader.fatal)
     if reader.problems:
-        raise DamagedModelError(reader.sorted_problems())
+        raise DamagedModelError(reader.sorted_problems(), any(each.unsupported for each in reader.documents.values()))
     return reader.documents
 
 

@@ -18,7 +18,7 @@ from robosmi.model.elements.datatypes import real
 from robosmi.model.elements.ecore import EClass, EObject, EOrderedSet
 from robosmi.model.elements.features import as_package
 from robosmi.model.elements.pyecore_internals import container_of, set_features_of, target_in, value_in, xmi_id_of
-from robosmi.model.xmi.xmi_layout import CHILDREN, LINKS, VALUE, VALUES, Column, Layouts
+from robosmi.model.xmi.xmi_layout import CHILDREN, DETAILS, LINKS, VALUE, VALUES, Column, Layouts
 from robosmi.model.xmi.xmi_locations import Unplaced, UnusableId, XmiLocations, metamodel_uri, relative, shown
 from robosmi.model.xmi.xml_characters import in_attribute, in_text, refuse_forbidden
 
@@ -30,7 +30,10 @@ _PIECES = 20_000  # texts that are joined at a time, so that a large model is no
 
 
 def to_xmi(
-    models: Mapping[str, Root], wanted: Iterable[str] | None = None, places: XmiLocations | None = None
+    models: Mapping[str, Root],
+    wanted: Iterable[str] | None = None,
+    places: XmiLocations | None = None,
+    schema_locations: Mapping[str, str] | None = None,
 ) -> dict[str, bytes]:
     """The bytes of a set of models that refer to each other.
 
@@ -38,6 +41,7 @@ def to_xmi(
         models: relative file name -> root element, or a list of root elements; the names are those that references use.
         wanted: the names whose bytes are wanted; all if None.
         places: where the elements of these models are, as far as that was found before; nothing may have moved since.
+        schema_locations: namespace -> place of its metamodel, which is written if the namespace is used (xsi:schemaLocation).
 
     Returns:
         The wanted names -> UTF-8 text of an XMI file.
@@ -49,7 +53,7 @@ def to_xmi(
     roots = {name: _roots(given) for name, given in models.items()}
     with collector_at_rest():
         found, names = places or XmiLocations(roots), models if wanted is None else wanted
-        return {name: _Writer(name, roots[name], found).write() for name in names}
+        return {name: _Writer(name, roots[name], found, schema_locations or {}).write() for name in names}
 
 
 def _roots(given: Root) -> list[EObject]:
@@ -60,7 +64,8 @@ def _roots(given: Root) -> list[EObject]:
 class _Writer:
     """One file."""
 
-    def __init__(self, name: str, roots: list[EObject], places: XmiLocations) -> None:
+    def __init__(self, name: str, roots: list[EObject], places: XmiLocations, schema_locations: Mapping[str, str]) -> None:
+        self.schema_locations = schema_locations
         self.name = name
         self.roots = roots
         self.places = places
@@ -91,14 +96,17 @@ class _Writer:
 
     def head(self, tag: str) -> bytes:
         """The XML declaration, and the first tag with its namespaces; what follows is the first element's own."""
-        xsi = ' xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"' if self.uses_xsi else ""
+        uris = [uri for _, uri in sorted(self.prefixes.items()) if uri in self.schema_locations]
+        located = " ".join(f"{uri} {self.schema_locations[uri]}" for uri in uris)
+        xsi = ' xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"' if self.uses_xsi or located else ""
         spaces = "".join(
             f' xmlns{f":{prefix}" if prefix else ""}="{self.plain(uri)}"'
             for prefix, uri in sorted(self.prefixes.items())
             if prefix != "xmi"
         )
-        text = f'<?xml version="1.0" encoding="UTF-8"?>\n<{tag} xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI"{xsi}{spaces}'
-        return text.encode()
+        place = f' xsi:schemaLocation="{self.plain(located)}"' if located else ""
+        start = f'<{tag} xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI"{xsi}{spaces}{place}'
+        return f'<?xml version="1.0" encoding="UTF-8"?>\n{start}'.encode()
 
     def name_of(self, eclass: EClass) -> str:
         """The qualified name of a class; its package gets a prefix."""
@@ -292,7 +300,14 @@ class _Writer:
     def rarer(
         self, element: EObject, column: Column, slot: Any, append: Append, indent: str, later: list[Piece] | None
     ) -> list[Piece] | None:
-        """Many values, as elements; anything else is refused."""
+        """Many values or pairs, as elements; anything else is refused."""
+        if column.kind == DETAILS:
+            held: Any = slot if isinstance(slot, dict) else value_in(slot)
+            for pair in (held or {}).items():
+                texts = zip(("key", "value"), pair, strict=True)
+                named = "".join(f' {name}="{in_attribute(str(text))}"' for name, text in texts if text is not None)
+                later = self.more(later, f"{indent}  <{column.name}{named}/>\n")
+            return later
         if column.kind != VALUES:
             if len(slot) if column.many else value_in(slot) is not None:
                 raise self.problem(element, column, "is a feature map, which is not supported", "leave it empty")

@@ -61,7 +61,7 @@ def _pin_findings(
     wanted = dict.fromkeys(expression for each in asked for _, expression in each)
     found = _answers([*wanted], board, check, toolchain, installed)
     if isinstance(found, str):
-        fix = "mend 'variant', 'mcu' or 'define' of the board's file"
+        fix = "correct 'variant', 'mcu' or 'define' in the board's file"
         cause = f"the core's files cannot be compiled as the file of the board '{board.name}' says: {found}"
         yield Finding(OTHER_FACTS, Severity.error, cause, _place(board.file, "variant ="), fix=fix)
         return
@@ -76,7 +76,7 @@ def _pin_findings(
             OTHER_FACTS, Severity.error,
             f"the file of the board '{board.name}' says that {claim.says}; in the core that programs are compiled with"
             f" (variant '{board.values.get('variant', '')}') it is {told}",
-            _place(claim.file, claim.beside), fix=f"mend {claim.key} in that file, or name the variant that has it so",
+            _place(claim.file, claim.beside), fix=f"correct {claim.key} in that file, or give the matching variant",
             evidence={"claim": claim.says, "core": str(told)},
         )  # fmt: skip
 
@@ -172,8 +172,8 @@ def _list_findings(board: Board, check: DataTable, installed: Installed) -> Iter
     short, _, option = full.removeprefix(prefix).partition(":")
     known = {key.partition(".")[0] for key in entries if key.endswith(".name") and key.count(".") == 1}
     if short not in known:
-        cause = f"the file of the board '{board.name}' calls it '{full}', and the core lists no such board"
-        fix = f"correct the name{did_you_mean(short, known)}: upload tools know the board by it"
+        cause = f"the file of the board '{board.name}' calls it '{full}', but the core does not list that board"
+        fix = f"correct the name{did_you_mean(short, known)}: upload tools need it"
         yield Finding(OTHER_FACTS, Severity.warning, cause, _place(board.file, full), fix=fix)
         return
     keys = check.table("listed")
@@ -185,7 +185,7 @@ def _list_findings(board: Board, check: DataTable, installed: Installed) -> Iter
             cause = (
                 f"the file of the board '{board.name}' says {name} {own}; the core's list has {' or '.join(told)} for '{full}'"
             )
-            fix = f"mend {name} in that file, or give the board a full name of its own"
+            fix = f"correct {name} in that file, or give the board its own full name"
             yield Finding(OTHER_FACTS, Severity.warning, cause, _place(board.file, f"{name} ="), fix=fix)
 
 

@@ -60,8 +60,8 @@ class Board(NamedTuple):
         full_names: its names in the platform's tools, the preferred one first.
         values: the values of the braces in a toolchain file's texts.
         extra_flags: further arguments for every compile.
-        flash_bytes: the flash available to a program.
-        ram_bytes: the data memory.
+        flash_bytes: the flash available to a program; None if its core does not say.
+        ram_bytes: the data memory; None if its core does not say.
         folders: folders with headers of its own, which the flags name.
         boot_loader: its boot loader; None if unknown.
         signature: the signature of its microcontroller, six hexadecimal digits; empty if unknown.
@@ -74,13 +74,18 @@ class Board(NamedTuple):
     full_names: tuple[str, ...]
     values: Mapping[str, str]
     extra_flags: tuple[str, ...]
-    flash_bytes: int
-    ram_bytes: int
+    flash_bytes: int | None
+    ram_bytes: int | None
     folders: tuple[Path, ...] = ()
     boot_loader: BootLoader | None = None
     signature: str = ""
     file: Path | None = None
     claims: Callable[[], tuple[Claim, ...]] = tuple
+
+    def has_more_memory_than(self, other: Board) -> bool:
+        """Whether it has more flash or more data memory than another one."""
+        pairs = (self.flash_bytes, other.flash_bytes), (self.ram_bytes, other.ram_bytes)
+        return any(own is not None and theirs is not None and own > theirs for own, theirs in pairs)
 
     def fill(self) -> dict[str, str]:
         """A copy of the values."""
@@ -98,7 +103,7 @@ def load_boards(platform: str, project: Path | None = None) -> list[Board]:
         PlatformDataError: a board file is damaged.
     """
     found: list[Board] = content("query", "boards_to_compile_for")(platform, project)
-    return sorted(found, key=lambda board: (board.flash_bytes, board.ram_bytes, board.name))
+    return sorted(found, key=lambda board: (board.flash_bytes or 0, board.ram_bytes or 0, board.name))
 
 
 def find_board(name: str, boards: list[Board]) -> Board:
@@ -114,4 +119,4 @@ def find_board(name: str, boards: list[Board]) -> Board:
     known = [board.name for board in boards] + first
     offered = first if ":" in name else [board.name for board in boards]
     listed = ", ".join(offered) or "none is known"
-    raise UsageError(f"no board is called '{name}'{did_you_mean(name, known)}", fix=f"use one of: {listed}")
+    raise UsageError(f"unknown board '{name}'{did_you_mean(name, known)}", fix=f"use one of: {listed}")

@@ -1,8 +1,8 @@
 """One sketch, built for one board in a temporary folder: compile, archive, link, measure.
 
-The sketch's own folder is only read; the tools run in it, so that their messages name its files. What tools, flags and messages
-there are is data (`toolchain_data`); libraries are found by `libraries`, messages read by `messages`, archives kept
-by `archives`. Which sketch and board: `toolchain`.
+The sketch's own folder is only read; the tools run in it, so that their messages name its files. Which commands do that is told
+by `recipes`; libraries are found by `libraries`, messages read by `messages`, archives kept by `archives`. Which sketch and
+board: `toolchain`.
 
 Also: removes the relocations from linked ELF programs (System V ABI 4.1) before they are handed out.
 
@@ -20,6 +20,7 @@ from __future__ import annotations
 import os
 import re
 import shutil
+import subprocess
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
@@ -38,6 +39,7 @@ from robosmi.verify.toolchains.boards import Board
 from robosmi.verify.toolchains.compile_report import (
     BADLY_NAMED,
     LITTLE_RAM,
+    NO_BOARD_FILE,
     STAND_IN_USED,
     CompileReport,
     StackBound,
@@ -49,10 +51,12 @@ from robosmi.verify.toolchains.libraries import (
     missing_headers,
     resolve,
 )
+from robosmi.verify.toolchains.machine_faults import check_machine
 from robosmi.verify.toolchains.processes import in_parallel
+from robosmi.verify.toolchains.recipes import Recipes
 from robosmi.verify.toolchains.sketch import Sketch, check_plain
-from robosmi.verify.toolchains.toolchain_data import Toolchain, ToolchainLanguage, fill
-from robosmi.verify.toolchains.tools import Installed
+from robosmi.verify.toolchains.toolchain_data import Toolchain
+from robosmi.verify.toolchains.tools import run
 
 if TYPE_CHECKING:
     from robosmi.base.data_text import Json
@@ -68,7 +72,7 @@ class Build(Struct):
     sketch: Sketch
     board: Board
     toolchain: Toolchain
-    installed: Installed
+    recipes: Recipes
     index: LibraryFolders
     folder: Path
 
@@ -78,24 +82,12 @@ class Build(Struct):
         main = self.folder / f"{self.sketch.main.name}{self.toolchain.languages[0].suffixes[0]}"
         main.write_text(self.sketch.text(self.toolchain), encoding="utf-8", errors="surrogateescape", newline="")
         sources = [main, *(path.resolve() for path in self.sketch.sources)]
+        if (told := self._prepare()) is not None:
+            return self._no_program([messages.unread("preparing the build", told)])
         libraries = resolve(sources, self.index, self.toolchain.suffixes, self._missing)
         objects, said, failed = self._compile_sketch(sources, libraries)
         findings, elsewhere = messages.compiler_findings(said, self.toolchain.messages, self.sketch.folder)
-        report = CompileReport(
-            ok=False,
-            fits=None,
-            fits_on=None,
-            board=self.board.name,
-            tool=self._tool(),
-            flash_bytes=None,
-            ram_bytes=None,
-            flash_limit=self.board.flash_bytes,
-            ram_limit=self.board.ram_bytes,
-            libraries=tuple(libraries),
-            diagnostics=tuple(self._about_sketch(libraries) + findings),
-            warnings_elsewhere=elsewhere,
-            commands=tuple(self._commands(libraries)),
-        )
+        report = self._no_program(self._about_sketch(libraries) + findings, libraries, elsewhere)
         if failed:
             read = any(finding.severity is Severity.error for finding in findings)
             return report if read else _with(report, [messages.unread("compiling", said)])
@@ -108,9 +100,44 @@ class Build(Struct):
 
     # ---- compiling
 
-    def _tool(self) -> str:
-        linker = self.toolchain.tool(self.toolchain.link)
-        return f"{linker.command} {self.installed.version}, {self.toolchain.core.text('name')} {self.installed.core_version}"
+    def _no_program(
+        self, findings: Sequence[Finding], libraries: Sequence[CompiledLibrary] = (), elsewhere: int = 0
+    ) -> CompileReport:
+        """The report of a build that has no program, or none yet."""
+        return CompileReport(
+            ok=False,
+            fits=None,
+            fits_on=None,
+            board=self.board.name,
+            tool=self.recipes.title,
+            flash_bytes=None,
+            ram_bytes=None,
+            flash_limit=self.board.flash_bytes,
+            ram_limit=self.board.ram_bytes,
+            libraries=tuple(libraries),
+            diagnostics=tuple(findings),
+            warnings_elsewhere=elsewhere,
+            commands=tuple(self._commands(list(libraries))),
+        )
+
+    def _run(self, command: Sequence[str], cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+        """Run a command of the recipes to its end, with its output as text.
+
+        Raises:
+            SourceError: the machine let it down, as a full disk does.
+        """
+        return check_machine(command[0], run(command, cwd, self.recipes.environment))
+
+    def _run_all(self, commands: Iterable[Sequence[str]]) -> str | None:
+        """Run commands one after the other; returns what the first that fails prints, or None."""
+        for command in commands:
+            done = self._run(command, self.folder)
+            if done.returncode != 0:
+                return done.stderr or done.stdout or f"'{command[0]}' ends with {done.returncode}"
+        return None
+
+    def _prepare(self) -> str | None:
+        return self._run_all(self.recipes.prepare(self.folder, self.sketch.main.stem))
 
     def _about_sketch(self, libraries: Iterable[CompiledLibrary]) -> list[Finding]:
         """The findings about a sketch before it is compiled."""
@@ -119,9 +146,9 @@ class Build(Struct):
             Finding(
                 STAND_IN_USED,
                 Severity.info,
-                f"compiled against a stand-in for the library '{library.name}', which is not installed",
+                f"the library '{library.name}' is not installed; compiled with a stand-in",
                 place,
-                fix=f"install the library '{library.name}'; the upload needs the real one",
+                fix=f"install the library '{library.name}' before uploading",
                 evidence={"library": library.name, "compatible_with": library.version},
             )
             for library in libraries
@@ -129,17 +156,9 @@ class Build(Struct):
         ]
         if not self.sketch.well_named:
             name = self.sketch.folder.resolve().name + self.sketch.main.suffix
-            message = f"the main file is not called {name}, as its folder demands"
+            message = f"the main file's name must match its folder: {name}"
             findings.append(Finding(BADLY_NAMED, Severity.warning, message, place, fix=f"rename it to {name}, or the folder"))
         return findings
-
-    def _flags(self, suffix: str, use: str, mode: str, includes: Sequence[Path]) -> list[str]:
-        """The arguments before the file: mode is `compile` or `scan`."""
-        language = self.toolchain.language(suffix)
-        values = self.board.fill() | {"core": str(self.installed.core)}
-        texts = [*language.flags, *language.by_use[use], *self.toolchain.flags.texts("common")]
-        texts += self.toolchain.flags.texts(mode)
-        return fill(texts, values, {"extra_flags": self.board.extra_flags}) + [f"-I{path}" for path in includes]
 
     def _own_includes(self, libraries: Iterable[CompiledLibrary]) -> list[Path]:
         """Where the sketch's headers are found: its own folder (the tools run in it) first."""
@@ -152,11 +171,9 @@ class Build(Struct):
 
     def _missing(self, source: Path, libraries: list[CompiledLibrary]) -> list[str]:
         """The headers that the preprocessor does not find when it reads a file of the sketch or of a library."""
-        tool = self.toolchain.language(source.suffix).tool
         owner = next((library for library in libraries if source.is_relative_to(library.include)), None)
         includes = self._own_includes(libraries) if owner is None else self._library_includes(owner, libraries)
-        flags = self._flags(source.suffix, "library" if owner else "sketch", "scan", includes)
-        said = self.installed.run(tool, [*flags, str(source)], self.sketch.folder)
+        said = self._run(self.recipes.scan(source, "library" if owner else "sketch", includes), self.sketch.folder)
         return missing_headers(said.stdout, self.sketch.folder)
 
     def _compile(self, sources: Sequence[Path], use: str, includes: Sequence[Path], into: Path) -> tuple[list[Path], str, bool]:
@@ -167,11 +184,8 @@ class Build(Struct):
 
         def one(job: tuple[Path, Path]) -> tuple[str, bool]:
             source, target = job
-            flags = self._flags(source.suffix, use, "compile", includes)
-            shown = os.path.relpath(source, self.sketch.folder.resolve()) if source in own else str(source)
-            done = self.installed.run(
-                self.toolchain.language(source.suffix).tool, [*flags, shown, "-o", str(target)], self.sketch.folder
-            )
+            shown = Path(os.path.relpath(source, self.sketch.folder.resolve())) if source in own else source
+            done = self._run(self.recipes.compile(shown, target, use, includes), self.sketch.folder)
             return done.stderr, done.returncode != 0
 
         own = {path.resolve() for path in self.sketch.sources}
@@ -183,8 +197,8 @@ class Build(Struct):
 
     def _commands(self, libraries: list[CompiledLibrary]) -> Iterator[dict[str, Json]]:
         includes = self._own_includes(libraries)
-        told = partial(self._flags, use="sketch", mode="compile", includes=includes)
-        return entries(self.sketch, self.toolchain, self.installed, told)
+        told = partial(self.recipes.database, includes=includes)
+        return entries(self.sketch, self.toolchain, self._run, told)
 
     # ---- archives of libraries and of the core
 
@@ -196,17 +210,19 @@ class Build(Struct):
         objects, said, failed = self._compile(sources, use, includes, into)
         archive = into / name
         if not failed:
-            data = self.toolchain.archive
-            arguments = fill(data.texts("arguments"), {"archive": str(archive)}, {"objects": [str(path) for path in objects]})
-            done = self.installed.run(self.toolchain.tool(data).key, arguments)
-            failed, said = done.returncode != 0, said + done.stderr
+            complaint = self._run_all(self.recipes.archive(archive, objects))
+            failed, said = complaint is not None, said + (complaint or "")
         if failed:
             raise _Broken(name, said)
         return archives.store(archive, name)
 
     def _name(self, what: str, files: Iterable[Path], sources: Sequence[Path], use: str, includes: Sequence[Path]) -> str:
-        flags = [self._flags(suffix, use, "compile", includes) for suffix in sorted({path.suffix for path in sources})]
-        key = archives.digest(files, self.installed.commands, self.installed.version, flags)
+        compiles = [
+            self.recipes.compile(Path(f"x{suffix}"), Path("x.o"), use, includes)
+            for suffix in sorted({path.suffix for path in sources})
+        ]
+        plain_compiles = [[word.replace(str(self.folder), ".") for word in command] for command in compiles]
+        key = archives.digest(files, self.recipes.title, plain_compiles)
         plain = "".join(letter if letter.isalnum() else "_" for letter in what)
         return f"{plain}-{self.board.name}-{key}.a"
 
@@ -216,46 +232,42 @@ class Build(Struct):
         if not sources:
             return None
         includes = self._library_includes(library, libraries)
-        core = [self._core_sources()] if "sources" in self.toolchain.core.values else []
-        folders = [*core, *(used.include for used in libraries)]
+        folders = [*self.recipes.core_folders, *(used.include for used in libraries)]
         files = [file for folder in folders for file in archives.files_below(folder)]
         return self._archive(self._name(library.name, files, sources, "library", includes), sources, "library", includes)
 
-    def _core_sources(self) -> Path:
-        return self.installed.core / self.toolchain.core.text("sources")
-
-    def core_archive(self) -> Path:
-        """The archive of the core for this board, from the cache or made now.
+    def core_archive(self) -> Path | None:
+        """The archive of the core for this board, from the cache or made now; None if the toolchain has no core to compile.
 
         Raises:
             MissingToolError: the installed core does not compile.
         """
-        files = archives.files_below(self._core_sources())
-        sources = [path for path in files if path.suffix in self.toolchain.suffixes]
-        for text in fill(self.toolchain.core.texts("board_files"), self.board.fill()):
-            files += archives.files_below(self.installed.core / text)
-        files += [file for folder in self.board.folders for file in archives.files_below(folder)]
+        if not self.recipes.core_folders:
+            return None
+        folders = [*self.recipes.core_folders, *self.recipes.board_folders, *self.board.folders]
+        files = [path for folder in folders for path in archives.files_below(folder)]
+        sources = [path for folder in self.recipes.compiled_folders for path in archives.files_below(folder)]
+        sources = [path for path in sources if path.suffix in self.toolchain.suffixes]
         try:
             return self._archive(self._name("core", files, sources, "core", []), sources, "core", [])
         except _Broken as broken:
             raise MissingToolError(
-                f"{self.toolchain.core.text('name')} {self.installed.core_version} does not compile: {broken.first()}",
-                location=Location(str(self.installed.core)),
-                fix=f"install it again, or another version, and name its folder with {self.toolchain.core.text('env')}",
+                f"{self.recipes.core_title} does not compile: {broken.first()}",
+                location=Location(str(self.recipes.core)),
+                fix=f"reinstall it, or install another version and set its folder in {self.toolchain.core.text('env')}",
             ) from broken
 
     # ---- linking
 
     def _link(self, objects: list[Path], libraries: list[Path], report: CompileReport, keep: Path | None) -> CompileReport:
-        data = self.toolchain.link
-        elf, hex_file = (self.folder / f"{self.sketch.main.stem}{suffix}" for suffix in (".elf", ".hex"))
-        values = self.board.fill() | {"elf": str(elf), "hex": str(hex_file)}
-        if "sources" in self.toolchain.core.values:
-            values["core_archive"] = str(self.core_archive())
-        lists = {"objects": [str(path) for path in objects], "libraries": [str(path) for path in libraries]}
-        arguments = fill(data.texts("arguments"), values, lists)
-        tool = self.toolchain.tool(data).key
-        done = self.installed.run(tool, arguments)
+        core = self.core_archive()
+        if core is not None:
+            core = Path(shutil.copy2(core, self.folder / "core.a"))  # where the recipes of cores expect it
+        elf = self.recipes.elf(self.folder, self.sketch.main.stem)
+        link = self.recipes.link(elf, objects, libraries, core)
+        if (complaint := self._run_all(self.recipes.before_link(elf))) is not None:
+            return _with(report, [messages.unread("preparing the link", complaint)])
+        done = self._run(link)
         overflow = False
         if done.returncode != 0:
             own = [self.sketch.main, *self.sketch.parts, *self.sketch.sources]
@@ -264,52 +276,51 @@ class Build(Struct):
             if undefined or not overflow:
                 unread = messages.assembler_findings(done.stderr, self.toolchain.messages, own)
                 return _with(report, undefined or unread or [messages.unread("linking", done.stderr)])
-            self.installed.run(tool, [*data.texts("measure"), *arguments])
-        flash, ram = self._measure(values) if elf.is_file() else (None, None)
-        fits = not overflow and flash is not None and flash <= self.board.flash_bytes and (ram or 0) <= self.board.ram_bytes
+            self._run([*link, *self.toolchain.link.texts("measure")])
+        flash, ram = self._measure(elf) if elf.is_file() else (None, None)
+        limits = (flash, self.board.flash_bytes), (ram or 0, self.board.ram_bytes)
+        fits = not overflow and all(used is not None and (most is None or used <= most) for used, most in limits)
         report = replace(report, ok=True, fits=fits, fits_on=self.board.name if fits else None, flash_bytes=flash, ram_bytes=ram)
         if elf.is_file():
-            report = replace(report, stack=self._stack(values))
+            report = replace(report, stack=self._stack(elf))
         if fits:
             report = _with(report, self._little_ram(ram or 0, report.stack))
-        return self._keep(report, values, keep) if keep is not None and not overflow else report
+        return self._keep(report, elf, keep) if keep is not None and not overflow else report
 
-    def _measure(self, values: dict[str, str]) -> tuple[int, int]:
-        """Flash and RAM in bytes: the sums of the sections that the data names."""
-        data = self.toolchain.size
-        done = self.installed.run(self.toolchain.tool(data).key, fill(data.texts("arguments"), values))
-        sections = {match["section"]: int(match["bytes"]) for match in data.pattern("pattern").finditer(done.stdout)}
-        flash, ram = (sum(sections.get(name, 0) for name in data.texts(kind)) for kind in ("flash", "ram"))
-        return flash, ram
+    def _measure(self, elf: Path) -> tuple[int, int]:
+        """Flash and RAM in bytes."""
+        return self.recipes.sizes(self._run(self.recipes.size(elf)).stdout)
 
-    def _stack(self, values: dict[str, str]) -> StackBound | None:
+    def _stack(self, elf: Path) -> StackBound | None:
         """The stack bound of the program, if there is an analysis of its processor's code."""
-        data = self.toolchain.stack
-        if not data.values:
+        command = self.recipes.disassemble(elf)
+        if command is None:
             return None
-        done = self.installed.run(self.toolchain.tool(data).key, fill(data.texts("arguments"), values))
-        found: StackBound | None = content("query", "stack_bound")(done.stdout, self.toolchain.architecture)
+        found: StackBound | None = content("query", "stack_bound")(self._run(command).stdout, self.toolchain.architecture)
         return found
 
     def _little_ram(self, ram: int, stack: StackBound | None) -> list[Finding]:
+        if self.board.ram_bytes is None:
+            return []
         percent = 100 * ram // self.board.ram_bytes
         left = self.board.ram_bytes - ram
         short = stack is not None and stack.bytes > left
         if percent <= self.toolchain.size.number("ram_warn_percent") and not short:
             return []
-        most = f", which takes up to {stack.bytes}" if stack is not None else ""
-        message = f"the program's variables take {percent} % of the RAM; {left} bytes are left for the stack{most}"
-        fix = "make arrays smaller, or keep constant texts in flash"
+        most = f", which needs up to {stack.bytes}" if stack is not None else ""
+        message = f"the program's variables use {percent} % of the RAM; {left} bytes are left for the stack{most}"
+        fix = "make arrays smaller, or move constant texts to flash"
         return [Finding(LITTLE_RAM, Severity.warning, message, Location(str(self.sketch.main)), fix=fix)]
 
-    def _keep(self, report: CompileReport, values: dict[str, str], keep: Path) -> CompileReport:
-        data = self.toolchain.hex
-        done = self.installed.run(self.toolchain.tool(data).key, fill(data.texts("arguments"), values))
-        if done.returncode != 0:
-            return _with(replace(report, ok=False), [messages.unread("converting", done.stderr)])
-        elf = keep / Path(values["elf"]).name
-        elf.write_bytes(without_relocations(inputs.read_bytes(values["elf"], inputs.MODEL)))
-        return replace(report, elf=elf, hex=Path(shutil.copy2(values["hex"], keep)))
+    def _keep(self, report: CompileReport, elf: Path, keep: Path) -> CompileReport:
+        if (complaint := self._run_all(self.recipes.convert(elf))) is not None:
+            return _with(replace(report, ok=False), [messages.unread("converting", complaint)])
+        if (gap := self.recipes.unconverted) is not None:
+            report = _with(report, [Finding(NO_BOARD_FILE, Severity.info, gap, Location(str(self.sketch.main)))])
+        kept = keep / elf.name
+        kept.write_bytes(without_relocations(inputs.read_bytes(elf, inputs.MODEL)))
+        program = self.recipes.program(elf)
+        return replace(report, elf=kept, hex=Path(shutil.copy2(program, keep)) if program.is_file() else None)
 
 
 class _Broken(Exception):
@@ -372,7 +383,10 @@ _SEARCHED = re.compile(r"^#include <\.\.\.>.*\n((?: .*\n)*)", re.MULTILINE)
 
 
 def entries(
-    sketch: Sketch, toolchain: Toolchain, installed: Installed, flags: Callable[[str], Sequence[str]]
+    sketch: Sketch,
+    toolchain: Toolchain,
+    start: Callable[[Sequence[str]], subprocess.CompletedProcess[str]],
+    command: Callable[[str], list[str]],
 ) -> Iterator[dict[str, Any]]:
     """The entries: `directory`, `file` (relative to it) and `arguments`.
 
@@ -382,22 +396,22 @@ def entries(
     Args:
         sketch: the sketch.
         toolchain: of the sketch.
-        installed: the toolchain on this machine.
-        flags: the arguments that files of a suffix of the sketch are compiled with.
+        start: runs a command.
+        command: the compiler and the arguments that files of a suffix of the sketch are compiled with.
     """
     folder = sketch.folder.resolve()
     searched: dict[str, list[str]] = {}
 
     def entry(path: Path, suffix: str, more: Sequence[str]) -> dict[str, Any]:
-        language = toolchain.language(suffix)
+        compiler, *flags = command(suffix)
         if suffix not in searched:
-            searched[suffix] = _system_includes(language, toolchain, installed)
+            searched[suffix] = _system_includes(compiler, toolchain, start)
         shown = os.path.relpath(path.resolve(), folder)
-        first = [installed.commands[language.tool], *toolchain.database.texts("arguments", ())]
+        first = [compiler, *toolchain.database.texts("arguments", ())]
         return {
             "directory": str(folder),
             "file": shown,
-            "arguments": [*first, *flags(suffix), *searched[suffix], *more, shown],
+            "arguments": [*first, *flags, *searched[suffix], *more, shown],
         }
 
     before = [part for name in re.findall("#include <(.+)>", toolchain.sketch.text("prologue")) for part in ("-include", name)]
@@ -410,9 +424,11 @@ def entries(
         yield entry(path, path.suffix, [])
 
 
-def _system_includes(language: ToolchainLanguage, toolchain: Toolchain, installed: Installed) -> list[str]:
+def _system_includes(
+    compiler: str, toolchain: Toolchain, start: Callable[[Sequence[str]], subprocess.CompletedProcess[str]]
+) -> list[str]:
     """The compiler's own include folders, which Clang knows only if it comes with the target's tools."""
     asked = toolchain.database.texts("tell_includes", ())
-    found = _SEARCHED.search(installed.run(language.tool, asked).stderr) if asked else None
+    found = _SEARCHED.search(start([compiler, *asked]).stderr) if asked else None
     folders = [os.path.normpath(line.strip()) for line in found[1].splitlines()] if found else []
     return [f"-isystem{folder}" for folder in folders]

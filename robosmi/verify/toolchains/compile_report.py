@@ -24,18 +24,22 @@ LITTLE_RAM = "RS807"
 BADLY_NAMED = "RS808"
 OTHER_BOARD = "RS809"
 OTHER_FACTS = "RS810"
+NO_BOARD_DATA = "RS811"
+NO_BOARD_FILE = "RS812"
 
 RULES = {
     COMPILER_ERROR: "the compiler reports an error",
     COMPILER_WARNING: "the compiler warns about the user's own files",
-    MISSING_HEADER: "a header is neither in the sketch, the core, an installed library nor a stand-in",
-    LINK_ERROR: "something that is used is defined nowhere, or twice",
+    MISSING_HEADER: "a header is not in the sketch, the core, an installed library or a stand-in",
+    LINK_ERROR: "a used name is defined nowhere, or twice",
     TOO_BIG: "the program needs more flash or RAM than the board has",
-    STAND_IN_USED: "a library is not installed; a stand-in of the repository took its place in the check",
+    STAND_IN_USED: "a library is not installed; the check used a stand-in",
     LITTLE_RAM: "the program fits, but little RAM is left for the stack",
-    BADLY_NAMED: "the main file does not bear its folder's name",
-    OTHER_BOARD: "the program was made for the pins of another board",
-    OTHER_FACTS: "the board's file and the core that programs are compiled with say different things of the board",
+    BADLY_NAMED: "the main file's name does not match its folder",
+    OTHER_BOARD: "the program uses the pins of another board",
+    OTHER_FACTS: "the board's file and the compiler's core contradict each other",
+    NO_BOARD_DATA: "the board is one of an installed core and has no data here: only what the core says is checked",
+    NO_BOARD_FILE: "the tool of the core that makes the file for the board is not installed",
 }
 """Every rule of the compile check: id -> meaning."""
 
@@ -78,13 +82,13 @@ class CompileReport(Struct, frozen=True):
         board: name of the board it was compiled for.
         tool: compiler and core with their versions.
         flash_bytes, ram_bytes: the memory it needs; None if it does not link.
-        flash_limit, ram_limit: the memory of the board, in bytes.
+        flash_limit, ram_limit: the memory of the board, in bytes; None where its core does not say.
         stack: the bound on its stack; None if it does not link, or its processor's code cannot be analysed.
         libraries: the libraries it was compiled with, in the order in which they were found.
         diagnostics: findings, in the order of the sketch's text.
         warnings_elsewhere: the number of suppressed warnings about files outside of the sketch.
         seconds: the duration of the check.
-        elf, hex: the program, if it was to be kept.
+        elf, hex: the program, if it was to be kept; of some cores, `hex` is a file of another kind (`.uf2`, `.bin`).
         commands: entries of a compilation database for the sketch's files.
         database: the file with these, if it was to be kept.
     """
@@ -96,8 +100,8 @@ class CompileReport(Struct, frozen=True):
     tool: str
     flash_bytes: int | None
     ram_bytes: int | None
-    flash_limit: int
-    ram_limit: int
+    flash_limit: int | None
+    ram_limit: int | None
     stack: StackBound | None = None
     libraries: tuple[CompiledLibrary, ...] = ()
     diagnostics: tuple[Finding, ...] = ()
@@ -120,7 +124,8 @@ class CompileReport(Struct, frozen=True):
 
     def artifacts(self) -> list[dict[str, str]]:
         """The files that were left, as the contract lists them."""
-        kept = {"elf": self.elf, "hex": self.hex, "compilation database": self.database}
+        program = self.hex.suffix[1:] if self.hex is not None else "hex"
+        kept = {"elf": self.elf, program: self.hex, "compilation database": self.database}
         return [{"path": str(path), "kind": kind} for kind, path in kept.items() if path is not None]
 
     def to_json(self) -> dict[str, Json]:

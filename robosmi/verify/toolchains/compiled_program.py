@@ -84,9 +84,10 @@ def compile_into(
         if report.ok:  # what is too big for the board has sizes, too, and no program
             program = inputs.read_bytes(report.hex, inputs.OUTPUT) if report.hex is not None else b""
             stand_ins = tuple(library.name for library in report.libraries if library.source == STAND_IN)
+            limits = {"flash_limit": report.flash_limit, "ram_limit": report.ram_limit}
             sizes = {
-                "flash_bytes": report.flash_bytes or 0, "flash_limit": report.flash_limit,
-                "ram_bytes": report.ram_bytes or 0, "ram_limit": report.ram_limit,
+                "flash_bytes": report.flash_bytes or 0, "ram_bytes": report.ram_bytes or 0,
+                **{key: limit for key, limit in limits.items() if limit is not None},
                 **({"stack_bytes": report.stack.bytes} if report.stack is not None and report.stack.certain else {}),
             }  # fmt: skip
             beyond = outside(_named_outside(sketch, sources))
@@ -109,8 +110,8 @@ def _refuse_others(folder: Path, sketch: Sketch, contents: Iterable[str]) -> Non
                 path = folder / name
                 if path.exists() and not (name == DATABASE and _is_database(path, sketch)):
                     raise StoppedError(
-                        "there is a file here that no compile of this sketch has made", location=Location(str(path)),
-                        fix="name another folder with -o, or move the file away",
+                        "a file here is not from compiling this sketch", location=Location(str(path)),
+                        fix="give another folder with -o, or move the file",
                     )  # fmt: skip
 
 

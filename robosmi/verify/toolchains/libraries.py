@@ -87,9 +87,11 @@ class LibraryFolders:
 
     @cached_property
     def stand_ins(self) -> list[tuple[CompiledLibrary, tuple[str, ...]]]:
-        """The stand-ins of the repository with the headers that they offer."""
+        """The stand-ins of the repository for this architecture, with the headers that they offer."""
         pattern = f"{self._toolchain.platform}/stand_ins/*/stand_in.toml"
-        return [self._stand_in(path) for path in find_files(pattern, self._project)]
+        tables = [DataTable.read(path) for path in find_files(pattern, self._project)]
+        fitting = {self._toolchain.architecture, "*"}
+        return [self._stand_in(table) for table in tables if fitting & set(table.texts("architectures"))]
 
     def find(self, header: str) -> CompiledLibrary | None:
         """The library that offers a header, e.g. `Servo.h`, or None. One that bears the header's name goes first."""
@@ -110,8 +112,8 @@ class LibraryFolders:
         return CompiledLibrary(name, version, INSTALLED, folder, inner if deep else folder, deep, data.texts("flat", ()))
 
     @staticmethod
-    def _stand_in(path: Path) -> tuple[CompiledLibrary, tuple[str, ...]]:
-        table = DataTable.read(path)
+    def _stand_in(table: DataTable) -> tuple[CompiledLibrary, tuple[str, ...]]:
+        path = table.path
         library = CompiledLibrary(table.text("library"), table.text("version"), STAND_IN, path.parent, path.parent, False, ())
         headers = table.texts("headers")
         for header in headers:

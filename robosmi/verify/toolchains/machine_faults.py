@@ -18,11 +18,11 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.verify.toolchains.temporary import MAKE_SPACE
 
-_WRITABLE = "make that folder writable, or let TMPDIR name another one"
-_MEMORY = "free memory, or raise the limit of it (ulimit -v), then run again"
+_WRITABLE = "make that folder writable, or set TMPDIR to another one"
+_MEMORY = "free memory, or raise its limit (ulimit -v), then run again"
 _FILES = "raise the limit of open files (ulimit -n), then run again"
-_LENGTH = "raise the limit of a file's length (ulimit -f), then run again"
-_ENDED = "see what ends processes here (too little memory does, and limits), then run again"
+_LENGTH = "raise the file size limit (ulimit -f), then run again"
+_ENDED = "find out what ends processes here (too little memory, or limits), then run again"
 
 _ERRORS = {
     "ENOSPC": MAKE_SPACE, "EDQUOT": MAKE_SPACE, "EROFS": _WRITABLE, "EIO": MAKE_SPACE, "EFBIG": _LENGTH, "ENOMEM": _MEMORY,
@@ -72,11 +72,11 @@ def check_machine(tool: str, done: subprocess.CompletedProcess[str]) -> subproce
         return done
     name, folder = Path(tool).name, Location(tempfile.gettempdir())
     for words in _SAID.findall(done.stderr):
-        raise SourceError(f"'{name}' cannot do its work in this folder: {words}", location=folder, fix=_ADVICE[words])
+        raise SourceError(f"'{name}' cannot work in this folder: {words}", location=folder, fix=_ADVICE[words])
     if _UNTOLD.search(done.stderr) and shutil.disk_usage(folder.path).free < _LITTLE_SPACE:
         words = os.strerror(errno.ENOSPC)
-        raise SourceError(f"'{name}' failed and did not say why, probably: {words}", location=folder, fix=_ADVICE[words])
+        raise SourceError(f"'{name}' failed without a message; probable cause: {words}", location=folder, fix=_ADVICE[words])
     from_outside = next((words for number, words in _SIGNAL_WORDS.items() if done.returncode == -number), "")
     for ended in [from_outside] if from_outside else _KILLED.findall(done.stderr):
-        raise SourceError(f"'{name}' was ended by the system: {ended}", location=folder, fix=_ENDINGS[ended])
+        raise SourceError(f"'{name}': the system ended it: {ended}", location=folder, fix=_ENDINGS[ended])
     return done

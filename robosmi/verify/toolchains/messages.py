@@ -119,7 +119,7 @@ def assembler_findings(text: str, patterns: DataTable, files: Iterable[Path]) ->
     if not said:
         return []
     place = _first(patterns.pattern("assembler_word"), files)
-    message = f"the assembler does not take an instruction: {said[0]}"
+    message = f"the assembler rejects an instruction: {said[0]}"
     return [
         Finding(
             COMPILER_ERROR, Severity.error, message, place, fix=patterns.text("assembler_fix"), evidence={"output": said[:20]}
@@ -147,6 +147,6 @@ def unread(what: str, text: str) -> Finding:
         text: what the tool printed.
     """
     lines = [line for line in text.splitlines() if line.strip()]
-    told = next((line for line in lines if "error" in line.lower()), lines[0] if lines else "the tool said nothing")
+    told = next((line for line in lines if "error" in line.lower()), lines[0] if lines else "no message from the tool")
     message = f"{what} failed: {told}"
     return Finding(COMPILER_ERROR, Severity.error, message, evidence={"output": lines[:20]})

@@ -26,6 +26,7 @@ from robosmi.errors import PlatformDataError, SourceError, UsageError
 from robosmi.generate.manifest import NAME as MANIFEST
 from robosmi.generate.output_paths import Places
 from robosmi.verify.toolchains.boards import Board, find_board
+from robosmi.verify.toolchains.prototypes import with_prototypes
 from robosmi.verify.toolchains.toolchain_data import Toolchain
 
 
@@ -52,7 +53,7 @@ class Sketch(NamedTuple):
         return self.main.stem == self.folder.resolve().name
 
     def text(self, toolchain: Toolchain) -> str:
-        """The program text that is compiled: the toolchain's prologue, then each file under its own name.
+        """The program text that is compiled: the toolchain's prologue, then each file under its own name, with prototypes.
 
         Raises:
             SourceError: a file cannot be read.
@@ -65,7 +66,7 @@ class Sketch(NamedTuple):
             except OSError as error:
                 raise SourceError(f"the file cannot be read: {error}", location=Location(str(path))) from error
             text += line.replace("{file}", path.name) + content + ("" if content.endswith("\n") else "\n")
-        return text
+        return with_prototypes(text) if toolchain.sketch.flag("prototypes", False) else text
 
 
 def find_sketch(path: Path, toolchains: Sequence[Toolchain]) -> tuple[Sketch, Toolchain]:
@@ -80,7 +81,7 @@ def find_sketch(path: Path, toolchains: Sequence[Toolchain]) -> tuple[Sketch, To
         UsageError: there are several.
     """
     if not path.exists():
-        nowhere = "a link that leads nowhere is there" if path.is_symlink() else "there is no such file or folder"
+        nowhere = "the path is a broken link" if path.is_symlink() else "no such file or folder"
         raise SourceError(nowhere, location=Location(str(path)), fix="give the output folder of `robosmi migrate`, or a sketch")
     for toolchain in toolchains:
         suffix = toolchain.sketch.text("suffix")
@@ -98,11 +99,11 @@ def find_sketch(path: Path, toolchains: Sequence[Toolchain]) -> tuple[Sketch, To
     if len(found) > 1:
         names = ", ".join(main.parent.name for main, _ in found)
         raise UsageError(
-            f"there are several sketches: {names}", location=Location(str(path)), fix="name the folder of one of them"
+            f"there are several sketches: {names}", location=Location(str(path)), fix="give the folder of one of them"
         )
     if not found:
         wanted = " or ".join(f"<name>/<name>{toolchain.sketch.text('suffix')}" for toolchain in toolchains)
-        raise SourceError("there is no sketch", location=Location(str(path)), fix=f"name a folder that holds {wanted}")
+        raise SourceError("no sketch found", location=Location(str(path)), fix=f"give a folder with {wanted}")
     return _sketch(found[0][0], found[0][1]), found[0][1]
 
 
@@ -121,9 +122,9 @@ def _main(folder: Path, data: DataTable) -> Path | None:
         if not data.flag("parts", True):
             return None
         raise UsageError(
-            f"none of the {len(found)} files *{suffix} bears the folder's name",
+            f"none of the {len(found)} files *{suffix} has the folder's name",
             location=Location(str(folder)),
-            fix=f"name the main file {named.name}, or name one file to be compiled",
+            fix=f"rename the main file to {named.name}, or give one file to compile",
         )
     return found[0] if found else None
 
@@ -251,7 +252,7 @@ def read_project_file(path: Path, keys: Mapping[str, str]) -> ProjectFile:
         fix = inputs.fix_of(error, "check its permissions")
         raise SourceError(f"the file cannot be read: {error.strerror}", location=Location(str(path)), fix=fix) from error
     except UnicodeDecodeError as error:
-        message = f"the file is no text in UTF-8 ({error.reason} at byte {error.start})"
+        message = f"the file is not UTF-8 text ({error.reason} at byte {error.start})"
         raise SourceError(message, location=Location(str(path)), fix="save it as UTF-8") from error
     entries = parse(text, path)
     by_path = {entry.path: entry for entry in entries}
@@ -343,7 +344,7 @@ def parse(text: str, path: Path) -> list[ProjectEntry]:
             key = (*levels[-1][1], _unquote(found["key"]))
             value = _scalar(found["value"] or "")
             if value.startswith(_FLOW):
-                raise refuse(number, f"'{value[:20]}' is a style of YAML that is not read here")
+                raise refuse(number, f"'{value[:20]}': unsupported YAML style")
             levels.append((indent, key))
             if value:
                 entries.append(ProjectEntry(key, _unquote(value), number))

@@ -26,7 +26,7 @@ from robosmi.diagnostics import Location
 from robosmi.errors import SourceError
 from robosmi.inputs import flags
 
-MAKE_SPACE = "make space there, or let TMPDIR name a folder with more"
+MAKE_SPACE = "free space there, or set TMPDIR to a folder with more"
 """What to do if the folder for temporary files is full."""
 _NAME = re.compile(r"robosmi-[a-z]+-(\d+)-(held_)?\w+")
 _LEAST_AGE_S = 3600.0
@@ -66,7 +66,7 @@ def temporary_folder(what: str) -> Iterator[str]:
         if error.errno not in _NO_SPACE or not _is_about(error, path):
             raise
         raise SourceError(
-            f"a file cannot be written in the folder for temporary files: {error.strerror}", location=Location(str(path.parent)),
+            f"a file cannot be written in the temporary folder: {error.strerror}", location=Location(str(path.parent)),
             fix=MAKE_SPACE,
         ) from error  # fmt: skip
     finally:

@@ -13,18 +13,19 @@ from msgspec.structs import replace
 
 from robosmi.base.trust import acting
 from robosmi.diagnostics import Finding, Location, Severity
-from robosmi.errors import RobosmiError, UsageError
+from robosmi.errors import RobosmiError, SourceError, UsageError
 from robosmi.inputs import read_once
 from robosmi.plugins import content
 from robosmi.verify.toolchains.board_check import board_findings
 from robosmi.verify.toolchains.boards import Board, load_boards
 from robosmi.verify.toolchains.build import Build
-from robosmi.verify.toolchains.compile_report import MISSING_HEADER, OTHER_BOARD, TOO_BIG, CompileReport
+from robosmi.verify.toolchains.compile_report import MISSING_HEADER, NO_BOARD_DATA, OTHER_BOARD, TOO_BIG, CompileReport
 from robosmi.verify.toolchains.libraries import LibraryFolders
+from robosmi.verify.toolchains.recipes import DataRecipes, InstalledBoard, Recipes
 from robosmi.verify.toolchains.sketch import Sketch, choose_board, find_sketch
 from robosmi.verify.toolchains.temporary import temporary_folder
 from robosmi.verify.toolchains.toolchain_data import Toolchain, load_toolchains
-from robosmi.verify.toolchains.tools import Installed, find_installed
+from robosmi.verify.toolchains.tools import find_installed
 
 _OFFERS = 3
 
@@ -49,7 +50,7 @@ def compile_sketch(
     """
     started = time.perf_counter()
     if keep is not None and not keep.is_dir():
-        raise UsageError("there is no such folder to keep the program in", location=Location(str(keep)), fix="make it first")
+        raise UsageError("the folder for the program does not exist", location=Location(str(keep)), fix="create it first")
     with acting(project):
         return _compiled(Path(folder_or_sketch), board, keep, project, started)
 
@@ -57,13 +58,20 @@ def compile_sketch(
 def _compiled(place: Path, board: str | None, keep: Path | None, project: Path | None, started: float) -> CompileReport:
     sketch, toolchain = find_sketch(place, load_toolchains(project))
     boards = load_boards(toolchain.platform, project)
+    if (found := _installed_board(sketch, boards, toolchain, board)) is not None:
+        report = _compiled_by_core(sketch, found, toolchain, keep, project)
+        return replace(report, seconds=time.perf_counter() - started)
     chosen = choose_board(sketch, boards, toolchain, board)
     installed = find_installed(toolchain)
     index = LibraryFolders(toolchain, installed.core, project)
-    report = _build(sketch, chosen, toolchain, installed, index, keep)
+
+    def built(board: Board, keep: Path | None = None) -> CompileReport:
+        return _build(sketch, board, toolchain, DataRecipes(toolchain, installed, board), index, keep)
+
+    report = built(chosen, keep)
     if report.ok and not report.fits:
-        bigger = [b for b in boards if b.flash_bytes > chosen.flash_bytes or b.ram_bytes > chosen.ram_bytes]
-        others = (_build(sketch, other, toolchain, installed, index, None) for other in bigger)
+        bigger = [board for board in boards if board.has_more_memory_than(chosen)]
+        others = (built(other) for other in bigger)
         report = replace(report, fits_on=next((other.board for other in others if other.ok and other.fits), None))
         report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
     if (made_for := _other_board(sketch, chosen, boards, toolchain)) is not None:
@@ -71,6 +79,37 @@ def _compiled(place: Path, board: str | None, keep: Path | None, project: Path |
     report = replace(report, diagnostics=(*board_findings(chosen, toolchain, installed), *report.diagnostics))
     diagnostics = tuple(_with_offers(finding, toolchain, project) for finding in report.diagnostics)
     return replace(report, diagnostics=diagnostics, seconds=time.perf_counter() - started)
+
+
+def _installed_board(sketch: Sketch, boards: list[Board], toolchain: Toolchain, wanted: str | None) -> InstalledBoard | None:
+    """The board of an installed core that is asked for, if it has no data here; else None."""
+    given = sketch.project_file
+    name = wanted if wanted is not None else given.board if given is not None else None
+    if name is None or any(name in (board.name, *board.full_names) for board in boards):
+        return None
+    try:
+        found: InstalledBoard | None = content("query", "installed_board")(name, toolchain)
+    except UsageError as error:
+        if wanted is not None or given is None:
+            raise
+        raise SourceError(error.message, location=Location(str(given.path), given.board_line), fix=error.fix) from error
+    return found
+
+
+def _compiled_by_core(
+    sketch: Sketch, found: InstalledBoard, toolchain: Toolchain, keep: Path | None, project: Path | None
+) -> CompileReport:
+    """The report for a board of an installed core, built by the core's own recipes."""
+    toolchain = toolchain._replace(architecture=found.architecture)
+    index = LibraryFolders(toolchain, found.recipes.core, project)
+    report = _build(sketch, found.board, toolchain, found.recipes, index, keep)
+    if report.ok and not report.fits:
+        report = replace(report, diagnostics=(*report.diagnostics, _too_big(report, sketch)))
+    message = f"'{found.board.name}' has no data here: its pins, voltage, stack and upload are not checked"
+    fix = "add the board's data: docs/how-to/add-a-target.md"
+    unknown = Finding(NO_BOARD_DATA, Severity.info, message, Location(str(sketch.main)), fix=fix)
+    diagnostics = tuple(_with_offers(finding, toolchain, project) for finding in (unknown, *report.diagnostics))
+    return replace(report, diagnostics=diagnostics)
 
 
 def _other_board(sketch: Sketch, chosen: Board, boards: list[Board], toolchain: Toolchain) -> Finding | None:
@@ -82,10 +121,10 @@ def _other_board(sketch: Sketch, chosen: Board, boards: list[Board], toolchain: 
     if own.values[key] == chosen.values[key]:
         return None
     message = (
-        f"the program was made for '{own.name}' ({own.values[key]}) and writes its pins by their ports; "
+        f"the program is for '{own.name}' ({own.values[key]}) and writes its pins by ports; "
         f"on '{chosen.name}' ({chosen.values[key]}) these are other pins"
     )
-    fix = f"move the program to {chosen.name}, or compile it for {own.name}"
+    fix = f"migrate the program to {chosen.name}, or compile it for {own.name}"
     return Finding(OTHER_BOARD, Severity.warning, message, Location(str(given.path), given.board_line), fix=fix)
 
 
@@ -102,18 +141,18 @@ def _with_offers(finding: Finding, toolchain: Toolchain, project: Path | None) -
     names = [each.name for each in (built or found)[:_OFFERS]]
     if not names:
         return finding
-    fix = f"{finding.fix}; libraries that offer it: {', '.join(repr(name) for name in names)}"
+    fix = f"{finding.fix}; libraries that have it: {', '.join(repr(name) for name in names)}"
     return replace(finding, fix=fix, evidence={**finding.evidence, "libraries": names})
 
 
 def _too_big(report: CompileReport, sketch: Sketch) -> Finding:
     needs = [
-        f"{used if used is not None else 'more than its'} bytes of {kind}, {limit} are there"
+        f"{used if used is not None else 'more than its'} bytes of {kind}, available are {limit}"
         for kind, used, limit in (
             ("flash", report.flash_bytes, report.flash_limit),
             ("RAM", report.ram_bytes, report.ram_limit),
         )
-        if used is None or used > limit
+        if limit is not None and (used is None or used > limit)
     ]
     fix = f"it fits on '{report.fits_on}': compile for that board, or make it smaller" if report.fits_on else "make it smaller"
     message = f"the program is too big for '{report.board}': it needs {' and '.join(needs)}"
@@ -121,7 +160,7 @@ def _too_big(report: CompileReport, sketch: Sketch) -> Finding:
 
 
 def _build(
-    sketch: Sketch, board: Board, toolchain: Toolchain, installed: Installed, index: LibraryFolders, keep: Path | None
+    sketch: Sketch, board: Board, toolchain: Toolchain, recipes: Recipes, index: LibraryFolders, keep: Path | None
 ) -> CompileReport:
     with temporary_folder("build") as folder:
-        return Build(sketch, board, toolchain, installed, index, Path(folder)).report(keep)
+        return Build(sketch, board, toolchain, recipes, index, Path(folder)).report(keep)

@@ -182,7 +182,7 @@ def fill(texts: Iterable[str], values: Mapping[str, str], lists: Mapping[str, It
         else:
             unknown = [name for name in re.findall(r"\{(\w+)\}", text) if name not in values]
             if unknown:
-                raise PlatformDataError(f"nothing is known for '{{{unknown[0]}}}' in '{text}'", fix="mend the toolchain's data")
+                raise PlatformDataError(f"unknown placeholder '{{{unknown[0]}}}' in '{text}'", fix="correct the toolchain's data")
             result.append(re.sub(r"\{(\w+)\}", lambda name: values[name[1]], text))
     return result
 

@@ -60,7 +60,7 @@ def run(
     environment: Mapping[str, str] | None = None,
     limit_s: float = LIMIT_S,
     stdin: IO[bytes] | None = None,
-    advice: str = "look for an #include or .incbin of no ordinary file, or for macros, templates and arrays without end",
+    advice: str = "look for an #include or .incbin of a special file, or for macros, templates or arrays that grow endlessly",
 ) -> subprocess.CompletedProcess[str]:
     """Run a command to its end, in a session of its own and with a folder of its own for temporary files.
 
@@ -91,11 +91,9 @@ def run(
         try:
             said, complained = process.communicate(timeout=max(0.01, limit_s))
         except subprocess.TimeoutExpired:
-            raise VerificationError(
-                f"'{Path(command[0]).name}' did not end within {limit_s:.0f} s and was stopped", fix=advice
-            ) from None
+            raise VerificationError(f"'{Path(command[0]).name}' exceeded {limit_s:.0f} s and was stopped", fix=advice) from None
     if too_much := process_limits.exceeded(limits, process.returncode, complained):
-        raise VerificationError(f"'{Path(command[0]).name}' took more than {too_much} and was stopped", fix=advice)
+        raise VerificationError(f"'{Path(command[0]).name}' exceeded {too_much} and was stopped", fix=advice)
     return subprocess.CompletedProcess(command, process.returncode, said, complained)
 
 
@@ -115,14 +113,18 @@ def find_core(toolchain: Toolchain) -> Path | None:
         MissingToolError: the environment variable names a folder without a core.
     """
     env, needed = toolchain.core.text("env"), toolchain.core.text("must_have")
-    if named := os.environ.get(env):
-        if not (Path(named) / needed).is_file():
+    for named in filter(None, os.environ.get(env, "").split(os.pathsep)):
+        folder = Path(named)
+        listed, own = (toolchain.core.text(key, "") for key in ("listed_by", "known_by"))
+        if listed and (folder / listed).is_file() and not (folder / own).exists():
+            continue  # a core of another architecture
+        if not (folder / needed).is_file():
             raise MissingToolError(
                 f"{env} names a folder without {toolchain.core.text('name')}: there is no {needed} in it",
                 location=Location(named),
-                fix=f"let {env} name the folder that holds {needed}, or unset it",
+                fix=f"set {env} to the folder with {needed}, or unset it",
             )
-        return Path(named)
+        return folder
     return next((place for place in places(toolchain.core.texts("places")) if (place / needed).is_file()), None)
 
 

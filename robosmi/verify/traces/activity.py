@@ -89,7 +89,7 @@ class ActivityEvent(Struct, frozen=True):
         if self.kind == PULSES:
             return f"pulses of {value:.0f} us"
         if self.kind == WAVE and not value:
-            return f"{100 * float(self.value[1]):.3g} % high on average"
+            return f"{100 * float(self.value[1]):.3g} % PWM"
         if self.kind == WAVE:
             return (
                 f"{value:.6g} Hz" if float(self.value[1]) == 0.5 else f"{value:.6g} Hz, {100 * float(self.value[1]):.3g} % high"
@@ -101,6 +101,22 @@ class ActivityEvent(Struct, frozen=True):
         if self.kind == HELD:
             return f"held {'high' if value else 'low'} for {self.value[1]:.0f} us"
         return f"{value} pulses" if self.kind == BURST else repr(value)
+
+    def does(self) -> str:
+        """The event as a verb phrase: what the program does at that moment."""
+        value = self.value[0]
+        if self.kind == LEVEL:
+            return f"is {value}" if isinstance(value, str) else f"switches {on_or_off(self)}"
+        if self.kind in (PULSE, HELD) and float(self.value[1]) < 0:
+            return f"no longer drives {'high' if value else 'low'}"
+        if self.kind == HELD:
+            return f"drives {'high' if value else 'low'} for {self.value[1]:.0f} us"
+        return str(self) if self.kind == PULSE else f"sends {self}"
+
+
+def on_or_off(level: ActivityEvent) -> str:
+    """The state of what a pin of this level drives."""
+    return "on" if level.value[0] else "off"
 
 
 IDLE = ActivityEvent(0.0, LEVEL, (0,))

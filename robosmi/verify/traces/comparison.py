@@ -31,7 +31,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from robosmi.base.data_text import Json
-from robosmi.verify.traces.activity import BURST, HELD, LEVEL, LINE, PULSE, PULSES, READING, WAVE, ActivityEvent
+from robosmi.verify.traces.activity import BURST, HELD, LEVEL, LINE, PULSE, PULSES, READING, WAVE, ActivityEvent, on_or_off
 from robosmi.verify.traces.alignment import Alignment, aligned, alike, is_brief, larger, parts_off, shape_of
 
 if TYPE_CHECKING:
@@ -240,7 +240,7 @@ def compare(
             difference = FirstDifference(told.at_us / 1000, channel, told.message, told.source, told.target)
             return ChannelComparison(channel, DIFFERENT, difference, max(0, len(source) - 1), greatest)
     if (stray := first_stray_width((source, *varied), target[: found.other], found.pairs)) is not None:
-        message = f"{stray}, beyond all widths that the source shows"
+        message = f"{stray.does()}, outside all pulse widths of the original"
         difference = FirstDifference(stray.at_us / 1000, channel, message, None, stray)
         return ChannelComparison(channel, DIFFERENT, difference, max(0, len(source) - 1), greatest)
     matched = len(found.pairs) - bool(source and source[0].kind not in _PRINTED)
@@ -268,11 +268,11 @@ def _racy(
     mine = own[before.own] if before.own < len(own) else None
     theirs = target[before.other] if before.other < len(target) else None
     if mine is not None and (theirs is not None or mine.at_us / 1000 < horizon_ms - 3 * _tau(mine, 20.0)):
-        message = f"{mine} {'are' if mine.kind == PULSES else 'is'} missing" if theirs is None else f"{theirs} instead of {mine}"
+        message = _missing(mine, target[: before.other]) if theirs is None else _instead(mine, theirs)
         return replace(found, status=DIFFERENT, difference=FirstDifference(mine.at_us / 1000, channel, message, mine, theirs))
     wrong = first_wrong_line(source, target, varied)
     if wrong is not None:
-        message = f"{wrong.target} instead of {wrong.source}, which the source prints in each run, though other lines change"
+        message = f"{_instead(wrong.source, wrong.target)} in each run, though other lines change"
         first = FirstDifference(wrong.source.at_us / 1000, channel, message, wrong.source, wrong.target)
         return replace(found, status=DIFFERENT, difference=first)
     return found
@@ -454,13 +454,13 @@ def report_difference(
         moved = alike(mine, theirs)
         lost, more = sides.met_elsewhere(found.other), sides.is_elsewhere(found.own)
         if lost and more and not moved:
-            return DifferenceReport(theirs.at_us, f"{theirs} before {mine}, not after it", mine, theirs)
+            return DifferenceReport(theirs.at_us, f"{theirs.does()} before it {mine.does()}, not after", mine, theirs)
         if lost and not more:
-            return DifferenceReport(mine.at_us, _missing(mine), mine, theirs)
+            return DifferenceReport(mine.at_us, _missing(mine, target[: found.other]), mine, theirs)
         if more and not lost:
             return DifferenceReport(theirs.at_us, sides.more(theirs), mine, theirs)
         if not moved:
-            return DifferenceReport(mine.at_us, f"{theirs} instead of {mine}", mine, theirs)
+            return DifferenceReport(mine.at_us, _instead(mine, theirs), mine, theirs)
         return _moved(mine, theirs, allowed_ms(found.own))
     if mine is None:
         assert theirs is not None
@@ -471,13 +471,13 @@ def report_difference(
     place = sides.nearest(mine, target, sides.paired_target)
     if place is not None:
         return _moved(mine, target[place], allowed_ms(found.own))
-    return DifferenceReport(mine.at_us, _missing(mine), mine, None)
+    return DifferenceReport(mine.at_us, _missing(mine, target[: found.other]), mine, None)
 
 
 def lasts_otherwise(event: ActivityEvent, source_ms: float, target_ms: float) -> str:
     """The message that something lasts too long or too short."""
-    verb = "last" if event.kind == PULSES else "lasts"
-    return f"{event} {verb} {target_ms:.2f} ms instead of {source_ms:.2f} ms"
+    lasting = f"stays {on_or_off(event)}" if _is_switched(event) else event.does()
+    return f"{lasting} for {target_ms:.2f} ms; the original for {source_ms:.2f} ms"
 
 
 class _Sides(Struct, frozen=True):
@@ -517,16 +517,34 @@ class _Sides(Struct, frozen=True):
     def more(self, event: ActivityEvent) -> str:
         """The message that the target does something which the source does not do, at all or at that time."""
         if any(alike(each, event) for each in self.source[1:_MOST]):
-            return f"{event} once more, which the source does not do then"
-        return f"{event}, which the source does not do"
+            return f"{event.does()} again at {event.at_us / 1000:.1f} ms; the original does not"
+        return f"{event.does()} at {event.at_us / 1000:.1f} ms; the original never does"
 
 
-def _missing(event: ActivityEvent) -> str:
-    return f"{event} {'are' if event.kind == PULSES else 'is'} missing"
+def _is_switched(event: ActivityEvent) -> bool:
+    return event.kind == LEVEL and not isinstance(event.value[0], str)
+
+
+def _missing(event: ActivityEvent, before: Sequence[ActivityEvent]) -> str:
+    """The message that the target lacks an event of the source.
+
+    Args:
+        event: the event of the source.
+        before: the events of the target before the missing one.
+    """
+    original = f"the original {event.does()} at {event.at_us / 1000:.1f} ms"
+    if _is_switched(event) and before and _is_switched(before[-1]) and before[-1].value != event.value:
+        return f"stays {on_or_off(before[-1])}; {original}"
+    return f"missing: {original}"
+
+
+def _instead(mine: ActivityEvent, theirs: ActivityEvent) -> str:
+    """The message that the target does something else than the source."""
+    constant = _is_switched(theirs) and mine.kind != LEVEL
+    return f"{f'constantly {on_or_off(theirs)}' if constant else theirs.does()}; the original {mine.does()}"
 
 
 def _moved(mine: ActivityEvent, theirs: ActivityEvent, allowed_ms: float) -> DifferenceReport:
     dt = (theirs.at_us - mine.at_us) / 1000
-    verb = "come" if mine.kind == PULSES else "comes"
-    message = f"{mine} {verb} {abs(dt):.1f} ms too {'late' if dt > 0 else 'early'} (allowed are {allowed_ms:.1f} ms)"
+    message = f"{mine.does()} {abs(dt):.1f} ms too {'late' if dt > 0 else 'early'} (tolerance {allowed_ms:.1f} ms)"
     return DifferenceReport(min(mine.at_us, theirs.at_us) if dt < 0 else mine.at_us, message, mine, theirs)

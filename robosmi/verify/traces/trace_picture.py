@@ -43,7 +43,7 @@ def trace_svg(
         _text(x, 44, side, f"fill='{colour}'") for x, side, colour in ((12, "source", _COLOURS[0]), (72, "target", _COLOURS[1]))
     ]
     if not shown:
-        body.append(_text(_LEFT, 44, "nothing happens on any channel"))
+        body.append(_text(_LEFT, 44, "no change on any channel"))
     for number, (name, pair) in enumerate(shown.items()):
         top = _TOP + number * (2 * _LANE + _GAP)
         body.append(_text(12, top + _LANE + 4, name, "", _LEFT - 20))

@@ -101,6 +101,8 @@ class Verdict(Struct):
         missed_lines: lines that no scenario reaches, `file:line` or `file:first-last`.
         missed_branches: branches that no scenario reaches, `file:line`.
         untaken: those of them that stand on lines which are reached.
+        outputs: each output that is wired on both boards -> whether it was compared in a scenario that counts.
+        unreachable: functions that nothing reaches from main, `file:first-last name`; their lines are not counted.
         binding: the ports with their pins and devices on both sides.
         functions: channel -> the platform's functions that use it.
         not_compared: ports that are not compared: lines of buses, what is not wired on the target, and what is one pin of the
@@ -125,6 +127,8 @@ class Verdict(Struct):
     missed_lines: list[str] = []
     missed_branches: list[str] = []
     untaken: list[str] = []
+    outputs: dict[str, bool] = {}
+    unreachable: list[str] = []
     binding: list[dict[str, Json]] = []
     functions: dict[str, tuple[str, ...]] = {}
     not_compared: list[str] = []
@@ -151,6 +155,15 @@ class Verdict(Struct):
         if not self.scenarios or any(s.verdict != NO_DIFFERENCE for s in self.scenarios):
             return False
         return all(c.status == NOT_EXERCISED for s in self.scenarios for c in s.channels)
+
+    @property
+    def partial(self) -> bool:
+        """Whether an output that is wired was not compared, or a line that main can reach was not reached."""
+        return not self.counted or bool(self.missed_lines) or not all(self.outputs.values())
+
+    def covers(self, percent: float) -> bool:
+        """Whether all wired outputs were compared, and at least that share of the lines that main can reach."""
+        return bool(self.counted) and all(self.outputs.values()) and self.lines_pct >= percent
 
     @property
     def exit_code(self) -> int:
@@ -193,7 +206,11 @@ class Verdict(Struct):
             "source_coverage": {
                 "lines_pct": round(self.lines_pct, 1), "branches_pct": round(self.branches_pct, 1),
                 "missed": self.missed_branches, "missed_lines": self.missed_lines, "only_in_racy": self.racy_branches,
-                "scenarios": self.counted,
+                "scenarios": self.counted, "unreachable": self.unreachable,
+            },
+            "partial": self.partial,
+            "compared": {
+                "outputs": sum(self.outputs.values()), "of": len(self.outputs), "lines_pct": round(self.lines_pct, 1),
             },
             "racy_scenarios": self.racy,
             "channels": self.channels(),
@@ -225,38 +242,61 @@ class Verdict(Struct):
     def sentence(self) -> str:
         """The verdict in one sentence, for lists of findings."""
         if self.verdict == NOT_COMPILED:
-            return "the migrated program does not compile, so that it was not compared"
+            return "the migrated program does not compile, so it was not compared"
         said = {
-            NO_DIFFERENCE: "no difference was found between the original and the migrated program",
-            DIFFERENT_VERDICT: "the migrated program does something else than the original",
-            NOT_DECIDABLE: "whether the migrated program does the same cannot be decided",
+            NO_DIFFERENCE: "no difference found between the original and the migrated program",
+            DIFFERENT_VERDICT: "the migrated program differs from the original",
+            NOT_DECIDABLE: "the comparison is undecided",
         }[self.verdict]
-        many = f"{len(self.scenarios)} scenario{'s' * (len(self.scenarios) != 1)}"
-        said += f" in {many}, {self.simulated_s:.1f} s simulated"
+        if self.verdict == NO_DIFFERENCE:
+            said = f"partly compared ({self._outputs()}): {said}" if self.partial else f"{said} in everything compared"
+        said += f" in {self._many()}, {self.simulated_s:.1f} s simulated"
         said += "; ".join(["", self._reached(), *self._missed()])
         if (first := self.first_difference) is not None:
             said += f"; first in '{first[0].scenario.name}' at {first[1].at_ms:.1f} ms, {first[1].channel}: {first[1].message}"
         return "; ".join([said, *self._stood_in(), *self.all_reasons()])
 
+    def _many(self) -> str:
+        return f"{len(self.scenarios)} test case{'s' * (len(self.scenarios) != 1)}"
+
+    def _outputs(self) -> str:
+        """How many of the wired outputs were compared, in words."""
+        return f"{sum(self.outputs.values())} of {len(self.outputs)} output{'s' * (len(self.outputs) != 1)}"
+
+    def _headline(self) -> str:
+        """The verdict with what it rests on, in one line."""
+        basis = f"in {self._many()}, {self.simulated_s:.1f} s simulated"
+        if self.verdict != NO_DIFFERENCE:
+            return f"{self.verdict.replace('-', ' ').upper()} {basis}; {self._reached()}"
+        if self.partial:
+            return f"PARTLY COMPARED: {self._outputs()}, {self._reached()}; no difference found {basis}"
+        return f"NO DIFFERENCE FOUND in everything compared: {self._outputs()}, {self._reached()}; {basis}"
+
     def _stood_in(self) -> list[str]:
         """The libraries that were replaced by stand-ins, in words."""
         names = ", ".join(f"'{name}'" for name in self.stand_ins)
-        return [f"simulated with stand-ins for libraries that are not installed here: {names}"] if names else []
+        return [f"simulated with stand-ins for missing libraries: {names}"] if names else []
 
     def _reached(self) -> str:
         """The coverage of the source, in words."""
         if not self.counted:
-            return "no source line counts as reached: no scenario could be decided"
+            return "no source line counts as reached, since no test case was decided"
         return f"source lines {self.lines_pct:.1f} %, branches {self.branches_pct:.1f} %"
 
     def _missed(self, whole: bool = False) -> list[str]:
         """What of the source was not reached, in words: nothing of it was compared."""
+        if self.verdict == NO_DIFFERENCE and (idle := [name for name, compared in self.outputs.items() if not compared]):
+            outputs = [f"outputs not compared: {', '.join(idle)}"]
+        else:
+            outputs = []
         told = {
             "lines not reached": self.missed_lines,
             "branches not taken": self.untaken,
-            "branches taken only where the source differs from itself, and not compared": self.racy_branches,
+            "branches not compared, since the original is not repeatable there": self.racy_branches,
         }
-        return [f"{what}: {format_ranges(places, whole)}" for what, places in told.items() if places and self.counted]
+        missed = [f"{what}: {format_ranges(places, whole)}" for what, places in told.items() if places and self.counted]
+        dead = [f"not reachable from main, not counted: {', '.join(self.unreachable)}"] if self.unreachable else []
+        return [*outputs, *missed, *dead]
 
     def all_reasons(self) -> list[str]:
         """The reasons, without duplicates, why scenarios could not be decided."""
@@ -270,9 +310,7 @@ class Verdict(Struct):
         """
         if self.verdict == NOT_COMPILED:
             return ["NOT COMPILED: the migrated program does not compile"]
-        what = f"in {len(self.scenarios)} scenario{'s' * (len(self.scenarios) != 1)}, {self.simulated_s:.1f} s simulated"
-        what += f"; {self._reached()}"
-        lines = [f"{self.verdict.replace('-', ' ').upper()} {what}", f"  {self.engine}; {self.compiler}; {self.original}"]
+        lines = [self._headline(), f"  {self.engine}; {self.compiler}; {self.original}"]
         lines += [f"  {told}" for told in (*self._missed(verbose), *self._stood_in())]
         if (first := self.first_difference) is not None:
             scenario, difference = first
@@ -282,28 +320,29 @@ class Verdict(Struct):
                 lines.append(f"    likely cause: {cause}")
             functions = self.functions.get(difference.channel, ())
             if self.calls.made is not None:
-                lines.append(f"    called for that channel by the source: {self.calls.made}")
+                lines.append(f"    call in the original: {self.calls.made}")
             elif functions:
-                lines.append(f"    functions of that channel: {', '.join(functions)}")
+                lines.append(f"    functions that drive it: {', '.join(functions)}")
             if self.calls.around:
-                lines.append(f"    called around it: {', '.join(str(call) for call in self.calls.around)}")
+                lines.append(f"    calls around it: {', '.join(str(call) for call in self.calls.around)}")
             if self.calls.made is not None or functions:
-                lines.append("    (which of these the cause is, if it is one of them, cannot be seen from outside)")
+                lines.append("    (any of these may be the cause; the trace does not show which)")
             lines += [f"    {name}: {value}" for name, value in inputs_until(scenario.scenario, difference.at_ms).items()]
         lines += [f"  {reason}" for reason in self.all_reasons()]
         if self.racy:
-            lines.append(f"  {self.racy} generated scenarios were dropped: the source differs from itself there")
+            many, them = (f"{self.racy} test cases", "them") if self.racy != 1 else ("1 test case", "it")
+            lines.append(f"  {many} discarded: the original is not repeatable in {them}")
         lines += ["", "channels:"]
         lines += [
             f"  {c['status']:14} {c['name']}{_counted(c['events'], c['status'])}{_ended(c['until_ms'])}" for c in self.channels()
         ]
         because = {name: f" ({why})" for name, why in self.why_not_compared.items()}
         lines += [f"  not compared   {name}{because.get(name, '')}" for name in self.not_compared]
-        lines += ["", "binding (please look whether it is right):"]
+        lines += ["", "pin assignment used here - please check:"]
         for each in self.binding:
-            device = f", played by {each['device']}" if each["device"] else ""
-            where = each["target"] or "not wired"
-            lines.append(f"  {each['port']}: {each['source']} is {where} {each['component'] or ''}".rstrip() + device)
+            device = f", simulated as {each['device']}" if each["device"] else ""
+            where = each["target"] or "not connected"
+            lines.append(f"  {each['port']}: {each['source']} -> {where} {each['component'] or ''}".rstrip() + device)
         return lines
 
 

@@ -49,7 +49,7 @@ def touch(port: str, baud: int) -> None:
         import fcntl
         import termios
     except ImportError as error:
-        raise OSError(f"ports cannot be opened at {baud} baud on this system") from error
+        raise OSError(f"this system cannot open ports at {baud} baud") from error
     handle = os.open(port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
     try:
         settings = termios.tcgetattr(handle)

@@ -94,15 +94,15 @@ def upload_sketch(
     Raises:
         SourceError: there is no sketch, it is not compiled or was changed since, it was compiled against stand-ins, has bodies
             to be written, or is too big.
-        UsageError: the port has no name, or the baud rate is none.
+        UsageError: the port's name is empty, or the baud rate is none.
         MissingToolError: the tool is not installed.
         UploadError: the board did not take the program.
         PlatformDataError: the repository's data is damaged, or says nothing about uploads to the board.
     """
     if not port.strip() or "\0" in port:
-        raise UsageError("the port has no name", fix="give one: --port PORT")
+        raise UsageError("the port's name is empty", fix="give --port PORT")
     if baud is not None and baud <= 0:
-        raise UsageError(f"{baud} is no baud rate", fix="leave it out, or give the one of the board's boot loader")
+        raise UsageError(f"{baud} is not a baud rate", fix="omit it, or give the boot loader's baud rate")
     started = time.perf_counter()
     with acting(project):
         named = Path(folder_or_sketch)
@@ -145,16 +145,18 @@ def _kept(sketch: Sketch, folder: Path, named: Path) -> tuple[BuildRecord, bytes
         f"compile it: robosmi compile {shlex.quote(str(named))}",
     )
     if record is None or not path.is_file():
-        what = "there is no compiled program of this sketch"
-        raise SourceError(what, location=Location(str(folder)), fix=f"{fix} (with -o, name that folder with --build)")
+        what = "this sketch is not compiled yet"
+        raise SourceError(what, location=Location(str(folder)), fix=f"{fix} (after compile -o DIR, give --build DIR)")
     program = inputs.read_bytes(path, inputs.OUTPUT)
     if hashlib.sha256(program).hexdigest() != record.program:
-        raise SourceError("the program is not the one that was compiled last", location=Location(str(path)), fix=fix)
+        raise SourceError("the program has changed since it was compiled", location=Location(str(path)), fix=fix)
     now = digests(sketch, folder) | outside(record.outside)
     before = record.sources | record.outside
     changed = sorted(name for name in now.keys() | before.keys() if now.get(name) != before.get(name))
     if changed:
-        what = "was changed" if changed[0] in now and changed[0] in before else "is new" if changed[0] in now else "is gone"
+        what = (
+            "was changed" if changed[0] in now and changed[0] in before else "was added" if changed[0] in now else "was removed"
+        )
         more = f", and {len(changed) - 1} more" if len(changed) > 1 else ""
         place = Location(str(sketch.folder / changed[0]))
         raise SourceError(f"the file {what} since the sketch was compiled{more}", location=place, fix=fix)
@@ -165,7 +167,7 @@ def _board(record: BuildRecord, toolchain: Toolchain, project: Path | None, fold
     try:
         return find_board(record.board, load_boards(toolchain.platform, project))
     except UsageError as error:
-        fix = "compile the sketch again for a board that is known"
+        fix = "compile the sketch again for a known board"
         raise SourceError(error.message, location=Location(str(folder)), fix=fix) from error
 
 
@@ -181,20 +183,20 @@ def _sendable(
     if record.stand_ins:
         names = ", ".join(f"'{name}'" for name in record.stand_ins)
         raise SourceError(
-            f"the program was compiled against stand-ins, which are for checks alone: {names}", location=place,
+            f"the program was compiled with stand-ins, which are only for checks: {names}", location=place,
             fix=f"{toolchain.libraries.text('install', 'install {names}').replace('{names}', names)}, then compile again",
         )  # fmt: skip
     if not record.fits or length > loader.takes_bytes:
         raise SourceError(
-            f"the program is too big for '{board.name}': it has {length} bytes, its boot loader takes {loader.takes_bytes}",
-            location=place, fix="move it to a board that it fits on (robosmi compile names one), or make it smaller",
+            f"the program is too big for '{board.name}': {length} bytes, the limit is {loader.takes_bytes}",
+            location=place, fix="use a larger board (robosmi compile suggests one), or make the program smaller",
         )  # fmt: skip
     todo = [] if unfinished else _to_write(sketch, toolchain)
     if todo:
         more = f", the first of {len(todo)}" if len(todo) > 1 else ""
         raise SourceError(
-            f"a body is still to be written{more}: what calls it would get nothing from it", location=todo[0],
-            fix="write it (MIGRATION.md lists them) and compile again, or send the program all the same with --unfinished",
+            f"a body is still to be written{more}; its calls would do nothing", location=todo[0],
+            fix="write it (MIGRATION.md lists all) and compile again, or upload anyway with --unfinished",
         )  # fmt: skip
 
 
@@ -212,8 +214,8 @@ def _to_write(sketch: Sketch, toolchain: Toolchain) -> list[Location]:
 
 def _loader(board: Board) -> BootLoader:
     if board.boot_loader is None:
-        message = f"nothing is known of how programs get on '{board.name}'"
-        raise PlatformDataError(message, fix="add 'boot_loader' to the board's file, or send the .hex with a tool of your own")
+        message = f"no upload method is known for '{board.name}'"
+        raise PlatformDataError(message, fix="add 'boot_loader' to the board's file, or upload the .hex with another tool")
     return board.boot_loader
 
 
@@ -229,7 +231,7 @@ def _program_bytes(text: bytes) -> int:
             record = bytes.fromhex(line[1:].decode("ascii"))
             count, address, kind = record[0], int.from_bytes(record[1:3], "big"), record[3]
         except (ValueError, IndexError) as error:
-            raise SourceError(f"the program is no Intel HEX: {error}", fix="compile the sketch again") from error
+            raise SourceError(f"the program is not Intel HEX: {error}", fix="compile the sketch again") from error
         if kind == 0:
             end = max(end, base + address + count)
         elif kind in (2, 4):
@@ -259,7 +261,7 @@ def _alone(port: str) -> Iterator[None]:
         with FileLock(folder / f"{name}.lock", timeout=0):
             yield
     except Timeout as error:
-        raise UploadError(f"another upload to '{port}' is going on", fix="wait for its end, or end it") from error
+        raise UploadError(f"another upload to '{port}' is running", fix="wait for it, or stop it") from error
 
 
 def _awake(port: str, loader: BootLoader, tool: Uploader, board: Board, boards: Sequence[Board]) -> str:
@@ -276,6 +278,6 @@ def _awake(port: str, loader: BootLoader, tool: Uploader, board: Board, boards: 
     leaves, returns = tool.data.decimal("touch_leaves_s"), tool.data.decimal("touch_returns_s")
     found = serial_ports.comes_back(port, tool.data.texts("ports"), leaves, returns)
     if found is None:
-        message = f"'{board.title}' left the port '{port}' to take a program and did not come back"
+        message = f"'{board.title}' reset for the upload, but did not reappear at port '{port}'"
         raise UploadError(message, fix=f"press its reset button twice and upload again; {tool.ports()}")
     return found

@@ -55,14 +55,14 @@ class Uploader(Struct, frozen=True):
         Raises:
             VerificationError: it did not end in time, and was ended.
         """
-        advice = "the board may hold half a program now; check the cable and the port, then upload again"
+        advice = "the board may have an incomplete program; check the cable and the port, then upload again"
         said = run(command, folder, self.environment, self.data.decimal("limit_s"), advice=advice)
         return said.stdout + said.stderr if said.returncode else None
 
     def ports(self) -> str:
         """Which ports there are, in words."""
         found = serial_ports.ports(self.data.texts("ports"))
-        return f"there are: {', '.join(found)}" if found else "none is there now"
+        return f"available: {', '.join(found)}" if found else "none is connected"
 
     def upload_error(
         self, said: str, board: Board, port: str, boards: Sequence[Board], command: Sequence[str] = ()
@@ -89,10 +89,10 @@ class Uploader(Struct, frozen=True):
                 message, fix = fill([entry.text("message"), entry.text("fix")], values)
                 return UploadError(message, fix=fix), entry.flag("again", False)
         lines = [line.strip() for line in said.splitlines() if line.strip()]
-        last = next((line for line in lines if "error" in line.lower()), lines[-1] if lines else "it says nothing")
+        last = next((line for line in lines if "error" in line.lower()), lines[-1] if lines else "no message")
         if not command:
             return UploadError(last, fix=self.ports()), False
-        fix = f"run it by hand to see all: {shlex.join(command)}"
+        fix = f"for its full output run: {shlex.join(command)}"
         return UploadError(f"{self.data.text('command')} failed: {last}", fix=fix), False
 
 
@@ -104,8 +104,8 @@ def uploader_data(toolchain: Toolchain, project: Path | None = None) -> DataTabl
     """
     found = next(find_files(f"uploaders/{toolchain.uploader}.toml", project), None) if toolchain.uploader else None
     if found is None:
-        fix = "name a file of uploaders/ in 'uploader', or send the .hex with a tool of your own"
-        message = f"nothing is known of how programs of '{toolchain.title}' get on boards"
+        fix = "set 'uploader' to a file of uploaders/, or upload the .hex with another tool"
+        message = f"no upload method is known for '{toolchain.title}'"
         raise PlatformDataError(message, location=Location(str(toolchain.path)), fix=fix)
     return DataTable.read(found)
 

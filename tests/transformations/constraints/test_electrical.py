@@ -128,7 +128,7 @@ def test_the_pins_of_a_library_that_nothing_uses_are_free(tmp_path: Path) -> Non
     plan = plan_migration([tmp_path / "robot.c"], hardware=tmp_path / "wiring.csv").plan
     assert [c.chosen.name for c in plan.libraryChoices if c.chosen is not None] == ["MFRC522"]
     assert "RS265" not in {f.rule for f in plan.findings}
-    assert "  libraries: MFRC522 (nothing uses it: not included)" in terminal_lines(plan, {}, tmp_path, made=True)
+    assert "  libraries: MFRC522 (not used, not included)" in terminal_lines(plan, {}, tmp_path, made=True)
     chosen = plan_migration([tmp_path / "robot.c"], hardware=tmp_path / "wiring.csv", libraries={"cards": "MFRC522"}).plan
     assert "RS265" in {f.rule for f in chosen.findings}
 
@@ -227,7 +227,7 @@ def test_the_first_entry_that_fits_and_is_not_forbidden_counts() -> None:
         ('kind = "a"\nwords = ["a"]\nvolt = [1, 2]', "'volt' is no key of a device (did you mean 'volts'?)"),
         ('kind = "a"\nwords = ["a"]\nvolts = [1]', "'volts' has the value [1]"),
         ('kind = "a"\nwords = ["a"]\ninductive = "yes"', "'inductive' has the value 'yes'"),
-        ('kind = "a"', "kind is missing, or what it is found by"),
+        ('kind = "a"', "its kind or the keys that find it are missing"),
     ],
 )
 def test_a_damaged_entry_is_named(entry: str, said: str) -> None:

@@ -100,7 +100,7 @@ def test_a_function_that_no_adapter_can_serve_is_a_task_that_says_what_to_do(tmp
 
 def test_a_call_that_no_signature_takes_has_no_adapter(tmp_path: Path) -> None:
     models = planned(tmp_path, '#include "simpletools.h"\nint main() {\n  while (1) { high(3, 4); low(3); }\n}\n')
-    assert uses(models)["high"].reason == "line 3 calls it with 2 arguments, and its adapter takes 1"
+    assert uses(models)["high"].reason == "line 3 calls it with 2 arguments, but its adapter takes 1"
     assert uses(models)["high"].status is migration.AdapterStatus.todo
     assert uses(models)["low"].status is migration.AdapterStatus.filled
 
@@ -169,7 +169,7 @@ def test_a_function_that_the_program_declares_itself_is_declared_with_its_adapte
 def test_a_function_that_the_program_declares_otherwise_is_not_the_platforms(tmp_path: Path) -> None:
     use = uses(planned(tmp_path, "void ping_cm(char *text);\nint main() { while (1) ping_cm(0); }\n"))["ping_cm"]
     assert use.adapter is None
-    assert use.reason == "the program declares it as 'void ping_cm(char *text)', and its adapter is for 'int ping_cm(int pin)'"
+    assert use.reason == "the program declares it as 'void ping_cm(char *text)', but its adapter is for 'int ping_cm(int pin)'"
 
 
 NAMES = """#include "simpletools.h"
@@ -206,7 +206,7 @@ def test_an_adapter_is_handed_on_where_the_program_has_its_widths(tmp_path: Path
     require_tools("avr-gcc", "arduino-core-avr")
     text = '#include "simpletools.h"\nunsigned int (*ask)(int);\nint main() { ask = get_state; while (1) pause(ask(3)); }\n'
     kept = uses(planned(tmp_path, text, widths="keep"))["get_state"]
-    assert (kept.adapter, kept.reason) == (None, "it is handed on as a value, and its adapter has other types")
+    assert (kept.adapter, kept.reason) == (None, "the program uses it as a value, but its adapter has other types")
     made = robosmi.migrate([tmp_path / "program.c"], tmp_path / "out")
     assert all(use.adapter is not None for use in made.models.plan.adapterUses)
     report = robosmi.compile_sketch(tmp_path / "out")

@@ -8,6 +8,7 @@ import robosmi
 from robosmi.transformations.m2t.first_screen import written
 from robosmi.transformations.queries.reports.work import Work
 
+CALLS = Path(__file__).parent / "refused_forms" / "main_as_function.c"
 PROGRAM = Path(__file__).parent / "refused_forms" / "refused_forms.c"
 
 
@@ -21,3 +22,10 @@ def test_each_form_that_cpp_refuses_is_told_where_it_stands_and_no_other() -> No
     work = Work(plan)
     assert [task.line for task in plan.tasks if task.rule == "RS504"] == [finding.line for finding in found]
     assert written(work).startswith(f"{len(work.write)} of {len(work.write)} left")
+
+
+def test_calls_of_main_and_references_to_it_are_told_where_cpp_forbids_them() -> None:
+    plan = robosmi.plan_migration([CALLS]).plan
+    assert [finding.line for finding in plan.findings if finding.rule == "RS312"] == [3, 4]
+    plain = robosmi.plan_migration([CALLS], target="avr-c").plan
+    assert [finding for finding in plain.findings if finding.rule == "RS312"] == []

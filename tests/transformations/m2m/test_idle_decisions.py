@@ -25,7 +25,7 @@ def test_a_part_whose_calls_need_no_library_has_none() -> None:
     assert (told["start"].choice, told["start"].open) == ("none", False)
     assert told["start"].chosenBy is migration.ChosenBy.rule
     assert told["start"].options
-    assert told["start"].evidence == ["what the program does here needs none: input"]
+    assert told["start"].evidence == ["the functions used here need none: input"]
     assert told["other"].open, "no port is bound to it, and what will be done with it nobody knows"
 
 
@@ -33,7 +33,7 @@ def test_a_port_that_nothing_uses_here_is_told_and_not_checked() -> None:
     bound, free = planned("speed", abdrive__left_encoder="D6", abdrive__right_encoder="D7"), planned("speed")
     said = [str(task.message) for task in bound.tasks if task.rule == "RS331"]
     assert said == [
-        f"the port 'abdrive.{side}_encoder' is bound to {pin}, and nothing that is called uses it here"
+        f"port 'abdrive.{side}_encoder' is bound to {pin}, but no called function uses it here"
         for side, pin in (("left", "D6"), ("right", "D7"))
     ]
     assert not any("encoder" in str(check.message) for check in bound.checks)

@@ -37,19 +37,19 @@ def test_a_library_element_has_what_it_takes_and_what_it_depends_on() -> None:
     assert (list(servo.timers), list(servo.pins)) == (["Timer1"], [])
     assert list(dht.depends) == ["Adafruit Unified Sensor"]
     assert "Adafruit Unified Sensor" in models.elements
-    assert [str(takes) for takes in models.taken_by(servo)] == ["takes Timer1"]
+    assert [str(takes) for takes in models.taken_by(servo)] == ["uses Timer1"]
     assert models.taken_by(None) == models.taken_by(dht) == []
 
 
 def test_a_condition_is_told() -> None:
-    assert str(Takes(("Timer2",), ("D3",), "it sends")) == "takes Timer2, D3 when it sends"
+    assert str(Takes(("Timer2",), ("D3",), "it sends")) == "uses Timer2, D3 when it sends"
 
 
 def test_a_damaged_entry_is_refused(tmp_path: Path) -> None:
     folder = tmp_path / ".robosmi/platform_repo/arduino/libraries"
     folder.mkdir(parents=True)
     (folder / "takes.toml").write_text('[[library]]\nnames = ["A"]\ntimer = ["Timer1"]\n')
-    with pytest.raises(PlatformDataError, match="no library with what it takes"):
+    with pytest.raises(PlatformDataError, match="not a library with its resources"):
         library_takes("arduino", load_board("uno"), tmp_path)
     assert set(library_takes("nowhere", load_board("uno"))) == {"Servo"}
 

@@ -149,14 +149,14 @@ def test_outputs_have_their_level_before_they_drive(target: str, tmp_path: Path)
         ),
         (
             '[bind]\nP12 = "D9"\n[servos.left]\nneutral = 1490\n[servos.P12]\nneutral = 1500\n',
-            "'P12' is the servo that 'left' tells of",
+            "'P12' and 'left' are the same servo",
             7,
         ),
         ("[servos.left]\n", "there is no table with neutral or speeds", 3),
         ("[servos]\nleft = 1500\n", "there is no table with neutral or speeds", 4),
         ("servos = 5\n", "[servos]", None),
-        ("[servos.leftt]\nneutral = 1490\n", "'leftt' is no component, role or port here (did you mean 'left'?)", 3),
-        ("[servos.button]\nneutral = 1490\n", "'button' is driven by no pin", 3),
+        ("[servos.leftt]\nneutral = 1490\n", "'leftt' is not a component, role or port (did you mean 'left'?)", 3),
+        ("[servos.button]\nneutral = 1490\n", "'button' has no pin that drives it", 3),
     ],
 )
 def test_what_cannot_be_is_an_error_with_its_place(text: str, said: str, line: int | None, tmp_path: Path) -> None:

@@ -54,8 +54,8 @@ def test_hidden_cogs_are_one_finding_a_header_at_the_first_call(api: ApiIndex, t
     findings.clear()
     analysis(program, findings, api)
     assert [(f.rule, f.message, f.location and f.location.line) for f in findings] == [
-        ("RS108", "fdserial_open (fdserial.h) runs on a core of its own", 8),
-        ("RS108", "servo360_angle, servo360_connect (servo360.h) run on a core of their own", 6),
+        ("RS108", "fdserial_open (fdserial.h) runs on its own core", 8),
+        ("RS108", "servo360_angle, servo360_connect (servo360.h) run on their own core", 6),
     ]
 
 

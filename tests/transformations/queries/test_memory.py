@@ -59,28 +59,29 @@ def test_what_does_not_fit_is_said_before_it_is_compiled(tmp_path: Path) -> None
     assert needs["largest"][0] == {"name": "samples", "bytes": 3600, "line": 2}
     assert needs["estimated_bytes"] > needs["ram_bytes"] == 2048
     first = next(text for name, text in made.contents.items() if name.endswith("MIGRATION.md")).decode()
-    assert "and the board has 2048 ('samples' 3600" in first[: first.index("## ")]
-    said = "a board 'Arduino Mega 2560' may have room"
-    assert any("and the board has 2048" in line and f"; {said}" in line for line in made.lines())
+    assert "the board has 2048 ('samples' 3600" in first[: first.index("## ")]
+    said = "'Arduino Mega 2560' may have enough"
+    assert any("the board has 2048" in line and f"; {said}" in line for line in made.lines())
     assert said in first[: first.index("## ")]
 
 
 def test_the_stack_is_still_said_when_the_program_is_compiled() -> None:
     plan = plan_migration([PROGRAMS[0].with_name("texts.c")]).plan
     before = board_needs(plan)
-    said = f"{before.memory.total} of 2048 bytes of RAM and {before.memory.depth} of stack"
-    assert f"about {said}" in needs_in_words(before)
+    stack = f"stack about {before.memory.depth} bytes"
+    assert f"about {before.memory.total} of 2048 bytes, {stack}" in needs_in_words(before)
     plan.build = migration.Build(board="uno", flashBytes=4000, flashLimit=32256, ramBytes=300, ramLimit=2048)
     after = board_needs(plan)
-    assert "RAM 300 of 2048, compiled" in needs_in_words(after)
-    assert f"about {before.memory.depth} bytes of stack" in needs_in_words(after)
+    assert "RAM 300 of 2048 bytes (compiled)" in needs_in_words(after)
+    assert stack in needs_in_words(after)
     assert not shortages(after)
     plan.build.ramBytes = 1900
     assert shortages(board_needs(plan)) == [
-        f"1900 of 2048 bytes of RAM leave 148 for about {before.memory.depth} of stack; a board 'Arduino Leonardo' may have room"
+        f"the stack needs about {before.memory.depth} bytes, but only 148 of 2048 bytes of RAM are left; "
+        "'Arduino Leonardo' may have enough"
     ]
     plan.build.ramBytes = 2560 - before.memory.depth - 1  # the models' stack alone would fit into the Leonardo
-    assert shortages(board_needs(plan))[0].endswith("; a board 'Arduino Mega 2560' may have room")
+    assert shortages(board_needs(plan))[0].endswith("; 'Arduino Mega 2560' may have enough")
 
 
 @pytest.mark.parametrize(
@@ -143,4 +144,4 @@ def test_functions_that_share_a_timer_are_one_taker(
     program.write_text(f"{headers}int main() {{ {statements} }}\n")
     needs = board_needs(plan_migration([program]).plan)
     assert {timer.timer: list(timer.takers) for timer in needs.timers} == timers
-    assert [said.split(" ")[0] for said in shortages(needs) if "is taken by" in said] == contested
+    assert [said.split(" ")[0] for said in shortages(needs) if "is needed by" in said] == contested

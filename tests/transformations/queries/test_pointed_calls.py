@@ -32,4 +32,4 @@ def test_the_stack_has_what_a_table_leads_to_and_names_what_is_not_known() -> No
     plan = plan_migration([PROGRAM]).plan
     assert memory(plan).depth > LARGE
     (line,) = memory(plan).unfollowed
-    assert f"of stack without what is called through pointers (line {line})" in needs_in_words(board_needs(plan))
+    assert f", without calls through pointers (line {line})" in needs_in_words(board_needs(plan))

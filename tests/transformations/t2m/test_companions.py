@@ -65,5 +65,5 @@ def test_companions_have_a_limit_together(robot: DrawingFolder, monkeypatch: pyt
     monkeypatch.setattr(inputs, "DRAWING", inputs.Kind("drawing", 8))
     again = DrawingFolder(robot.path)
     again.read("motors.sch")
-    with pytest.raises(SourceError, match="the drawing's files are more than"):
+    with pytest.raises(SourceError, match="the drawing has more than"):
         again.read("sheets/legs.sch")

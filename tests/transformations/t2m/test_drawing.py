@@ -34,14 +34,14 @@ def builder() -> CircuitBuilder:
         (lambda b: b.net([End("lamp1", "K"), End("lamp2", "A")]), r"puts 'lamp2\.A' into two nets: into 'lamp1\.A'"),
         (
             lambda b: b.net([End("lamp1", "K"), End("lmap2", "K")]),
-            r"'lmap2\.K', and has placed no 'lmap2' \(did you mean 'lamp2'",
+            r"'lmap2\.K', but has not placed 'lmap2' \(did you mean 'lamp2'",
         ),
-        (lambda b: b.net([End("lamp1", "C")]), r"'lamp1\.C', and 'lamp1' has no such connector"),
+        (lambda b: b.net([End("lamp1", "C")]), r"'lamp1\.C', but 'lamp1' has no such connector"),
         (lambda b: b.net([]), "a net without a connector"),
-        (lambda b: b.wire("w1", [End("lamp1", "A"), End("lamp3", "A")], None), r"'lamp3\.A', and has placed no 'lamp3'"),
-        (lambda b: b.wire("w1", [("lamp1", "B")], None), r"'lamp1\.B', and 'lamp1' has no such connector"),
+        (lambda b: b.wire("w1", [End("lamp1", "A"), End("lamp3", "A")], None), r"'lamp3\.A', but has not placed 'lamp3'"),
+        (lambda b: b.wire("w1", [("lamp1", "B")], None), r"'lamp1\.B', but 'lamp1' has no such connector"),
         (lambda b: b.place(Placed("lamp1", "Lamp")), "two components of the identity 'lamp1'"),
-        (lambda b: b.place(Placed("lamp4", "Bulb")), r"part 'Bulb', which it did not give to know\(\)"),
+        (lambda b: b.place(Placed("lamp4", "Bulb")), r"part 'Bulb', .*know\(\)"),
     ],
 )
 def test_what_a_reader_may_not_tell_is_an_error_that_says_which(
@@ -58,7 +58,7 @@ def test_what_a_reader_may_not_tell_is_an_error_that_says_which(
 def test_a_net_of_a_schematic_with_a_part_that_is_not_there_is_an_error(builder: CircuitBuilder) -> None:
     drawn = Schematic("robot.wires", "", "Wires", parts=[SchematicPart("r1", "r1", "Resistor", "Resistor", pins={"1": "1"})])
     drawn.nets.append(SchematicNet("N1", [End("r1", "1"), End("r2", "1")]))
-    with pytest.raises(ModelError, match=r"names the end 'r2\.1', and has no part 'r2'"):
+    with pytest.raises(ModelError, match=r"names the end 'r2\.1', but has no part 'r2'"):
         circuit_of(drawn, CircuitBuilder("robot.wires", "wires"))
 
 

@@ -23,8 +23,8 @@ def test_what_a_project_file_says() -> None:
     assert made.defines == ["NEAR=5"]
     said = [(f.rule, f.message, f.location.line if f.location else 0) for f in made.findings]
     assert said == [
-        ("RS112", "'eyes.spin' was left out: it is no C", 4),
-        ("RS112", "'gone.c' was left out: there is no such file", 5),
+        ("RS112", "'eyes.spin' was left out: it is not C", 4),
+        ("RS112", "'gone.c' was left out: no such file", 5),
     ]
 
 

@@ -102,7 +102,7 @@ def test_the_engines_agree_on_what_is_printed_and_driven(job_of: Run) -> None:
 @pytest.mark.parametrize(
     ("use", "said"),
     [
-        (DeviceUse("robot"), "no device is called 'robot'"),
+        (DeviceUse("robot"), "unknown device 'robot'"),
         (DeviceUse("levels", {"pin": "D99"}, {"points": []}), "the board has no pin 'D99'"),
         (DeviceUse("levels", {}, {"points": []}), "Levels needs 'pin'"),
         (DeviceUse("levels", {"pin": "D2"}, {}), "Levels needs 'points'"),
@@ -126,7 +126,7 @@ def test_a_run_that_takes_too_long_is_ended_with_everything_that_it_started(
 ) -> None:
     job = job_of("pins", 1e7, ())
     monkeypatch.setenv("ROBOSMI_STARTED_BY", str(tmp_path))
-    with pytest.raises(VerificationError, match=r"did not end within 1\.5 s of processor time"):
+    with pytest.raises(VerificationError, match=r"exceeded 1\.5 s of processor time"):
         simulate(job, engine, limit_s=1.5)
     until = monotonic() + 5  # the system takes a moment to take down what was killed
     while (left := started_by(tmp_path)) and monotonic() < until:
@@ -154,7 +154,7 @@ def test_a_worker_that_hangs_is_ended_by_the_clock(job_of: Run, engine: str, mon
             return super().communicate(*args, **options)  # type: ignore[arg-type]
 
     monkeypatch.setattr("robosmi.verify.simulation.subprocess.Popen", Stopped)
-    with pytest.raises(VerificationError, match=r"did not end within 1 s, by the clock"):
+    with pytest.raises(VerificationError, match=r"exceeded 1 s, by the clock"):
         simulate(job_of("pins", 50, ()), engine, limit_s=0.1)
 
 
@@ -181,7 +181,7 @@ def test_what_no_engine_knows_is_refused(job_of: Run) -> None:
         simulate(replace(job_of("pins", 1, ()), mcu="atmega2560"), "avr8js")
     with pytest.raises(UsageError, match="no engine knows the microcontroller 'esp32'"):
         simulate(replace(job_of("pins", 1, ()), mcu="esp32"))
-    with pytest.raises(UsageError, match="no simulator is told enough about the microcontroller 'esp32'"):
+    with pytest.raises(UsageError, match="no simulator data for the microcontroller 'esp32'"):
         job(Path("a.elf"), Path("a.hex"), platform.Board(microcontroller=platform.Microcontroller(name="esp32")), 1)
 
 

@@ -90,15 +90,15 @@ def test_a_signal_is_named_by_component_port_or_pin(name: str) -> None:
 
 def test_two_signals_of_one_device_are_refused() -> None:
     signals = {"eye": {"points": ((0.0, 1),)}, "Sensor": {"points": ((5.0, 0),)}}
-    with pytest.raises(UsageError, match="a signal of 'eye' and one of 'Sensor', which are the same device"):
+    with pytest.raises(UsageError, match="a signal for 'eye' and for 'Sensor', but both are the same device"):
         signals_of(PORTS, Scenario("s", 1.0, signals))
 
 
 @pytest.mark.parametrize(
     ("name", "message"),
     [
-        ("Sensr", r"which is no component, port or pin \(did you mean 'Sensor'\?\)"),
-        ("LED", "which the program does not read"),
+        ("Sensr", r"but there is no such component, port or pin \(did you mean 'Sensor'\?\)"),
+        ("LED", "the program does not read it"),
     ],
 )
 def test_a_signal_of_nothing_is_wrong_usage(name: str, message: str) -> None:

@@ -76,16 +76,16 @@ def test_a_difference_beside_what_wobbles_is_found_and_the_place_told(
     runs = replace(runs, channels={name: [[seen[0][0], other[name][0]]] for name, seen in runs.channels.items()})
     told = verdict_of(SCENARIO, runs, printed(*target), [], one_thread=True)
     assert told.verdict == verdict
-    said = "in 's' the source differs from itself (console: 'n 5' at 203.0 ms, or 'n 6' at 203.0 ms); "
+    said = "the original is not repeatable in 's' (console: 'n 5' at 203.0 ms, or 'n 6' at 203.0 ms); "
     assert told.reason.startswith(said) == (verdict == "not-decidable")
 
 
 @pytest.mark.parametrize(
     ("status", "cause", "said"),
     [
-        ("unmodelled", "wav_play", "it calls a function that has no model: wav_play; look at it on the bench"),
-        ("time limit", "", "it takes more time of this machine than it may"),
-        ("output limit", "", "more often than can be recorded"),
+        ("unmodelled", "wav_play", "it calls a function without a host model: wav_play; check it on the bench"),
+        ("time limit", "", "it exceeds the time limit"),
+        ("output limit", "", "too often to record"),
         ("crashed", "divides by zero", "crashed: divides by zero"),
     ],
 )
@@ -96,12 +96,12 @@ def test_why_an_original_did_not_run_to_its_end(status: str, cause: str, said: s
     assert said in told.reason
 
 
-@pytest.mark.parametrize(("status", "varied"), [("running", ", when its steps cost a little more or less"), ("time limit", "")])
+@pytest.mark.parametrize(("status", "varied"), [("running", " with slightly changed timing"), ("time limit", "")])
 def test_where_a_run_was_given_up_nothing_is_compared(status: str, varied: str) -> None:
     runs = replace(original(printed((100, "left")), status=status), given_up="time limit")
     told = verdict_of(SCENARIO, runs, printed((100, "night")), [], one_thread=True)
     assert (told.verdict, told.channels) == ("not-decidable", ())
-    assert told.reason.startswith(f"the original did not run to its end{varied} (it takes more time of this machine")
+    assert told.reason.startswith(f"the original did not finish{varied} (it exceeds the time limit")
 
 
 def test_only_an_open_port_is_advised_to_be_bound() -> None:
@@ -109,15 +109,17 @@ def test_only_an_open_port_is_advised_to_be_bound() -> None:
     said = why_nothing_was_compared(Verdict([]), ports)
     assert "--bind P3=PIN" in said
     assert "--bind P21" not in said
-    assert "P21: on no pin of the target, as the plan says" in said
+    assert "P21: not connected, by the plan" in said
 
 
-@pytest.mark.parametrize(("racy", "said"), [(0, "in any scenario (give one"), (1, "in 1 other the"), (26, "in 26 others the")])
+@pytest.mark.parametrize(
+    ("racy", "said"), [(0, "in any test case (give one"), (1, "in 1 other the original"), (26, "in 26 others the original")]
+)
 def test_where_racy_scenarios_were_dropped_nobody_is_told_that_nothing_happens_in_any(racy: int, said: str) -> None:
     idle = ScenarioVerdict(SCENARIO, "no-difference-found", (ChannelComparison("P5", "not-exercised"),), 1000.0)
     reason = why_nothing_was_compared(Verdict([idle], racy=racy), [])
     assert said in reason
-    assert ("in any scenario" in reason) == (racy == 0)
+    assert ("in any test case" in reason) == (racy == 0)
     assert "--scenario FILE" in reason
 
 

@@ -22,5 +22,5 @@ def history_findings(history: ForgivingHistory) -> list[Finding]:
     trouble = history.trouble
     if trouble is None:
         return []
-    message = f"went on without earlier choices: {trouble.message}"
+    message = f"continued without earlier choices: {trouble.message}"
     return [Finding("RS411", Severity.warning, message, trouble.location, fix=trouble.fix)]

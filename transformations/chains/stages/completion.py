@@ -24,13 +24,21 @@ from robosmi.metamodels import migration
 from robosmi.plugin_contracts import wrong_result
 from robosmi.plugins import content
 from robosmi.transformations.chains.stages.build_sizes import stored_build_sizes
-from robosmi.transformations.chains.stages.compiler_errors import RULE as REFUSED, compiler_errors
+from robosmi.transformations.chains.stages.compiler_errors import (
+    RULE as REFUSED,
+    compiler_errors,
+    parsed_program,
+    source_place,
+)
 from robosmi.transformations.chains.stages.conflicts import RULE as CONFLICT, conflicts
 from robosmi.transformations.chains.stages.models import LAST, MigrationModels
+from robosmi.transformations.chains.stages.pin_check import pin_findings
 from robosmi.transformations.chains.stages.user_edits import UserEdits, find_user_edits
 from robosmi.transformations.m2m.plan_tasks import settle_tasks
 from robosmi.transformations.queries.plans.plan import target_of
+from robosmi.transformations.queries.plans.port_pins import PIN_RULE
 from robosmi.transformations.queries.reports.written_bodies import task_key
+from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
 
 
 class OutputFolder(Struct):
@@ -75,7 +83,9 @@ def completion_chain(made: Generation | None = None) -> Chain:
     chain.given("models", "output")
     chain.call(folder, makes="folder", step="look at the output folder")
     chain.call(program, makes="program", step="generate the program")
+    chain.call(parsed, makes="parsed", step="parse the program")
     chain.call(compiler_findings, makes="compiler_findings", step="find what a compiler refuses")
+    chain.call(pin_check, makes="pin_check", step="follow the pins through the program")
     chain.call(user_edits, makes="user_edits", step="find what the user has written")
     chain.call(merged, makes="merged", step="merge the program with the user's edits")
     chain.call(build_sizes, makes="build_sizes", step="find the sizes of the last build")
@@ -107,9 +117,19 @@ def program(models: MigrationModels) -> Generation:
     raise wrong_result(generator, made, "a Generation")
 
 
-def compiler_findings(models: MigrationModels, program: Generation) -> list[migration.PlanFinding]:
+def parsed(models: MigrationModels, program: Generation) -> GeneratedProgram:
+    """The program as a compiler of the target reads it."""
+    return parsed_program(models.plan, _texts(program))
+
+
+def compiler_findings(models: MigrationModels, parsed: GeneratedProgram) -> list[migration.PlanFinding]:
     """RS337: the lines of the program that a compiler of the target refuses."""
-    return compiler_errors(models.plan, _texts(program), models.files)
+    return compiler_errors(models.plan, parsed, models.files)
+
+
+def pin_check(models: MigrationModels, parsed: GeneratedProgram) -> list[migration.PlanFinding]:
+    """RS345: the places of the program whose pin is not the plan's, or cannot be followed."""
+    return pin_findings(models.plan, parsed, source_place(models.plan, parsed, models.files), models.files)
 
 
 def user_edits(models: MigrationModels, program: Generation, folder: OutputFolder) -> UserEdits:
@@ -141,11 +161,13 @@ def completed(
     user_edits: UserEdits,
     merged: MergedTexts,
     compiler_findings: Sequence[migration.PlanFinding],
+    pin_check: Sequence[migration.PlanFinding],
     build_sizes: migration.Build | None,
 ) -> Completed:
     """The models with the findings, tasks and sizes that follow from the program's text; decisions stay as they are."""
     plan = models.plan
-    _replace_findings(plan, compiler_findings)
+    _replace_findings(plan, REFUSED, compiler_findings)
+    _replace_findings(plan, PIN_RULE, pin_check)
     for use in plan.adapterUses:
         use.written = use.adapter is None and (use.targetName or use.name) in user_edits.names
     settle_tasks(plan)
@@ -159,9 +181,9 @@ def completed(
     return Completed(models, folder, program, user_edits, merged)
 
 
-def _replace_findings(plan: migration.MigrationPlan, new: Sequence[migration.PlanFinding]) -> None:
-    """Replace the plan's findings about refused lines; equal ones stay where they are."""
-    before = [finding for finding in plan.findings if finding.rule == REFUSED]
+def _replace_findings(plan: migration.MigrationPlan, rule: str, new: Sequence[migration.PlanFinding]) -> None:
+    """Replace the plan's findings of a rule; equal ones stay where they are."""
+    before = [finding for finding in plan.findings if finding.rule == rule]
     if [(f.message, f.path, f.line) for f in before] == [(f.message, f.path, f.line) for f in new]:
         return
     for finding in before:

@@ -39,8 +39,8 @@ def _tasks(name: str, text: str, made: str) -> Iterator[migration.PlanTask]:
     lines = text.replace("\r\n", "\n").splitlines(keepends=True)
     marked = [number for number, line in enumerate(lines) if line.strip().encode() in _MARKS]
     if marked and YOURS not in lines:  # somebody has damaged the marks
-        message = "the marks of a conflict are damaged: decide which lines stay"
-        fix = "take the rest of its markers out of the file, then migrate again"
+        message = "a conflict's markers are damaged: decide which lines stay"
+        fix = "remove its remaining markers from the file, then migrate again"
         error, line = migration.SeverityLevel.error, marked[0] + 1
         yield migration.PlanTask(rule=RULE, severity=error, message=message, path=name, line=line, effort="small", fix=fix)
     at = 0
@@ -58,10 +58,10 @@ def _tasks(name: str, text: str, made: str) -> Iterator[migration.PlanTask]:
         yield migration.PlanTask(
             rule=RULE,
             severity=migration.SeverityLevel.error,
-            message="your edit and the newly made text change the same lines: decide which stay",
+            message="your edit and the newly generated text change the same lines: decide which stay",
             path=name,
             line=first + 1,
             effort="small",
-            fix="both texts stand under Conflicts; take the markers out of the file, then migrate again",
+            fix="both texts are listed under Conflicts; remove the markers from the file, then migrate again",
             texts=parts,
         )

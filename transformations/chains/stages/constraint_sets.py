@@ -96,10 +96,10 @@ def _refuse_faults(offered: Sequence[tuple[EVL, str]]) -> None:
             raise RuleError(f"the constraints of {owner} are a {type(made).__name__}", fix="offer an EVL (robosmi.validate)")
         own = [c for c in made.declared() if id(c) not in known]
         if owner and (clash := next((c for c in own if c.id in taken), None)) is not None:
-            other = "a rule of robosmi" if taken[clash.id] == "robosmi" else f"one of {taken[clash.id]}"
+            other = "a built-in rule" if taken[clash.id] == "robosmi" else f"one of {taken[clash.id]}"
             raise RuleError(
                 f"the id '{clash.id}' of the constraint {clash.name} of {owner} is taken by {other}",
-                location=place_of(clash.check), fix="give it an id that no other has",
+                location=place_of(clash.check), fix="give it a unique id",
             )  # fmt: skip
         taken |= {c.id: owner or "robosmi" for c in own}
         known |= {id(c) for c in own}

@@ -89,9 +89,9 @@ def checked_board(component: hw.Component, board: platform.Board | None, facts: 
     what = f"the board '{component.title}'"
     if board is None:
         raise SourceError(
-            f"nothing is known of {what} ({component.partTitle or component.partId})",
+            f"unknown board '{component.title}' ({component.partTitle or component.partId})",
             location=Location(str(path)),
-            fix=f"use a board of the target '{facts.target}' there, or say how {_tool(component)} draws yours: [[drawn_as]] in "
+            fix=f"use a board of the target '{facts.target}' there, or add its name in {_tool(component)}: [[drawn_as]] in "
             f"boards/NAME.toml, with modules = ['{component.partId}']",
         )  # fmt: skip
     if board.name != facts.board and not facts.any_board:

@@ -62,7 +62,7 @@ def import_choices(output: Path) -> ImportedChoices:
             refuse_nonsense(models.plan)
             settle(models.plan, models.files)
         except RobosmiError as error:
-            message = f"the choices in the plan of the last run are not taken over: {error.message}"
+            message = f"the choices in the last run's plan are ignored: {error.message}"
             return ImportedChoices(
                 notes=[Finding(GONE, Severity.warning, message, error.location or Location(str(place)), fix=error.fix)]
             )

@@ -125,13 +125,13 @@ def load_models(path: Path) -> MigrationModels:
     program, repository = plan.program, _repository(plan)
     if program is None or repository is None or plan.board is None:
         missing = "program" if program is None else "target platform" if repository is None else "target board"
-        raise SourceError(f"the plan has no {missing}", location=Location(str(path)), fix="make the plan again with migrate")
+        raise SourceError(f"the plan has no {missing}", location=Location(str(path)), fix="create the plan again with migrate")
     for unit in program.units:
         if unit.path not in files:
             raise SourceError(
                 f"the plan has no copy of the source '{unit.path}'",
                 location=Location(str(path)),
-                fix="make the plan again with migrate",
+                fix="create the plan again with migrate",
             )
     places = {name: str(path.parent / name) for name in files}
     return MigrationModels(plan, program, plan.circuit, repository, files, places)
@@ -148,8 +148,8 @@ def stored_models(output: Path) -> MigrationModels:
     root = os.path.realpath(output)
     if os.path.commonpath([os.path.realpath(path), root]) != root:
         raise SourceError(
-            "the plan lies outside of the output folder, by a link", location=Location(str(path)),
-            fix="put a copy of it and its models into the folder, or make the plan again with migrate",
+            "the plan is outside the output folder, behind a link", location=Location(str(path)),
+            fix="copy it and its models into the folder, or create the plan again with migrate",
         )  # fmt: skip
     from robosmi.model.ecore.xmi_document import NO_MODEL  # a migration from sources reads no model
 
@@ -158,7 +158,7 @@ def stored_models(output: Path) -> MigrationModels:
     except SourceError as error:
         if error.fix != NO_MODEL:
             raise
-        fix = "put the file back as it was (robosmi undo, version control), or make the plan again with migrate"
+        fix = "restore the file (robosmi undo, version control), or create the plan again with migrate"
         raise SourceError(error.message, location=error.location, fix=fix) from error
 
 
@@ -167,9 +167,9 @@ def _checked(path: Path, entry: migration.Input) -> bytes:
     root = os.path.realpath(path.parent)
     if not within(entry.path) or os.path.commonpath([os.path.realpath(file), root]) != root:
         raise SourceError(
-            f"the plan's {entry.kind} lies outside of its folder",
+            f"the plan's {entry.kind} is outside its folder",
             location=Location(str(file)),
-            fix="put a copy into the folder, or make the plan again with migrate",
+            fix="copy it into the folder, or create the plan again with migrate",
         )
     try:
         data = inputs.read_bytes(file, inputs.MODEL)
@@ -181,8 +181,8 @@ def _checked(path: Path, entry: migration.Input) -> bytes:
         ) from error
     if digest(data) != entry.digest:
         raise SourceError(
-            f"the plan's {entry.kind} is not the one the plan was made from (its digest differs)", location=Location(str(file)),
-            fix="put the original file back, or make the plan again with migrate",
+            f"the plan's {entry.kind} has changed since the plan was created (its digest differs)", location=Location(str(file)),
+            fix="restore the original file, or create the plan again with migrate",
         )  # fmt: skip
     return data
 

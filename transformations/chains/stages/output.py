@@ -90,7 +90,7 @@ class Generated(Struct):
         from robosmi.report.notebook import findings_html, quoted
 
         made = "".join(f"<li>{quoted(self.output / name)}</li>" for name in sorted(self.contents))
-        done = "made" if self.written else "to be made"
+        done = "made" if self.written else "to generate"
         view = f"{element_html(self.models.plan)}{findings_html(self.findings)}"
         return f"{view}<details><summary>{len(self.contents)} files {done}</summary><ul>{made}</ul></details>"
 
@@ -183,8 +183,8 @@ def _refuse_open(plan: migration.MigrationPlan) -> None:
     if left := open_choices(plan):
         names = ", ".join(sorted({_called(d) for d in left}))
         raise StoppedError(
-            f"{len(left)} choice(s) are open: {names}",
-            fix="decide with --bind and --library or in robosmi.toml, or leave out --strict",
+            f"open choices ({len(left)}): {names}",
+            fix="decide with --bind and --library or in robosmi.toml, or omit --strict",
         )
 
 
@@ -259,5 +259,11 @@ def remember(made: Generated, place: str | None = None) -> None:
         )
     except RobosmiError as error:
         made.notes.append(
-            Finding("RS410", Severity.warning, f"the choice was not remembered: {error.message}", error.location, fix=error.fix)
+            Finding(
+                "RS410",
+                Severity.warning,
+                f"the choice was not saved in the history: {error.message}",
+                error.location,
+                fix=error.fix,
+            )
         )

@@ -96,7 +96,7 @@ def with_conventions(found: ProgramPorts, uses: Iterable[migration.AdapterUse], 
                 _add(conventional, needed, names, known)
     asked = give_numbers(own, list(conventional.values()))
     unasked = [p for p in found.ports if p.origin == "convention" and p.name not in conventional]
-    return ProgramPorts([*own, *asked], found.flows, found.anything, unasked)
+    return ProgramPorts([*own, *asked], found.flows, found.anything, unasked, found.shared)
 
 
 def _number(port: platform.ConventionalPort) -> int | None:

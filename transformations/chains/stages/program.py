@@ -172,8 +172,8 @@ def _the_main(program: ccode.Program) -> ccode.Function:
     ]
     if not found:
         raise SourceError(
-            "there is no function main, so nothing can be migrated", location=Location(program.units[0].path),
-            fix="give the file that has main, too; analyse works without",
+            "the program has no main function, so it cannot be migrated", location=Location(program.units[0].path),
+            fix="also give the file that has main; analyse works without",
         )  # fmt: skip
     if len(found) > 1:
         unit, second = found[1]
@@ -194,9 +194,9 @@ def _refuse_torn(main: ccode.Function) -> None:
     if main.body is not None and is_torn(main.body):
         unit = ancestor_of_kind(main, ccode.SourceUnit)
         raise SourceError(
-            "main begins or ends in a macro that holds more than its brace",
+            "main begins or ends in a macro with more than its brace",
             location=Location(unit.path if unit is not None else "", main.line, main.column),
-            fix="write the braces of main in the source, and the statements of that macro beside them",
+            fix="write the braces of main in the source, next to the statements of that macro",
         )
 
 
@@ -237,9 +237,16 @@ def _sketch_name(main: ccode.Function) -> str:
 
 def sketch_name_of(path: Path) -> str:
     """The name of the sketch that a file with main becomes: the file's, as the target's tools allow it."""
-    stem = path.stem
-    name = "".join(c if c.isascii() and (c.isalnum() or c == "_") else "_" for c in stem)
-    return name if name[:1].isalnum() else f"sketch_{name}"
+    name = "".join(c if c.isascii() and (c.isalnum() or c == "_") else "_" for c in path.stem)
+    if not name[:1].isalnum() or _RESERVED.fullmatch(name):
+        name = f"sketch_{name}"
+    return name[:_LONGEST_NAME]
+
+
+_LONGEST_NAME = 63
+"""Characters of a sketch's name in Arduino's specification of sketches."""
+_RESERVED = re.compile(r"con|prn|aux|nul|com[0-9]|lpt[0-9]", re.IGNORECASE)
+"""Names that Windows reserves for devices; Arduino's specification forbids them, and no such folder can be made there."""
 
 
 OUTSIDE = "RS113"
@@ -284,8 +291,8 @@ def from_outside(headers: Iterable[Path], folders: Iterable[Path]) -> list[Findi
     found = [(path, Path(os.path.realpath(path))) for path in headers]
     return [
         Finding(
-            OUTSIDE, Severity.warning, f"'{real}' lies outside of the program's folders and is copied with it",
-            Location(str(path)), fix="name its folder with -I where it belongs to the program, else take its #include out",
+            OUTSIDE, Severity.warning, f"'{real}' is outside the program's folders and is copied with it",
+            Location(str(path)), fix="give its folder with -I if it belongs to the program, else remove its #include",
         )
         for path, real in found if not inside & {*real.parents}
     ]  # fmt: skip

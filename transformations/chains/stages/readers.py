@@ -53,7 +53,7 @@ def reader_for(path: Path, kind: ContentKind, fallback: str | None = None) -> Co
         known = registry().names(kind)
         endings = ", ".join(sorted(ending for ending, names in defaults()["readers"].items() if {*_listed(names)} & {*known}))
         raise SourceError(
-            f"no {kind} takes a '{path.suffix or path.name}' file", location=Location(str(path)), fix=f"give one of: {endings}"
+            f"no {kind} for '{path.suffix or path.name}' files", location=Location(str(path)), fix=f"give one of: {endings}"
         )
     return content(kind, name)
 
@@ -78,9 +78,9 @@ def _check_names(path: Path) -> None:
         for name in _listed(defaults()["readers"].get(key, ())):
             if name not in known:
                 raise PlatformDataError(
-                    f"the reader of '{key}' is '{name}', and none is called so{did_you_mean(name, known)}",
+                    f"unknown reader '{name}' for '{key}'{did_you_mean(name, known)}",
                     location=Location(str(defaults_place("readers", key))),
-                    fix=f"name one of: {', '.join(sorted(known))}",
+                    fix=f"use one of: {', '.join(sorted(known))}",
                 )
 
 

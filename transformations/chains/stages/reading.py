@@ -62,7 +62,7 @@ def check_source_platform(name: str) -> None:
     platforms = source_platforms()
     if name not in platforms:
         raise UsageError(
-            f"no source platform is called '{name}'{did_you_mean(name, platforms)}", fix=f"use one of: {', '.join(platforms)}"
+            f"unknown source platform '{name}'{did_you_mean(name, platforms)}", fix=f"use one of: {', '.join(platforms)}"
         )
 
 

@@ -19,7 +19,7 @@ def replaced_programs(output: Path, name: str, going: Iterable[str], contents: I
     others = {path.partition("/")[0] for path in going} - {name, FOLDER, LAST.partition("/")[0]}
     tried = [
         Finding(
-            "RS526", Severity.warning, "the sketch that tries one component at a time is removed: this run was not asked for it",
+            "RS526", Severity.warning, "the bench sketch is removed because this run has no --bench",
             Location(str(output / BENCH)), fix="migrate with --bench to keep it",
         )
         for _ in others & {BENCH}
@@ -27,15 +27,15 @@ def replaced_programs(output: Path, name: str, going: Iterable[str], contents: I
     tried += [
         Finding(
             "RS526", Severity.warning,
-            f"the sketch '{name}' was that of '{each}': this program takes its place, with what was edited in it",
+            f"this program replaces '{each}' in the sketch '{name}', including its edits",
             Location(str(output / name)),
-            fix="give each program an output folder of its own; `robosmi undo` brings the other back",
+            fix="give each program an output folder of its own; `robosmi undo` restores the other",
         )
         for each in same
     ]  # fmt: skip
     return tried + [
         Finding(
-            "RS526", Severity.warning, f"the sketch '{other}' of an earlier run is removed: this run makes '{name}' here",
+            "RS526", Severity.warning, f"the sketch '{other}' of an earlier run is removed: this run generates '{name}' here",
             Location(str(output / other)), fix="give each program an output folder of its own",
         )
         for other in sorted(others - {BENCH})

@@ -81,8 +81,8 @@ def project_folder(output: Path, plan: migration.MigrationPlan, source: Path | N
     if source is not None:
         if _digest(source) not in wanted.values():
             raise UsageError(
-                f"'{source}' is none of the sources that the plan was made from, or was changed since",
-                fix="give the source as it was migrated, or migrate again",
+                f"'{source}' is not a source of this plan, or has changed since",
+                fix="give the unchanged source, or migrate again",
             )
         return (source if source.is_dir() else source.parent).absolute(), ""
     try:
@@ -90,12 +90,12 @@ def project_folder(output: Path, plan: migration.MigrationPlan, source: Path | N
         folder = Path(as_text(known["folder"]))
         found = {name: Path(as_text(path)) for name, path in as_table(known["sources"]).items()}
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
-        return None, "no migration of yours has made this folder where it is now"
+        return None, "none of your migrations created this folder in this place"
     changed = [path for name, path in found.items() if _digest(path) != wanted.get(name)]
     if changed:
-        return None, f"the source is not the one that the plan was made from any more: {changed[0]}"
+        return None, f"the source has changed since the migration: {changed[0]}"
     if not found or not folder.is_dir():
-        return None, "the program's folder is not there any more"
+        return None, "the program's folder no longer exists"
     return folder, ""
 
 

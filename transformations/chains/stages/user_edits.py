@@ -67,8 +67,8 @@ class UserEdits:
         last, kept_headers = without_includes(last, self.includes, made)
         for header in kept_headers:
             used = ", ".join(f"'{each}'" for each in self.includes[header][:3])
-            message = f"the include of {header} is kept, which nothing made needs any more: you use {used}"
-            fix = "install its library where you compile, or take the include out with what uses it"
+            message = f"the include of {header} stays because your code uses {used}; no generated code needs it"
+            fix = "install its library where you compile, or remove the include and the code that uses it"
             self.findings.append(Finding("RS512", Severity.info, message, Location(str(path)), fix=fix))
         new, before = bodies(made), bodies(last)
         gone = [body for body in written(there, last).values() if body.name not in new or not new[body.name].open]
@@ -77,10 +77,8 @@ class UserEdits:
             before = bodies(last)
         kept = [body for body in gone if body.name not in new or _plain(new[body.name]) != _plain(body)]
         for body in kept:
-            message = (
-                f"'{body.name}', which you wrote, is called no more or has another body: yours stands at the end, switched off"
-            )
-            fix = "take it out, or keep it for other programs: robosmi adapters save, before you change the program"
+            message = f"'{body.name}' is no longer called or has another body; your body is disabled at the end of the file"
+            fix = "remove it, or save it for other programs (robosmi adapters save) before you change the program"
             self.findings.append(Finding("RS527", Severity.warning, message, Location(str(path)), fix=fix))
         away = [f"{_AWAY.format(body.name)}\n{body.text}\n#endif" for body in kept]
         return last, "\n\n".join([there.rstrip("\n"), *away]) + "\n" if away else there

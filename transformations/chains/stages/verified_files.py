@@ -22,7 +22,7 @@ from robosmi.verify.traces.vcd import vcd_text
 
 UNWRITTEN = "RS902"
 """The rule of a file that cannot be written."""
-_MAKE_ROOM = "make space there, or make the folder writable, then run again"
+_MAKE_ROOM = "free space there, or make the folder writable, then run again"
 
 
 class VerifiedFiles:

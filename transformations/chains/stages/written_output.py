@@ -135,7 +135,7 @@ def _no_input(models: MigrationModels, output: Path, contents: Mapping[str, byte
     for name, data in contents.items():
         if read_from.get(os.path.join(root, name), data) != data:
             raise StoppedError(
-                "the program is read from a file that would be made anew; nothing was written",
+                "the program's source would be overwritten; nothing was written",
                 location=Location(str(output / name)), fix="give another output folder",
             )  # fmt: skip
 
@@ -143,7 +143,7 @@ def _no_input(models: MigrationModels, output: Path, contents: Mapping[str, byte
 def _told(output: Path, guarded: Guarded) -> list[Finding]:
     """Findings about files that are generated again, or anew with their own line ends."""
     deleted = [
-        Finding("RS517", Severity.info, "the file was deleted; it is made again", Location(str(output / name)))
+        Finding("RS517", Severity.info, "the file was deleted and is generated again", Location(str(output / name)))
         for name in guarded.deleted
     ]
     return deleted + [reformed_file(output / name) for name in guarded.reformed]
@@ -166,5 +166,5 @@ def _with_comments(
         old[beside] = data
         place = Location(str(output / name), lost[0])
         message = lost_comments(lost, Path(beside).name)
-        findings.append(Finding("RS524", Severity.warning, message, place, fix="keep such notes outside of the models"))
+        findings.append(Finding("RS524", Severity.warning, message, place, fix="put such notes outside the models"))
     return old

@@ -77,7 +77,7 @@ def _brackets(piece: AdapterPiece, found: list[Token], text_line: int) -> None:
             opened.append((text, start))
         elif text in _CLOSES:
             if not opened:
-                raise broken(start, f"'{text}' closes nothing")
+                raise broken(start, f"'{text}' has no opening bracket")
             before, at = opened.pop()
             if before != _CLOSES[text]:
                 raise broken(at, f"'{before}' is never closed")
@@ -94,15 +94,15 @@ def _vectors(piece: AdapterPiece, found: list[Token], wrong: _Wrong) -> None:
         if vector not in handled:
             raise wrong("vector", vector, f"the text has no ISR({vector})", "write it, or remove it from `vector`")
     for vector in sorted(handled - set(piece.vectors)):
-        message = f"'{piece.name}' handles {vector} without saying so"
-        raise wrong("", "", message, f"add `vector: {vector}`: no two pieces can handle one interrupt")
+        message = f"'{piece.name}' handles {vector}, but its head does not list it"
+        raise wrong("", "", message, f"add `vector: {vector}`; only one piece can handle an interrupt")
 
 
 def _parameters(piece: AdapterPiece, found: list[Token], name: str, wrong: _Wrong) -> None:
     definitions = list(_defined(found, name))
     if not definitions:
         message = f"the text of the adapter '{piece.name}' does not define a function '{name}'"
-        raise wrong("name", name, message, "write the function, or say with `name` what it is called here")
+        raise wrong("name", name, message, "write the function, or give its name with `name`")
     known = {parameter for names in definitions for parameter in names}
     for key, values in (("pin", [pin.name for pin in piece.pins]), ("symmetric", piece.symmetric)):
         for value in values:
@@ -112,17 +112,17 @@ def _parameters(piece: AdapterPiece, found: list[Token], name: str, wrong: _Wron
     for signature in piece.signatures:
         said = _SIGNATURE.fullmatch(signature.strip())
         if said is None or said["name"] != piece.name:
-            message = f"'{signature}' is no signature of '{piece.name}'"
+            message = f"'{signature}' is not a signature of '{piece.name}'"
             raise wrong("for", signature, message, f"write it as the source's header does: RESULT {piece.name}(PARAMETERS)")
         count = len(split_arguments(said["parameters"]))
         if "..." not in said["parameters"] and all(len(names) != count for names in definitions):
             message = f"the function '{name}' takes {len(definitions[0])} parameters, '{signature}' has {count}"
-            raise wrong("for", signature, message, "let the text take as many as the signature has")
+            raise wrong("for", signature, message, "use the same number of parameters in both")
         nothing = _returns_nothing(found, name)
         if nothing is not None and nothing is not bool(_NOTHING.match(signature.strip())):
-            gives = "gives nothing back" if nothing else "gives something back"
-            message = f"the function '{name}' {gives}, and '{signature}' says otherwise"
-            raise wrong("for", signature, message, "let both say the same")
+            gives = "returns nothing" if nothing else "returns a value"
+            message = f"the function '{name}' {gives}, but '{signature}' differs"
+            raise wrong("for", signature, message, "use the same return type in both")
 
 
 def _returns_nothing(found: list[Token], name: str) -> bool | None:

@@ -83,14 +83,14 @@ def adapter_file(path: Path, text: str) -> AdapterFile:
     pieces = made.pieces
     pieces += _pieces(path, text.removeprefix("\ufeff").split("\n"), made)  # some editors write a mark
     if not made.header:
-        raise _wrong(Location(str(path)), "the header of the source platform is not named", f"begin with `{MARK} header NAME`")
+        raise _wrong(Location(str(path)), "the source platform's header is missing", f"begin with `{MARK} header NAME`")
     seen: set[tuple[str, str, str]] = set()
     for piece in pieces:
         condition = " ".join([*sorted(piece.members), "beside", *sorted(piece.beside)])
         for mcu in piece.mcus or [""]:
             if (piece.name, mcu, condition) in seen:
                 where = f" for {mcu}" if mcu else ""
-                raise _wrong(piece.location, f"'{piece.name}' is there twice{where}", "remove one, or give them `mcu`")
+                raise _wrong(piece.location, f"'{piece.name}' occurs twice{where}", "remove one, or give them `mcu`")
             seen.add((piece.name, mcu, condition))
     return made
 
@@ -111,12 +111,12 @@ def _pieces(path: Path, lines: list[str], made: AdapterFile) -> Iterator[Adapter
                 text.append(line)
                 marking = False
             elif line.strip() and not line.startswith("//"):
-                raise _wrong(place, "there is text before the first piece", f"begin a piece with `{MARK} KIND NAME`")
+                raise _wrong(place, "the file has text before the first piece", f"begin a piece with `{MARK} KIND NAME`")
             continue
         said = line[len(MARK) :]
         if said.startswith("   "):
             if piece is None or not marking:
-                raise _wrong(place, "a marker stands outside of the head of a piece", "move it up, behind `//# KIND NAME`")
+                raise _wrong(place, "a marker is outside the head of a piece", "move it up, below `//# KIND NAME`")
             _take(piece, said.strip(), place)
             key, _, value = said.partition(":")
             marks[key.strip(), value.strip()] = number
@@ -126,7 +126,7 @@ def _pieces(path: Path, lines: list[str], made: AdapterFile) -> Iterator[Adapter
         words = said.split()
         if len(words) == 2 and words[0] == "header":
             if made.header:
-                raise _wrong(place, "the file has a second header", "give each header a file of its own")
+                raise _wrong(place, "the file has a second header", "use one file per header")
             made.header = words[1]
             continue
         if len(words) > 1 and words[0] == NOT_SERVED and made.header and piece is None:
@@ -138,11 +138,11 @@ def _pieces(path: Path, lines: list[str], made: AdapterFile) -> Iterator[Adapter
         if len(words) != 2 or words[0] not in KINDS:
             wrong = words[0] if words else ""
             raise _wrong(
-                place, f"a piece of kind '{wrong}' is not known{did_you_mean(wrong, KINDS)}",
+                place, f"unknown kind of piece '{wrong}'{did_you_mean(wrong, KINDS)}",
                 f"write `{MARK} KIND NAME` with one of: {', '.join(KINDS)}",
             )  # fmt: skip
         if not made.header:
-            raise _wrong(place, "the header of the source platform is not named", f"begin with `{MARK} header NAME`")
+            raise _wrong(place, "the source platform's header is missing", f"begin with `{MARK} header NAME`")
         piece, text, marking, marks = AdapterPiece(words[0], words[1], made.header, place), [], True, {}
     if piece is not None:
         yield _finished(piece, text, marks)
@@ -152,9 +152,9 @@ def _finished(piece: AdapterPiece, text: list[str], marks: Mapping[tuple[str, st
     """Complete a piece with its text, checked against its markers."""
     piece.text = "\n".join(text).strip("\n")
     if not piece.text.strip():
-        raise _wrong(piece.location, f"'{piece.name}' has no text", "write it behind its markers, or remove the piece")
+        raise _wrong(piece.location, f"'{piece.name}' has no text", "write it below its markers, or remove the piece")
     if piece.kind == "adapter" and not piece.signatures:
-        message = f"the adapter '{piece.name}' does not say for which function it is"
+        message = f"the adapter '{piece.name}' has no function"
         raise _wrong(piece.location, message, f"add `{MARK}   for: ...`")
     if piece.kind == "adapter" and not piece.relation:
         raise _wrong(piece.location, f"the adapter '{piece.name}' has no kind", f"add `{MARK}   kind: ...`")
@@ -171,7 +171,7 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
     value = value.strip()
     if not colon or key not in (*_LISTS, *_TEXTS) or not value:
         raise _wrong(
-            place, f"'{said}' is no marker{did_you_mean(key, [*_LISTS, *_TEXTS])}",
+            place, f"'{said}' is not a marker{did_you_mean(key, [*_LISTS, *_TEXTS])}",
             f"write KEY: VALUE with one of: {', '.join(sorted((*_LISTS, *_TEXTS)))}",
         )  # fmt: skip
     if key in _LISTS:
@@ -188,15 +188,17 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
         piece.role = value
     elif key == "ram":
         if not value.isdecimal():
-            raise _wrong(place, f"'{value}' is no number of bytes", "write: ram: BYTES")
+            raise _wrong(place, f"'{value}' is not a number of bytes", "write: ram: BYTES")
         piece.ram = int(value)
     elif key == "stack":
         if (sizes := _STACK.fullmatch(value)) is None:
-            raise _wrong(place, f"'{value}' is no number of bytes", "write: stack: BYTES [BYTES WHERE IT IS CALLED AT ONE PLACE]")
+            raise _wrong(
+                place, f"'{value}' is not a number of bytes", "write: stack: BYTES [BYTES WHERE IT IS CALLED AT ONE PLACE]"
+            )
         piece.stack, piece.stack_once = int(sizes[1]), int(sizes[2] or sizes[1])
     elif key == "interrupt":
         if (one := _INTERRUPT.fullmatch(value)) is None:
-            message = f"'{value}' does not tell what an interrupt takes"
+            message = f"'{value}' is not an interrupt with its bytes"
             raise _wrong(place, message, "write: interrupt: NAME_vect BYTES [BYTES WHERE IT LETS OTHERS IN]")
         piece.interrupts.append(InterruptStack(one[1], int(one[2]), int(one[3]) if one[3] else -1))
     elif key == "fidelity":
@@ -204,7 +206,7 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
     elif key == "pin":
         found = _PIN.fullmatch(value)
         if found is None:
-            raise _wrong(place, f"'{value}' is no pin", "write: pin: PARAMETER CAPABILITY DIRECTION [signed] [split] [ROLE]")
+            raise _wrong(place, f"'{value}' is not a pin", "write: pin: PARAMETER CAPABILITY DIRECTION [signed] [split] [ROLE]")
         piece.pins.append(
             AdapterPin(
                 found[1],
@@ -218,7 +220,7 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
     elif key == "table":
         table = _TABLE.fullmatch(value)
         if table is None:
-            raise _wrong(place, f"'{value}' is no table", "write: table: NAME COUNT")
+            raise _wrong(place, f"'{value}' is not a table", "write: table: NAME COUNT")
         piece.tables.append(PortTable(table[1], int(table[2])))
     elif key == "range":
         piece.ranges.append(_range(piece, value, place))
@@ -226,7 +228,7 @@ def _take(piece: AdapterPiece, said: str, place: Location) -> None:
         port = _PORT.fullmatch(value)
         if port is None:
             raise _wrong(
-                place, f"'{value}' is no port", "write: port: CONSTANT = LIBRARY.NAME NUMBER CAPABILITY DIRECTION [ROLE]"
+                place, f"'{value}' is not a port", "write: port: CONSTANT = LIBRARY.NAME NUMBER CAPABILITY DIRECTION [ROLE]"
             )
         piece.ports.append(
             ConventionalPort(
@@ -250,5 +252,5 @@ def _range(piece: AdapterPiece, value: str, place: Location) -> ArgumentRange:
 
 def _one_of(value: str, known: tuple[str, ...], place: Location) -> str:
     if value not in known:
-        raise _wrong(place, f"'{value}' is not known here{did_you_mean(value, known)}", f"use one of: {', '.join(known)}")
+        raise _wrong(place, f"unknown value '{value}'{did_you_mean(value, known)}", f"use one of: {', '.join(known)}")
     return value

@@ -106,12 +106,12 @@ class AdapterIndex:
     def _checked(self, path: Path, header: str) -> AdapterFile:
         file = load(path)
         if file.header != header:
-            fix = f"call it {file.header.removesuffix('.h')}{path.suffix}"
+            fix = f"rename it to {file.header.removesuffix('.h')}{path.suffix}"
             raise PlatformDataError(f"the adapter file is for '{file.header}'", location=Location(str(path), 1), fix=fix)
         for piece in file.pieces:
             for mcu in piece.mcus if self.mcus else ():
                 if mcu not in self.mcus:
-                    message = f"'{piece.name}' is a variant for '{mcu}', a microcontroller of which nothing is known"
+                    message = f"'{piece.name}' is a variant for an unknown microcontroller '{mcu}'"
                     raise PlatformDataError(
                         f"{message}{did_you_mean(mcu, self.mcus)}", location=piece.location, fix=f"use: {', '.join(self.mcus)}"
                     )

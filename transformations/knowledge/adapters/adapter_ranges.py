@@ -29,11 +29,11 @@ def argument_range(function: str, signatures: Sequence[str], text: str) -> Argum
     said = _RANGE.fullmatch(text)
     if said is None or not (said[2] or said[3]):
         form = "PARAMETER LEAST..MOST [or VALUE] [beside HEADER/PIECE] [away from PIN]: WHAT HAPPENS ELSE"
-        raise ValueError(f"'{text}' is no range", f"write: range: {form}")
+        raise ValueError(f"'{text}' is not a range", f"write: range: {form}")
     names = parameter_names(signatures[0]) if signatures else []
     if said[1] not in names:
         hint = did_you_mean(said[1], [name for name in names if name])
-        raise ValueError(f"'{function}' has no parameter '{said[1]}'{hint}", "name it as `for` does, which stands before")
+        raise ValueError(f"'{function}' has no parameter '{said[1]}'{hint}", "use a name from `for`, above it")
     least, most = (int(end) if end else None for end in (said[2], said[3]))
     others = [int(word) for word in said[4].split() if word != "or"]
     return ArgumentRange(said[1], names.index(said[1]), least, most, others, said[5] or "", said[6] or "", said[7])

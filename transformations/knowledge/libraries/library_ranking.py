@@ -110,7 +110,7 @@ def default_library_platform() -> str:
     """
     facts = target_facts(default_text("migrate", "target"))
     if not facts.libraries:
-        raise UsageError(f"the target '{facts.target}' has no libraries", fix="name the platform that the libraries are for")
+        raise UsageError(f"the target '{facts.target}' has no libraries", fix="give the libraries' platform")
     return facts.libraries
 
 
@@ -182,7 +182,7 @@ def library_in(index: LibraryIndex, name: str) -> LibraryFacts:
     if found is None:
         by_header = _offering(index, name)
         hint = f" (the header {name} belongs to '{by_header[0].name}')" if by_header else did_you_mean(name, index.names())
-        raise UsageError(f"no library is called '{name}'{hint}", fix="give the name of a library as the index has it")
+        raise UsageError(f"unknown library '{name}'{hint}", fix="give a library's name from the index")
     return _with_dependencies(index, found)
 
 
@@ -296,7 +296,7 @@ def refuse_unknown_usual(platform: str, libraries: Collection[str], project: Pat
                 raise PlatformDataError(
                     f"the index has no library '{missing[0]}'{did_you_mean(missing[0], libraries)}",
                     location=place,
-                    fix="write the name of a library as the index has it: robosmi recommend WORDS lists some",
+                    fix="write a library's name from the index; robosmi recommend WORDS lists some",
                 )
 
 
@@ -325,5 +325,5 @@ def _rows(path: Path) -> Iterator[tuple[str, tuple[str, ...], Location]]:
 def _row(row: list[str], place: Location) -> tuple[str, tuple[str, ...]]:
     libraries = tuple(name.strip() for name in row[-1].split("|") if name.strip())
     if len(row) != 2 or not plain(row[0]) or not libraries:
-        raise PlatformDataError("this line names no device and its libraries", location=place, fix="write device,library|library")
+        raise PlatformDataError("this line has no device with its libraries", location=place, fix="write device,library|library")
     return plain(row[0]), libraries

@@ -41,7 +41,7 @@ class Takes(Struct, frozen=True):
     def __str__(self) -> str:
         """The resources as evidence in a plan: one sentence without a full stop."""
         taken = ", ".join((*self.timers, *self.pins))
-        return f"takes {taken}{f' when {self.when}' if self.when else ''}"
+        return f"uses {taken}{f' when {self.when}' if self.when else ''}"
 
 
 class _Entry(NamedTuple):
@@ -107,7 +107,7 @@ def _read(path: Path, mtime_ns: int) -> Mapping[str, list[_Entry]]:
         if not lists["names"] or not set(said) <= _KEYS:
             near = next((told for key in set(said) - _KEYS if (told := did_you_mean(key, _KEYS))), "")
             raise PlatformDataError(
-                f"an entry is no library with what it takes: {entry}{near}",
+                f"an entry is not a library with its resources: {entry}{near}",
                 location=Location(str(path)),
                 fix="write names, timers, pins, buses, mcus",
             )

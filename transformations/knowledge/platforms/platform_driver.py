@@ -56,7 +56,7 @@ def _add_target(folder: Path, repository: platform.PlatformRepository) -> None:
     if first != folder:
         raise SourceError(
             f"another platform '{folder.name}' comes first: {first}", location=Location(str(folder)),
-            fix="put the folder above it into ROBOSMI_PATH",
+            fix="add its parent folder to ROBOSMI_PATH",
         )  # fmt: skip
     made = target_platform(folder.name)
     repository.platforms.append(made)

@@ -56,7 +56,7 @@ class TargetFacts:
 
     def __init__(self, model: platform.Target, any_board: bool = False) -> None:
         if model.platform is None:
-            raise PlatformDataError(f"the target '{model.name}' has no platform", fix="make the models again")
+            raise PlatformDataError(f"the target '{model.name}' has no platform", fix="run migrate again")
         self.model = model
         self.any_board = any_board
         self._platform: platform.Platform = model.platform
@@ -92,7 +92,7 @@ class TargetFacts:
             PlatformDataError: the target has none.
         """
         if self.model.board is None:
-            raise PlatformDataError(f"the target '{self.model.name}' has no board", fix="make the models again")
+            raise PlatformDataError(f"the target '{self.model.name}' has no board", fix="run migrate again")
         return self.model.board
 
     @property
@@ -179,9 +179,7 @@ def target_facts(target: str, project: Path | None = None) -> TargetFacts:
     own = platform_table(table.text("platform"), table, project)
     board_name = table.text("board")
     if board_file(board_name, project) is None:
-        raise table.error(
-            "board", f"is '{board_name}', and no board is called so{did_you_mean(board_name, board_names(project))}"
-        )
+        raise table.error("board", f"is '{board_name}', an unknown board{did_you_mean(board_name, board_names(project))}")
     board = load_board(board_name, project)
     made = _platform(own, table.text("platform"), project)
     made.boardMappings.append(load_mapping(table.text("platform"), board, project))
@@ -204,7 +202,7 @@ def target_facts(target: str, project: Path | None = None) -> TargetFacts:
 
 def _ending(table: DataTable, key: str) -> str:
     if not (ending := table.text(key)).startswith("."):
-        raise table.error(key, f"is '{ending}', which is no ending: it begins with a point, as '.{ending}'")
+        raise table.error(key, f"is '{ending}', but an ending begins with a dot: '.{ending}'")
     return ending
 
 
@@ -244,7 +242,7 @@ def _entry(target: str, project: Path | None) -> tuple[DataTable, str]:
         if board is not None:
             return _whole({"platform": name, "board": board}, path, "target.", project), board
     known = target_names(project)
-    raise UsageError(f"no target is called '{target}'{did_you_mean(target, known)}", fix=f"use one of: {', '.join(known)}")
+    raise UsageError(f"unknown target '{target}'{did_you_mean(target, known)}", fix=f"use one of: {', '.join(known)}")
 
 
 def _is_called(full_name: str, platform_name: str, board: str, project: Path | None) -> bool:
@@ -260,7 +258,7 @@ def _whole(own: dict[str, Json], place: Path, prefix: str, project: Path | None)
     table = DataTable(place, own, prefix)
     for key in own:
         if key not in _KEYS:
-            raise table.error(key, f"is no key of a target{did_you_mean(key, _KEYS)}")
+            raise table.error(key, f"is not a key of a target{did_you_mean(key, _KEYS)}")
     base = platform_table(table.text("platform"), table, project).table("target", needed=False)
     return DataTable(place, {**base.values, **own}, prefix)
 
@@ -275,7 +273,7 @@ def platform_table(name: str, named_in: DataTable, project: Path | None) -> Data
         if (path := folder / name / "platform.toml").is_file():
             return table_of(path)
     known = {path.parent.name for folder in resources.folders(KIND, project) for path in folder.glob("*/platform.toml")}
-    raise named_in.error("platform", f"is '{name}', a platform of which nothing is known{did_you_mean(name, known)}")
+    raise named_in.error("platform", f"is '{name}', an unknown platform{did_you_mean(name, known)}")
 
 
 def _platforms_by_board(project: Path | None) -> Iterator[tuple[str, Path]]:

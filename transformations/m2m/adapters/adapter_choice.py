@@ -127,10 +127,10 @@ class AdapterChoice:
         one = _one_width if self.widened else list
         other = one(mine) not in [one(_types(signature)) for signature in taken]
         if own and other:
-            use.reason = f"the program declares it as '{use.signature}', and its adapter is for '{taken[0]}'"
+            use.reason = f"the program declares it as '{use.signature}', but its adapter is for '{taken[0]}'"
             return
         if handed and (other or not self.widened or "template" in needed.pieces[-1].text):
-            use.reason = "it is handed on as a value, and its adapter has other types"
+            use.reason = "the program uses it as a value, but its adapter has other types"
             return
         if conflict := self._conflict(needed.pieces):
             use.reason = conflict
@@ -185,7 +185,7 @@ class AdapterChoice:
             for vector in (*piece.vectors, *piece.taken):
                 holder, user = self._interrupts.get(vector, (piece, ""))
                 if holder is not piece:
-                    return f"its adapter and that of '{user}' both need the interrupt {vector}, which only one can have"
+                    return f"its adapter and that of '{user}' both need the interrupt {vector}, but only one can use it"
         return ""
 
     def _element(self, key: tuple[str, str]) -> platform.Adapter:
@@ -236,7 +236,7 @@ def _misfit(calls: Iterable[ccode.Call], signatures: Iterable[str]) -> str:
         given = len(call.arguments)
         if not any(given == count or (more and given > count) for count, more in taken):
             counts = " or ".join(str(count) for count in sorted({count for count, _ in taken}))
-            return f"line {call.line} calls it with {given} argument{'s' * (given != 1)}, and its adapter takes {counts}"
+            return f"line {call.line} calls it with {given} argument{'s' * (given != 1)}, but its adapter takes {counts}"
     return ""
 
 
@@ -281,7 +281,7 @@ def settle_use(use: migration.AdapterUse, unserved: Collection[str] = ()) -> Non
         use.status = Status.filled
     elif use.status in (Status.filled, Status.care):
         use.status = Status.unsupported if use.reason in unserved else Status.todo
-        use.reason = use.reason or "its adapter was taken out of the plan"
+        use.reason = use.reason or "its adapter was removed from the plan"
 
 
 def settle_libraries(plan: migration.MigrationPlan) -> None:

@@ -267,7 +267,7 @@ def _notes(
         [f"called in line{'s' if ',' in lines else ''} {lines}"] if lines else ["used without a call, or in the body of a macro"]
     )
     if origin is Source.program:
-        notes.append("the program declares it and defines it nowhere")
+        notes.append("the program declares it, but no file defines it")
     elif function is None:
         notes.append("no header declares it: its signature is inferred from the calls")
     elif function.blocking:
@@ -275,9 +275,9 @@ def _notes(
     if function is not None and function.startsCog:
         notes.append("it starts code on another core there")
     if handed and origin is not Source.program:
-        notes.append("it is handed on as a value, so its types are those it had")
+        notes.append("the program uses it as a value, so its types are unchanged")
     if generated != called.name:
-        notes.append(f"the target has a {called.name} of its own, so this one has another name there")
+        notes.append(f"the target has a {called.name} too, so this one has another name there")
     return notes
 
 

@@ -193,7 +193,8 @@ def symbol_use(
         spelled = (symbol.typeName if symbol is not None else "") or wanted or "int"
         mutable = written or kind in (platform.SymbolKind.register, platform.SymbolKind.variable) or "*" in spelled
         shown = f"{source}_{name}" if name in names.declared else name
-        text = _value(shown, spelled, use is ccode.SymbolUse.indexedUse, mutable, number, target, several=several)
+        dimensions = max((_dimensions(each) for each in uses), default=0) if use is ccode.SymbolUse.indexedUse else 0
+        text = _value(shown, spelled, dimensions, mutable, number, target, several=several)
         if shown != name:
             text += f"\n#define {name} {shown}"
         elif name in names.macros:
@@ -201,7 +202,16 @@ def symbol_use(
     return migration.SymbolUse(name=name, placeholder=text, status=migration.AdapterStatus.todo, symbol=symbol, uses=uses)
 
 
-def _value(name: str, spelled: str, indexed: bool, mutable: bool, number: int, target: TargetFacts, *, several: bool) -> str:
+def _dimensions(use: ccode.NameReference) -> int:
+    """How many indices stand behind a name, at least one."""
+    count: int = 0
+    element: ccode.Expression = use
+    while isinstance(outer := element.eContainer(), ccode.Index) and outer.array is element:
+        count, element = count + 1, outer
+    return max(count, 1)
+
+
+def _value(name: str, spelled: str, dimensions: int, mutable: bool, number: int, target: TargetFacts, *, several: bool) -> str:
     base, bracket, _ = spelled.partition("[")
     kind = for_target(Signature(name, base.strip()), target.widths).returns
     if not mutable:
@@ -213,8 +223,8 @@ def _value(name: str, spelled: str, indexed: bool, mutable: bool, number: int, t
         return f"const {bare} {name} = {number};"
     storage = "__attribute__((weak)) " if several else "static "  # weak: the one variable of all files
     kind = kind.removeprefix("const ") if "*" not in kind else kind
-    if indexed or bracket:
-        return f"{storage}{declare(kind, name)}[16];"
+    if dimensions or bracket:
+        return f"{storage}{declare(kind, name)}{'[16]' if dimensions < 2 else '[4]' * dimensions};"
     plain = "*" in kind or set(kind.replace("volatile", "").split()) <= ARITHMETIC
     return f"{storage}{declare(kind, name)}{' = 0' if plain else ''};"
 

@@ -195,7 +195,7 @@ def _decide(
     if said:
         by, why = migration.ChosenBy.person, "by flag or in the project file"
     elif earlier := chosen_from_history(query.part_id, query.title, _OfTarget(history, models)):
-        name, by, why = earlier, migration.ChosenBy.history, "chosen for this part before"
+        name, by, why = earlier, migration.ChosenBy.history, "chosen before for this part"
     elif 0 < recommendation.confidence >= sure:
         by = migration.ChosenBy.rule
         name, why = _by_rule(recommendation)

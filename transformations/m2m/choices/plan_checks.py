@@ -22,10 +22,10 @@ RULE = "RS340"
 _CONSOLE = re.compile(r"Serial\.begin\((\d+)\)")
 _MOST = 4
 """Limit on the functions that a check names."""
-_OTHERWISE = ("see that it answers {}", platform.Direction.unknown)
+_OTHERWISE = ("check that it responds to {}", platform.Direction.unknown)
 _SEEN = {
-    hardware.Role.Input: ("see that {} what is there", platform.Direction.input),
-    hardware.Role.Output: ("see that it does what {} asks", platform.Direction.output),
+    hardware.Role.Input: ("check that {} the real value", platform.Direction.input),
+    hardware.Role.Output: ("check that it responds to {}", platform.Direction.output),
 }
 """For each role of a component, what a person should observe, and the direction of the functions that show it."""
 
@@ -44,8 +44,8 @@ def _console(plan: migration.MigrationPlan) -> Iterable[migration.PlanTask]:
         others = list(
             dict.fromkeys(str(c.calleeName) for b in plan.portBindings if of_own_serial_port(b) for c in port_calls(plan, b))
         )
-        rate = f"{bauds[0]} baud" + (f" (or what {', '.join(others)} asks for)" if others else "")
-        message = f"open the 'serial monitor' at {rate}, and see that the program's texts come"
+        rate = f"{bauds[0]} baud" + (f" (or the rate that {', '.join(others)} sets)" if others else "")
+        message = f"open the Serial Monitor at {rate} and check that the messages appear"
         yield migration.PlanTask(rule=RULE, severity=migration.SeverityLevel.info, message=message)
 
 
@@ -105,7 +105,7 @@ def _expected(plan: migration.MigrationPlan, ports: list[migration.PortBinding])
     fitting = [call for call in calls if way in ways.get(str(call.calleeName), ())] or calls
     names = list(dict.fromkeys(str(call.calleeName) for call in fitting))
     if not names:
-        return "see that it does what the program asks"
+        return "check that it does what the program expects"
     shown = ", ".join(names[:_MOST]) + (" ..." if len(names) > _MOST else "")
     if role is hardware.Role.Input:
         shown = f"{shown} {'read' if len(names) > 1 else 'reads'}"

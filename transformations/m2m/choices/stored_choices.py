@@ -97,13 +97,13 @@ def differences(
         of_flag = _of(flags.get(kind, {}), decision)
         of_project = _of(project.get(kind, {}), decision)
         told = [("the command line", of_flag), (project_place.name if project_place else "the project file", of_project)]
-        told.append(("the plan of the last run", kept.value if kept is not None else None))
+        told.append(("the last plan", kept.value if kept is not None else None))
         counted = [(who, value) for who, value in told if value is not None]
         if len({_meant(value, plan) for _, value in counted}) > 1:
-            others = "; ".join(f"{who} says {value}" for who, value in counted[1:])
-            message = f"{subject}: {counted[0][0]} counts, which says {counted[0][1]}; {others}"
+            others = "; ".join(f"{who} has {value}" for who, value in counted[1:])
+            message = f"{subject}: {counted[0][1]} from {counted[0][0]} is used; {others}"
             place = Location(str(project_place)) if project_place is not None and of_project is not None else None
-            found.append(Finding(DIFFERENT, Severity.info, message, place, fix="say the same everywhere, or leave one out"))
+            found.append(Finding(DIFFERENT, Severity.info, message, place, fix="use one value everywhere, or remove the others"))
         elif kept is not None and len(counted) == 1 and decision.choice != kept.value:
             found.append(_gone(subject, kept, stored))
     found += _lost(plan, stored)
@@ -152,6 +152,6 @@ def _lost(plan: migration.MigrationPlan, stored: StoredChoices) -> list[Finding]
 
 
 def _gone(subject: str, said: UserChoice, stored: StoredChoices) -> Finding:
-    message = f"{subject}: the plan of the last run says {said.value}, which the program and its hardware do not have any more"
+    message = f"{subject}: the last plan has {said.value}, which the program and its hardware no longer have"
     place = Location(str(stored.place)) if stored.place is not None else None
-    return Finding(GONE, Severity.warning, message, place, fix="choose anew, if it is still needed")
+    return Finding(GONE, Severity.warning, message, place, fix="choose again, if it is still needed")

@@ -37,6 +37,7 @@ _NAMED = 3
 """How many pins of other boards a finding names; without a limit, n boards on one net would each name all others."""
 _SILENT = (Role.Board, Role.Power, Role.Decoration)
 _BY_ROLE = {"Input": "read", "Output": "write", "Both": "bus", "Unknown": "read"}
+_SUPPLIES = (hardware.ConnectorKind.supply, hardware.ConnectorKind.ground)
 _SUFFIX = {"read": "ReadP", "write": "WriteP", "bus": "BusP"}
 _SIGNALS = {name: enum_literal(migration.Signal, name) for name in ("read", "write", "bus")}
 
@@ -90,7 +91,7 @@ def map_connectors(
                     raise SourceError(
                         f"more than {MAX_MAPPINGS:,} connections of pins to components",
                         location=Location(circuit.path),
-                        fix="check what is wired to the pins; a net with all in it is no circuit",
+                        fix="check the wiring of the pins; one net cannot connect everything",
                     )
     called = _names(mapped, state)
     connections = [
@@ -168,7 +169,7 @@ def _map_board(board: hardware.Component, target: platform.Board | None, state: 
             state.report(
                 "RS223",
                 Severity.warning,
-                f"{target.title} has no pin {label}, to which '{_title(reached[0].component)}' is wired",
+                f"'{_title(reached[0].component)}' is wired to {label}, but {target.title} has no such pin",
             )
         drawn = [c for c in connectors if c.net is not None]
         for one in sorted(reached, key=lambda r: natural_key(r.component.elementId)):
@@ -177,7 +178,7 @@ def _map_board(board: hardware.Component, target: platform.Board | None, state: 
                 state.report(
                     "RS220",
                     Severity.warning,
-                    f"what '{_title(one.component)}' on {label} does is unknown; it is taken as something that is read",
+                    f"the role of '{_title(one.component)}' on {label} is unknown; RoboSMi treats it as an input device",
                     "give its role in robosmi.toml under [roles]",
                     model_index=one.component.elementId,
                 )
@@ -214,7 +215,7 @@ def _report_net(board: hardware.Component, label: str, net: hardware.Net, state:
             state.report(
                 "RS228",
                 Severity.warning,
-                f"'{_title(component)}' ties {label} of '{_title(board)}' to the supply for good: {contact} are one contact",
+                f"'{_title(component)}' connects {label} of '{_title(board)}' to the supply for good: {contact} are one contact",
                 "wire one of them to the other contact",
                 model_index=component.elementId,
             )
@@ -231,8 +232,10 @@ def _report_net(board: hardware.Component, label: str, net: hardware.Net, state:
 
 
 def _signal(reached: ReachedComponent, label: str, known: PartNames) -> str:
-    """The direction of a connection (read, write or bus): from the connector's name, else from the part's role and place."""
+    """The direction of a connection (read, write or bus): from the connector's kind or name, else the part's role and place."""
     component = reached.component
+    if all(connector.kind in _SUPPLIES for connector in reached.connectors):
+        return "write"  # the pin supplies the part: as an input it would leave it without power
     ways = [name_direction(connector.name, known, component.driver) for connector in reached.connectors]
     told = next((way for way in ("bus", "write", "read") if way in ways), None)
     default = _BY_ROLE[component.role.name]
@@ -275,7 +278,7 @@ def _names(mapped: list[_Mapped], state: _State) -> list[str]:
             state.report(
                 "RS227",
                 Severity.info,
-                f"'{_title(component)}' is called {base} in the program, since '{_title(taken[wanted])}' gives the same name",
+                f"'{_title(component)}' is called {base} in the program, because '{_title(taken[wanted])}' has the same name",
                 "give the parts different titles in the drawing",
             )
         taken[base] = component
@@ -306,7 +309,7 @@ def rename_clashes(
                 connection.name = name
             number += 1
         if connection.name != old:
-            message = f"the program has a name '{old}' of its own, so the pin is called {connection.name}"
+            message = f"the program already uses the name '{old}', so the pin is called {connection.name}"
             findings.append(Finding("RS227", Severity.info, message, location))
             taken.add(connection.name)
     return findings

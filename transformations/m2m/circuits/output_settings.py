@@ -44,17 +44,17 @@ def set_servo_trims(
         found = _named(name, connections, bindings)
         if len({id(c.component) for c in found}) > 1:
             titles = ", ".join(f"#{c.component.elementId}" for c in found if c.component is not None)
-            raise SourceError(f"[servos] '{name}' may mean: {titles}", location=trim.place, fix="name one of these")
+            raise SourceError(f"[servos] '{name}' is ambiguous: {titles}", location=trim.place, fix="use one of these")
         driven = [c for c in found if c.signal is not migration.Signal.read]
         if not driven:
             known = [c.component.title for c in connections if c.component is not None and c.signal is migration.Signal.write]
             known += [str(b.name) for b in bindings]
-            what = "is driven by no pin" if found else f"is no component, role or port here{did_you_mean(name, known)}"
+            what = "has no pin that drives it" if found else f"is not a component, role or port{did_you_mean(name, known)}"
             offered = ", ".join(f"'{each}'" for each in dict.fromkeys(known)) or "none is driven"
             raise SourceError(f"[servos] '{name}' {what}", location=trim.place, fix=f"use one of: {offered}")
         if other := next((told[id(c)] for c in driven if id(c) in told), ""):
-            what = f"[servos] '{name}' is the servo that '{other}' tells of"
-            raise SourceError(what, location=trim.place, fix="give the values of a servo once, under one of its names")
+            what = f"[servos] '{name}' and '{other}' are the same servo"
+            raise SourceError(what, location=trim.place, fix="give the values of each servo once")
         told |= {id(connection): name for connection in driven}
         for connection in driven:
             connection.neutralMicroseconds = trim.neutral

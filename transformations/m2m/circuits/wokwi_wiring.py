@@ -50,12 +50,12 @@ def wokwi_wiring(plan: migration.MigrationPlan, project: Path | None = None) -> 
     """
     circuit, component, board = plan.circuit, plan.boardComponent, plan.board
     if circuit is None or component is None or board is None:
-        raise SourceError("the plan has no drawing, and so no wiring", fix="run migrate with --hardware SKETCH")
+        raise SourceError("the plan has no drawing and thus no wiring", fix="run migrate with --hardware SKETCH")
     drawn = wokwi_board(board.name, project)
     if drawn is None:
         known = ", ".join(boards_of_wokwi(project))
         raise SourceError(
-            f"Wokwi has no board '{board.title}'", location=Location(circuit.path), fix=f"it has: {known}; take another form"
+            f"Wokwi has no board '{board.title}'", location=Location(circuit.path), fix=f"it has: {known}; use another form"
         )
     return _Wiring(plan, circuit, component, drawn, project).made()
 
@@ -97,15 +97,15 @@ class _Wiring:
         if component.role is hardware.Role.Decoration or not connected or joins:
             return
         if component.role is hardware.Role.Board:
-            self._list(component, "it is a board of its own")
+            self._list(component, "it is another board")
             return
         part = wokwi_part(component, connected, self.project)
         if part is None:
-            self._list(component, "Wokwi's elements have no part that stands for it")
+            self._list(component, "Wokwi has no such part")
             return
         mapped = {c.connectorId: c for n in self.plan.connections if n.component is component for c in n.connectors}
         if lost := [displayed_name(c) or c.connectorId for identity, c in mapped.items() if identity not in part.pins]:
-            self._list(component, f"its {', '.join(lost)} is no pin of {part.kind}")
+            self._list(component, f"its {', '.join(lost)} is not a pin of {part.kind}")
             return
         self._name(component)
         self.parts[component] = part
@@ -126,7 +126,7 @@ class _Wiring:
             nets = list(dict.fromkeys(id(c.net) for c in component.connectors if c.net is not None and not c.net.rail))
             for other in nets[1:]:
                 self.same[self._root(other)] = self._root(nets[0])
-            why += "; a wire stands in its place"
+            why += "; a wire replaces it"
         title = component.title or component.partTitle or f"#{component.elementId}"
         part = component.partTitle or component.partId
         self.result.not_drawn.append(NotDrawn(title, component.elementId, part, tuple(dict.fromkeys(pins)), why))

@@ -45,7 +45,7 @@ def remarks(view: CodeView, data: bytes, path: str) -> Iterator[Finding]:
         return
     for element, message in _unmended(view, data):
         place = Location(path, element.line, element.column)
-        yield Finding("RS312", Severity.warning, message, place, fix="write it in C++ in the sketch, or otherwise in the source")
+        yield Finding("RS312", Severity.warning, message, place, fix="write it in C++ in the sketch, or rewrite it in the source")
     for offset, message, advice in cpp_incompatibilities(view, data):
         line = data.count(b"\n", 0, offset) + 1
         yield Finding("RS312", Severity.warning, message, Location(path, line, offset - data.rfind(b"\n", 0, offset)), fix=advice)
@@ -63,23 +63,33 @@ def cpp_incompatibilities(view: CodeView, data: bytes) -> list[Form]:
     found += [*_hidden_types(view), *_pointer_sizes(words)]
     for each in empty_types(view, data):
         if each.parameters is None:
-            message = f"nothing says what the functions of the type '{each.typedef.name}' take, and they take something"
+            message = f"the type '{each.typedef.name}' does not list the parameters of its functions, but they have some"
             found.append((int(each.typedef.startOffset), message, "write the types of the parameters in its definition"))
     for start, message in untold_pointers(view):
         found.append((start, message, "write the types of the parameters in its declaration"))
     for start, message in in_macros(view):
         found.append((start, message, "write `(char *)` before the values in the macro"))
     for function in left_early(view, data):
-        message = f"'{function.name}' runs before main, when the target has not started its clock: a wait in it never ends"
+        message = f"'{function.name}' runs before main, before the target starts its clock: a wait in it never ends"
         found.append((int(function.startOffset), message, "call it at the beginning of main"))
+    found += _uses_of_main(view)
     found += [*_rows_of_parameters(view, data), *_flexible_values(view), *_record_casts(view)]
     return sorted(set(found))
+
+
+def _uses_of_main(view: CodeView) -> Iterator[Form]:
+    """Calls of main and references to it: C++ forbids them, and a sketch has no function of that name."""
+    uses = [call for call in view.calls if call.calleeName == "main"]
+    named = [each for each in view.of_kind(ccode.NameReference) if each.name == "main"]
+    for use in (*uses, *(each for each in named if isinstance(each.target, ccode.Function))):
+        message = "the program uses main as a function, which C++ forbids: in the sketch its statements are in setup() and loop()"
+        yield int(use.startOffset), message, "move the statements of main to a function of their own, and let main call it"
 
 
 def _choices_by_type(data: bytes) -> Iterator[Form]:
     for start, _, name in name_tokens(data):
         if name == "_Generic":
-            yield start, "a choice by type (_Generic) is no C++", "write the branch that is meant, or a function for each type"
+            yield start, "C++ has no choice by type (_Generic)", "write the branch that you need, or a function for each type"
 
 
 def _types_in_place(words: Sequence[Token]) -> Iterator[Form]:
@@ -88,9 +98,9 @@ def _types_in_place(words: Sequence[Token]) -> Iterator[Form]:
     for number, (_, start, _, text) in enumerate(words):
         if text in _TYPES and (brace := _definition(words, number)):
             if opened and opened[-1] == "(":
-                yield start, "a type is defined within parentheses, where C++ takes none", _BEFORE
+                yield start, "C++ does not allow the definition of a type within parentheses", _BEFORE
             elif not opened and _gives(words, closing(words, brace) + 1):
-                yield start, "a type is defined where the type of a function's value is written", _BEFORE
+                yield start, "C++ does not allow the definition of a type as a function's return type", _BEFORE
         if text in _OPENING:
             opened.append(text)
         elif text in _CLOSING and opened:
@@ -120,7 +130,7 @@ def _late_enumerations(words: Sequence[Token]) -> Iterator[Form]:
         if words[number + 2][3] != "{":
             named.setdefault(tag, start)
         elif tag in named:
-            yield named[tag], f"the enumeration '{tag}' is named before it is defined", "define it before"
+            yield named[tag], f"the enumeration '{tag}' is used before it is defined", "define it before"
         else:
             named[tag] = -1
     return
@@ -132,7 +142,7 @@ def _hidden_types(view: CodeView) -> Iterator[Form]:
     for variable in variables:
         words = variable.valueType.spelling.replace("*", " ").split() if variable.valueType is not None else []
         if variable.name and variable.name in words and not _TYPES.intersection(words):
-            message = f"the variable has the name of its type '{variable.name}'"
+            message = f"the variable has the name of its type, '{variable.name}'"
             yield int(variable.startOffset), message, "give the variable another name"
 
 
@@ -144,8 +154,8 @@ def _pointer_sizes(words: Sequence[Token]) -> Iterator[Form]:
         inner = [word[3] for word in words[number + 2 : closing(words, number + 1)]]
         sized = " ".join(inner)
         if re.search(r"sizeof \( [\w ]*\*", sized):
-            message = "the size of a pointer is asserted, which is another one on the target"
-            yield start, message, "take the assertion out, or assert what the program needs of it"
+            message = "an assertion tests the size of a pointer, which differs on the target"
+            yield start, message, "remove the assertion, or change it to the target's size"
 
 
 _SIZES = re.compile(rb"\[([^\]]*)\]")
@@ -162,14 +172,14 @@ def _rows_of_parameters(view: CodeView, data: bytes) -> Iterator[Form]:
         names = {p.name for p in function.parameters if p.name} if function is not None else set()
         rows = sizes if b"(*" in text.replace(b" ", b"") else sizes[1:]
         if any(row.strip() == "*" or not names.isdisjoint(_NAME.findall(row)) for row in rows):
-            message = "the rows of an array are as long as a parameter says, which C++ does not have"
-            yield int(parameter.startOffset), message, "write the length as a constant, or take a plain pointer and calculate"
+            message = "a parameter sets the length of an array's rows, which C++ does not allow"
+            yield int(parameter.startOffset), message, "write the length as a constant, or use a plain pointer and calculate"
     for variable in view.of_kind(ccode.Variable):
         text = data[variable.startOffset : variable.endOffset].partition(b"=")[0].replace(b" ", b"")
         rows_of = _POINTER_TO_ROWS.search(text)
         if rows_of is not None and variable.initialised and _is_local(view, rows_of[1].decode()):
-            message = "the rows of an array are as long as a variable says, to which C++ converts no pointer"
-            yield int(variable.startOffset), message, "write the length as a constant, or take a plain pointer and calculate"
+            message = "a variable sets the length of an array's rows, and C++ converts no pointer to it"
+            yield int(variable.startOffset), message, "write the length as a constant, or use a plain pointer and calculate"
 
 
 def _is_local(view: CodeView, name: str) -> bool:
@@ -190,8 +200,8 @@ def _flexible_values(view: CodeView) -> Iterator[Form]:
         if isinstance(given, ccode.InitializerList):
             valued = len(given.elements) >= len(record.fields)
         if re.fullmatch(r"\[\s*+0?\s*+\]", sizes.strip()) and valued:
-            message = f"the member '{last.name}' has no size of its own, and C++ takes no values for it"
-            yield int(variable.startOffset), message, "give the member a size, or the values an array of their own"
+            message = f"the member '{last.name}' has no size, so C++ takes no values for it"
+            yield int(variable.startOffset), message, "give the member a size, or put the values into their own array"
 
 
 def _record_casts(view: CodeView) -> Iterator[Form]:
@@ -204,8 +214,8 @@ def _record_casts(view: CodeView) -> Iterator[Form]:
         if record and not same and cast.operand is not None and not isinstance(cast.operand, ccode.InitializerList):
             yield (
                 int(cast.startOffset),
-                "a value is converted to a structure or union",
-                "give the value to the member that is meant",
+                "C++ does not convert a value to a structure or union",
+                "assign the value to a member",
             )
 
 
@@ -229,11 +239,11 @@ def _unmended(view: CodeView, data: bytes) -> Iterator[tuple[ccode.Located, str]
             continue
         text = data[value.startOffset : value.endOffset].decode("latin-1")
         if re.search(r"[{,]\s*\[[^\]]*\]\s*=(?!=)", text):
-            yield value, "a list that names the elements of an array by their index is no C++"
+            yield value, "C++ has no lists that name the elements of an array by their index"
         elif re.search(r"[{,]\s*\.\w+\s*=(?!=)", text):
-            yield value, "a list that names members is C++ only where it names them in their order"
+            yield value, "in C++ a list must name members in their order"
     for literal, written in without_zero(view, data):
         if not written:
             yield literal, "the array has no room for the zero byte at the end of its text"
     for variable in old_c.jumped_over_for_good(view):
-        yield variable, "a jump leads over an initial value, which C++ refuses"
+        yield variable, "C++ rejects a jump over an initial value"

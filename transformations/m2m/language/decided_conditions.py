@@ -24,7 +24,12 @@ _OF_WIDTHS = re.compile(
     r"(?:U?(?:CHAR|SHRT|INT|LONG|LLONG)|SCHAR|SIZE|U?INT(?:PTR|MAX|\d+))_(?:MAX|MIN)|__\w+_MAX__|__SIZEOF_\w+__"
 )
 """Macros for sizes and limits of types, which differ between microcontrollers."""
-_CPLUSPLUS = "__cplusplus"
+_OF_LANGUAGE = frozenset({
+    "__cplusplus", "__STDC_VERSION__", "__CHAR_UNSIGNED__", "true", "and", "and_eq", "bitand", "bitor", "compl", "not", "not_eq",
+    "or", "or_eq", "xor", "xor_eq",
+})  # fmt: skip
+"""Names that a condition of C++ reads differently, and that depend on the sign of plain char."""
+_CHARACTER = re.compile(r"'(?:\\(?>x[0-9a-fA-F]++|[0-7]++|.)|[^'\\])++'")
 
 
 def decided_conditions(views: Sequence[CodeView], sources: Mapping[str, bytes], names: TargetNames) -> Iterator[Change]:
@@ -42,8 +47,10 @@ def decided_conditions(views: Sequence[CodeView], sources: Mapping[str, bytes], 
         for directive in asked:
             words = _words(str(directive.condition or ""), bodies)
             foreign = [word for word in words if word not in bodies and _differs(word, view, names)]
+            texts = [str(directive.condition or ""), *(bodies[word] for word in words if word in bodies)]
+            foreign += [text for each in texts for text in _CHARACTER.findall(each) if _has_sign(text)]
             if foreign and directive not in linked:
-                reason = f"'{foreign[0]}' is another one on the target: the condition stays decided as on the source"
+                reason = f"'{foreign[0]}' differs on the target: the condition keeps its result from the source"
                 yield Change(directive, RULE, "", reason)
 
 
@@ -80,12 +87,21 @@ def _words(condition: str, bodies: dict[str, str]) -> list[str]:
 
 def _differs(word: str, view: CodeView, names: TargetNames) -> bool:
     """Whether a name that the program does not define may be a different macro on the target than on the source."""
-    if word == _CPLUSPLUS or (word in names.macros and word not in names.same) or _OF_WIDTHS.fullmatch(word):
+    if word in _OF_LANGUAGE or (word in names.macros and word not in names.same) or _OF_WIDTHS.fullmatch(word):
         return True
     if word in {str(define).partition("=")[0] for define in view.api.settings["parser"].get("defines", [])}:
         return True
     entry = view.resolve(word)
     return entry is not None and entry.kind != "function" and view.api.kind_of(entry) == "platform"
+
+
+def _has_sign(character: str) -> bool:
+    """Whether a character constant of a condition has another value where plain char has a sign, or `int` fewer bits."""
+    inner = character[1:-1]
+    escape = re.fullmatch(r"\\(?:x([0-9a-fA-F]+)|([0-7]+))", inner)
+    if escape is not None:
+        return int(escape[1] or escape[2], 16 if escape[1] else 8) > 127
+    return (len(inner) > 1 and not re.fullmatch(r"\\.", inner)) or not inner.isascii()
 
 
 def as_decided(directive: ccode.PreprocessorConditional, text: SourceText) -> list[Replacement]:

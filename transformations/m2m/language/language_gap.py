@@ -20,6 +20,7 @@ from robosmi.transformations.m2m.language.designated_lists import list_holders, 
 from robosmi.transformations.m2m.language.early_functions import run_in_setup
 from robosmi.transformations.m2m.language.empty_types import explicit_parameters
 from robosmi.transformations.m2m.language.excess_initialisers import excess_initialisers
+from robosmi.transformations.m2m.language.linker_sections import RULE as SECTION, linker_sections
 from robosmi.transformations.m2m.language.nested_types import nested_enumerations, nested_tags
 from robosmi.transformations.m2m.language.read_only_registers import read_only_registers
 from robosmi.transformations.m2m.language.source_assembler import assembler
@@ -47,13 +48,13 @@ def changes(view: CodeView, data: bytes, functions: Mapping[str, FunctionType], 
         view: the unit.
         data: its bytes.
         functions: types of the adapters' functions, by name.
-        cplusplus: whether the target's language is C++; in C only undefined variables, read-only registers and inline assembler
-            are changed.
+        cplusplus: whether the target's language is C++; in C only undefined variables, read-only registers, inline assembler
+            and sections are changed.
     """
     functions = {**_library(view), **functions}
     found: dict[tuple[int, int, str], Change] = {}
     rules = () if view.unit.language != "C" else RULES if cplusplus else shared_names.IN_C
-    for rule in (*rules, read_only_registers, assembler):
+    for rule in (*rules, read_only_registers, assembler, linker_sections):
         for change in rule(view, data, functions):
             found.setdefault((change.element.startOffset, change.element.endOffset, change.rule), change)
     return list(found.values())
@@ -254,6 +255,7 @@ TEXT_RULES = frozenset(
         "excess-values",
         "inner-block",
         RUN_IN_SETUP,
+        SECTION,
         "zero-value",
     }
 )

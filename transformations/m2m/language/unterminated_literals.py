@@ -116,7 +116,7 @@ def characters(literal: str) -> list[str]:
     made: list[str] = []
     for piece in _PIECE.findall(literal.replace("\\\n", "")):
         for each in _CHARACTER.findall(piece):
-            plain = len(each.encode(errors="surrogateescape")) == 1 or each.startswith("\\")
+            plain = each.isascii()
             made += [each] if plain else [f"\\x{byte:02x}" for byte in each.encode(errors="surrogateescape")]
     return made
 

@@ -76,8 +76,8 @@ def concurrency(
         confidence=1.0,
         evidence=[
             *why,
-            *(f"'{f.name}' is estimated to need {need} bytes of stack" for f, need in needs),
-            *([f"interrupts of what the program uses take up to {handled} bytes of each stack"] if handled else []),
+            *(f"'{f.name}' needs about {need} bytes of stack" for f, need in needs),
+            *([f"interrupts use up to {handled} bytes of each stack"] if handled else []),
         ],
     )
     divided = {id(d.loop) for d in divisions if d.loop is not None}
@@ -99,7 +99,7 @@ GIVE_WAY = "give-way"
 """Rule of text changes: a loop yields to the other coroutines."""
 YIELD = "yield"
 """The target's function that yields to the other coroutines, and the adapter piece that switches between them."""
-REASON = "the others get on only when this loop waits"
+REASON = "the others continue only when this loop waits"
 _HEAD = re.compile(rb"[ \t]*#[ \t]*define[ \t]+\w+(?:\([^)]*\))?")
 
 

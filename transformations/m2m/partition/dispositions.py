@@ -93,7 +93,7 @@ def includes(known: Known) -> ETL:
 
     @t.rule(guard=lambda i: bool(own_header(i)))
     def OwnHeader(i: ccode.Include, d: Disposition) -> None:
-        decide(d, i, retain, "own-header", "a header of the program's own, carried over with it")
+        decide(d, i, retain, "own-header", "the program's own header, copied with it")
 
     @t.rule(guard=lambda i: means(i) == "platform")
     def PlatformInclude(i: ccode.Include, d: Disposition) -> None:
@@ -101,7 +101,7 @@ def includes(known: Known) -> ETL:
 
     @t.rule(guard=lambda i: means(i) == "served")
     def ServedInclude(i: ccode.Include, d: Disposition) -> None:
-        decide(d, i, drop, "platform-include", "adapters take the place of what the header declares")
+        decide(d, i, drop, "platform-include", "adapters replace the header's functions")
 
     @t.rule(guard=lambda i: means(i) == "missing")
     def MissingInclude(i: ccode.Include, d: Disposition) -> None:
@@ -109,7 +109,7 @@ def includes(known: Known) -> ETL:
 
     @t.rule(guard=lambda i: means(i) == "unknown")
     def UnknownInclude(i: ccode.Include, d: Disposition) -> None:
-        decide(d, i, unsupported, "unknown-include", "nothing is known of this header")
+        decide(d, i, unsupported, "unknown-include", "the header is unknown")
 
     @t.rule(guard=lambda i: means(i) == "in header")
     def StandardIncludeInHeader(i: ccode.Include, d: Disposition) -> None:
@@ -117,7 +117,7 @@ def includes(known: Known) -> ETL:
 
     @t.rule(guard=lambda i: means(i) == "conditional")
     def ConditionalInclude(i: ccode.Include, d: Disposition) -> None:
-        decide(d, i, retain, "conditional-include", "a standard header, kept where it is under a condition")
+        decide(d, i, retain, "conditional-include", "a standard header under a condition, which stays in place")
 
     @t.rule(guard=lambda i: means(i) == "there")
     def StandardInclude(i: ccode.Include, d: Disposition) -> None:
@@ -152,15 +152,15 @@ def declarations(keeps_main: bool) -> ETL:
 
     @t.rule
     def OwnMacro(m: ccode.Macro, d: Disposition) -> None:
-        decide(d, m, retain, "own-macro", "a macro of the program's own")
+        decide(d, m, retain, "own-macro", "the program's own macro")
 
     @t.rule(guard=lambda f: at_top(f) and f.definition and (keeps_main or f.name != "main"))
     def OwnFunction(f: ccode.Function, d: Disposition) -> None:
-        decide(d, f, retain, "own-function", "a function of the program's own")
+        decide(d, f, retain, "own-function", "the program's own function")
 
     @t.rule(guard=lambda f: at_top(f) and not f.definition and (keeps_main or f.name != "main"))
     def OwnPrototype(f: ccode.Function, d: Disposition) -> None:
-        decide(d, f, retain, "own-prototype", "a prototype of the program's own")
+        decide(d, f, retain, "own-prototype", "the program's own prototype")
 
     @t.rule(guard=lambda f: at_top(f) and not f.definition and not keeps_main and f.name == "main")
     def MainPrototype(f: ccode.Function, d: Disposition) -> None:
@@ -168,7 +168,7 @@ def declarations(keeps_main: bool) -> ETL:
 
     @t.rule(greedy=True, guard=lambda x: at_top(x) and not isinstance(x, ccode.Function))
     def OwnDeclaration(x: ccode.Declaration, d: Disposition) -> None:
-        decide(d, x, retain, "own-declaration", "a declaration of the program's own")
+        decide(d, x, retain, "own-declaration", "the program's own declaration")
 
     return t
 
@@ -211,11 +211,11 @@ def mains(divisions: Collection[Division]) -> ETL:
 
     @t.rule(greedy=True, guard=lambda s: s in loops)
     def MainLoop(s: ccode.Loop, d: Disposition) -> None:
-        decide(d, s, rewrite, "main-loop", "its body is repeated, in loop")
+        decide(d, s, rewrite, "main-loop", "loop repeats its body")
 
     @t.rule(greedy=True, guard=lambda s: s in repeated)
     def MainRepeated(s: ccode.Statement, d: Disposition) -> None:
-        decide(d, s, retain, "main-repeated", "repeated, in loop")
+        decide(d, s, retain, "main-repeated", "loop repeats it")
         d.inLoop = True
 
     @t.rule(greedy=True, guard=lambda s: s in direct and s not in leaving)
@@ -225,27 +225,27 @@ def mains(divisions: Collection[Division]) -> ETL:
 
     @t.rule(greedy=True, guard=lambda s: s in unreachable)
     def Unreachable(s: ccode.Statement, d: Disposition) -> None:
-        decide(d, s, drop, "unreachable", "nothing leads behind the endless loop")
+        decide(d, s, drop, "unreachable", "unreachable after the endless loop")
 
     @t.rule(guard=lambda s: s in ends and not ends[s])
     def ReturnFromSetup(s: ccode.Return, d: Disposition) -> None:
         called = s.value is not None and all_of_kind(s.value, ccode.Call)
-        decide(d, s, rewrite, "return-value-from-setup" if called else "return-from-setup", "setup has no value")
+        decide(d, s, rewrite, "return-value-from-setup" if called else "return-from-setup", "setup returns no value")
 
     @t.rule(guard=lambda s: bool(ends.get(s)))
     def EndOfMain(s: ccode.Return, d: Disposition) -> None:
         called = s.value is not None and all_of_kind(s.value, ccode.Call)
-        decide(d, s, rewrite, "value-and-end-of-main" if called else "end-of-main", "main ends here, and nothing is repeated")
+        decide(d, s, rewrite, "value-and-end-of-main" if called else "end-of-main", "main ends here, so loop is empty")
         d.goesOnIn, d.runsIn = ends[s], direct.get(s, "")
 
     @t.rule(guard=lambda s: s in ways)
     def LeaveMainLoop(s: ccode.Break, d: Disposition) -> None:
-        decide(d, s, rewrite, "leave-main-loop", "the loop is left here, and what follows it runs once")
+        decide(d, s, rewrite, "leave-main-loop", "the loop ends here, and the code after it runs once")
         d.goesOnIn = ways[s]
 
     @t.rule(guard=lambda s: s in leaving)
     def ContinueMainLoop(s: ccode.Continue, d: Disposition) -> None:
-        decide(d, s, rewrite, "continue-main-loop", "the loop is a function now")
+        decide(d, s, rewrite, "continue-main-loop", "the loop is now a function")
 
     return t
 
@@ -270,15 +270,15 @@ def externals(program: ccode.Program, known: Known) -> ETL:
 
     @t.rule(greedy=True, guard=lambda x: means(x) == "function")
     def PlatformFunction(x: ccode.Declaration, d: Disposition) -> None:
-        decide(d, x, adapt, "platform-function", "an adapter with its signature takes its place")
+        decide(d, x, adapt, "platform-function", "an adapter with its signature replaces it")
 
     @t.rule(greedy=True, guard=lambda x: means(x) == "symbol")
     def PlatformSymbol(x: ccode.Declaration, d: Disposition) -> None:
-        decide(d, x, adapt, "platform-symbol", "a placeholder takes its place")
+        decide(d, x, adapt, "platform-symbol", "a placeholder replaces it")
 
     @t.rule(greedy=True, guard=lambda x: means(x) == "own")
     def OwnName(x: ccode.Declaration, d: Disposition) -> None:
-        decide(d, x, retain, "own-name", "another file of the program has it")
+        decide(d, x, retain, "own-name", "another file of the program defines it")
 
     @t.rule(greedy=True, guard=lambda x: means(x) == "target")
     def TargetName(x: ccode.Declaration, d: Disposition) -> None:

@@ -13,7 +13,7 @@ from typing import Any
 
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.replacements import Replacement
-from robosmi.transformations.m2m.language import compound_literals, early_functions, excess_initialisers
+from robosmi.transformations.m2m.language import compound_literals, early_functions, excess_initialisers, linker_sections
 from robosmi.transformations.m2m.language.decided_conditions import as_decided
 from robosmi.transformations.m2m.language.declared_lists import without
 from robosmi.transformations.m2m.language.designated_lists import positional
@@ -319,6 +319,7 @@ RULES: dict[str, EditRule] = {
     "compound-of-enumeration": _compound,
     "compound-of-bytes": _compound,
     "source-assembler": _comment,
+    linker_sections.RULE: lambda element, choice, text: linker_sections.without_section(element, text.data),
     "return-with-value": _behind_return,
     "return-without-value": _void_value,
     "zero-value": lambda element, choice, text: [Replacement(element.endOffset, element.endOffset, f" = {choice}")],

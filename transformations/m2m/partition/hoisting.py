@@ -17,7 +17,8 @@ from robosmi.transformations.queries.source_text import SourceText
 
 HOIST, SPLIT, BESIDE = "hoist-local", "hoist-local-split", "hoist-local-beside"
 """Rules of dispositions: the declaration moves as it is, it moves without initial values, or it moves with another variable's."""
-_AUTOMATIC = re.compile(rb"\b(?:auto|register)\b\s*")
+_AUTOMATIC = re.compile(rb"\b(?:register\b\s*|auto\s+(?!\w+\s*[=({]))")
+"""Matches storage classes of locals; `auto` with nothing but a name behind it is the type of C++."""
 _CONST = re.compile(rb"\bconst\b\s*")
 
 
@@ -36,7 +37,9 @@ def hoist(moved: MovedDeclaration, verdicts: Mapping[ccode.Variable, migration.D
     copy = migration.TextCopy(unit=text.unit, startOffset=whole[0], endOffset=whole[1])
     late = "the variable is given its value later"
     copy.changes.extend(_change(text, place, SPLIT, late) for place in _without_values(moved, text.data))
-    storage = (m.span() for m in _AUTOMATIC.finditer(text.data, moved.statement.startOffset, _name(moved.variables[0], text)))
+    name = _name(moved.variables[0], text)
+    found = _AUTOMATIC.finditer(text.data, moved.statement.startOffset, int(moved.statement.endOffset))
+    storage = (m.span() for m in found if m.end() <= name)
     copy.changes.extend(_change(text, Replacement(*place, ""), HOIST, "nothing at file scope is automatic") for place in storage)
     names = dict(moved.renamed)
     for variable in moved.variables:

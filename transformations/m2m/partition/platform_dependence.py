@@ -297,7 +297,7 @@ def _change_unit_texts(
     for name, prototype in prototypes.items():
         if name in adapted:
             word = target_signature(next(a for a in result.adapters if a.name == name)) if id(prototype) in in_lists else ""
-            reason = "the program declares it and defines it nowhere: its body is to be written here"
+            reason = "the program declares it, but no file defines it: write its body here"
             change(prototype, "adapter-in-place", word, reason)
             verdict = judged.trace.equivalents(prototype, migration.Disposition)[0]
             verdict.action, verdict.choice = migration.Action.adapt, migration.Action.adapt.name

@@ -52,13 +52,13 @@ def renamings(views: Sequence[CodeView], sources: Mapping[str, bytes], names: Ta
         if not name or name in found or (name == "main" and isinstance(declaration, ccode.Function)):
             continue
         if name in names.keywords:
-            reason = f"'{name}' is a word of the target's language"
+            reason = f"'{name}' is a keyword of the target's language"
         elif name in names.macros:
             reason = f"the target or an adapter has a macro '{name}'"
         elif top and name in names.declared:
-            reason = f"the target or an adapter declares a '{name}' of its own"
+            reason = f"the target or an adapter declares '{name}', too"
         elif name in names.statements and isinstance(declaration, ccode.Macro):
-            reason = f"a statement that an adapter needs in setup has the word '{name}'"
+            reason = f"a statement that an adapter needs in setup uses '{name}'"
         else:
             continue
         if taken is None:

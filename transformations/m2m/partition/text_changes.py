@@ -49,7 +49,7 @@ def _text(element: ccode.Located, texts: Sequence[SourceText]) -> SourceText:
     unit = ancestor_of_kind(element, ccode.SourceUnit)
     found = next((text for text in texts if text.unit is unit), None)
     if found is None:
-        raise ModelError(f"{element!r} is in no source unit", fix="make the models again with migrate")
+        raise ModelError(f"{element!r} is in no source unit", fix="run migrate again")
     return found
 
 
@@ -93,7 +93,7 @@ def _decided_once(plan: migration.MigrationPlan) -> None:
 def _text_of(change: migration.TextChange, texts: Sequence[SourceText]) -> SourceText:
     found = next((text for text in texts if text.unit is change.unit), None)
     if found is None:
-        raise ModelError("a change of a port is in no source unit", fix="make the plan again with migrate")
+        raise ModelError("a change of a port is in no source unit", fix="run migrate again")
     return found
 
 

@@ -28,6 +28,7 @@ from robosmi.transformations.knowledge.api_facts import PinParameter
 from robosmi.transformations.knowledge.platforms.platform_api import ApiIndex
 from robosmi.transformations.m2m.choices.stored_choices import UserChoice, explain
 from robosmi.transformations.m2m.ports.port_evidence import Fit, Seat, fit, may_meet
+from robosmi.transformations.queries.circuits.component_kinds import misleading_title
 from robosmi.transformations.queries.flows.value_flows import PinArgument
 from robosmi.transformations.queries.plans.binding_edits import referred, trace_binding
 from robosmi.transformations.queries.plans.port_pins import NOT_WIRED
@@ -35,7 +36,7 @@ from robosmi.transformations.queries.ports.ports import Port, ProgramPorts, conv
 from robosmi.transformations.queries.ports.split_wires import wires_of
 
 _SIGNALS = {"in": "read", "out": "write"}
-_ANOTHER_PROGRAM = "take it out there, or give each program a folder of its own with its project file"
+_ANOTHER_PROGRAM = "remove it there, or give each program its own folder with its project file"
 
 
 class UserPins(Struct, frozen=True):
@@ -159,7 +160,7 @@ def _split(
     assert asked is not None
     assert heard is not None
     binding.answer = wires["read"]
-    binding.evidence.append(f"its component is asked at {asked.label} and answers at {heard.label}")
+    binding.evidence.append(f"trigger on {asked.label}, echo on {heard.label}")
 
 
 def _is_split(port: Port, functions: frozenset[str]) -> bool:
@@ -191,6 +192,10 @@ def _layer(layer: UserPins, ports: list[Port], program: ProgramPorts, api: ApiIn
             ports.append(port)
         if port is None:
             known = sorted({alias for p in ports for alias in (p.name, *p.names)})
+            if name in program.shared:
+                numbers = ", ".join(f"P{pin}" for pin in program.shared[name])
+                with placed(layer.places.get(name)):
+                    raise UsageError(f"'{name}' means several ports of the program: {numbers}", fix="bind each by its number")
             with placed(layer.places.get(name), _ANOTHER_PROGRAM):
                 raise UsageError(
                     f"'{name}' is no port of the program{did_you_mean(name, known)}",
@@ -201,7 +206,7 @@ def _layer(layer: UserPins, ports: list[Port], program: ProgramPorts, api: ApiIn
             raise UsageError(
                 f"the port '{port.name}' is bound to two pins: {earlier[0]} = {earlier[1]} and {name} = {pin}",
                 location=layer.places.get(name),
-                fix="leave out one of them",
+                fix="remove one of them",
             )
     return {port: _Pin(pin, layer.places.get(name)) for port, (name, pin) in found.items()}
 
@@ -379,12 +384,12 @@ def assign(seats: Sequence[Seat], free: Sequence[migration.Connection], limit: f
         fits = {(i, k): f for i, s in enumerate(waiting) for k, c in enumerate(left) if (f := fit(s, c)) is not None}
         best = _single_bests(fits)
         pairs = [(i, k) for (i, k), f in fits.items() if f.points > 0 and (i, k) in best]
-        pairs = [p for p in pairs if _confidence(fits[p], first) >= limit]
+        pairs = [p for p in pairs if _confidence(fits[p], first) >= limit and not misleading_title(left[p[1]])]
         pins = [left[k].pin for _, k in pairs]
         pairs = [(i, k) for i, k in pairs if left[k].pin is None or pins.count(left[k].pin) == 1]  # several parts on one pin
         left_over = not pairs and complete and limit <= LEFT_CONFIDENCE
         if left_over:
-            pairs = _only_pairs(fits, waiting, left)
+            pairs = [(i, k) for i, k in _only_pairs(fits, waiting, left) if not misleading_title(left[k])]
             fits.update({(i, k): Fit(1.0, (_usual_components(waiting[i]), *fits[i, k].reasons), False) for i, k in pairs})
         if not pairs:
             break
@@ -408,7 +413,8 @@ def rank(seat: Seat, free: Sequence[migration.Connection]) -> None:
         seat.binding.options.append(
             migration.Option(
                 label=connection.name, score=0.5 if found.points > 0 else 0.1,
-                reasons=list(found.reasons) or ["fits in direction only"],
+                reasons=[*(found.reasons or ["weak match: only input/output agrees"]),
+                    *filter(None, [misleading_title(connection)])],
             )
         )  # fmt: skip
 
@@ -449,7 +455,7 @@ def _drawing(connection: migration.Connection) -> Location | None:
 
 
 def _usual_components(seat: Seat) -> str:
-    return f"such a port is usually on: {', '.join(sorted(seat.usual or [seat.role]))}"
+    return f"such a port usually connects to: {', '.join(sorted(seat.usual or [seat.role]))}"
 
 
 def _confidence(found: Fit, first: bool) -> float:
@@ -462,4 +468,4 @@ def _bind(binding: migration.PortBinding, connection: migration.Connection, foun
     binding.connection, binding.pin = connection, connection.pin
     binding.choice, binding.open = connection.name, False
     binding.confidence, binding.chosenBy = _confidence(found, first), migration.ChosenBy.rule
-    binding.evidence.extend([*found.reasons, "no other free component fits as well, and no other port"])
+    binding.evidence.extend([*found.reasons, "best match both ways"])

@@ -91,24 +91,24 @@ def fit(seat: Seat, connection: migration.Connection) -> Fit | None:
     by_role = bool(seat.role) and seat.role in kinds
     by_name = {role for role, words in known.roles.items() if mine & words} & kinds if not by_role else set()
     shared = (mine & theirs) - qualifiers
-    reasons = [f"the functions it is given to expect: {seat.role}"] if by_role else []
+    reasons = [f"used with functions that expect: {seat.role}"] if by_role else []
     if shared:
-        reasons.append(f"shares '{', '.join(sorted(shared))}' with the port's name")
+        reasons.append(f"both names contain '{', '.join(sorted(shared))}'")
     elif by_name:
-        reasons.append(f"its name means: {', '.join(sorted(by_name))}")
+        reasons.append(f"its name suggests: {', '.join(sorted(by_name))}")
     points = 2.0 * by_role + len(shared) + (len(by_name) if not shared else 0)
     if points or _goes_together(seat, connection, known):
         for purpose in sorted(purposes & wanted)[:1]:
-            reasons.append(f"its connector is for the same: {purpose}")
+            reasons.append(f"its connector has the same purpose: {purpose}")
             points += 1
     if points and numbered:
-        reasons.append("its connector has the number of the element")
+        reasons.append("its connector has the same number")
         points += 1
     if points and (same := (mine | significant_words(seat.parameters)) & own - SENDS - RECEIVES - EMPTY_WORDS):
-        reasons.append(f"its connector is called '{', '.join(sorted(same))}', too")
+        reasons.append(f"its connector's name also contains '{', '.join(sorted(same))}'")
         points += 0.5 * len(same)
     if points and (side := mine & theirs & qualifiers):
-        reasons.append(f"both are called '{', '.join(sorted(side))}'")
+        reasons.append(f"both names contain '{', '.join(sorted(side))}'")
         points += 0.5 * len(side)
     return Fit(points, tuple(reasons), by_role)
 

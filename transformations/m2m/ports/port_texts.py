@@ -70,7 +70,7 @@ def port_changes(
                     around = _around(argument, sources, number, arrays)
                     number += argument.parameter.number is not None
                     changes += _look_up(argument, around) if around is not None else []
-                    left = [f"'{argument.function}' has to look up the numbers of its array itself"] if around is None else []
+                    left = [f"'{argument.function}' looks up the numbers of its array itself"] if around is None else []
                     each.flow.kept[:0] = [text for text in left if text not in each.flow.kept]
         if each.numbers or changes or any(True for _ in each.calls):
             found.append(_flow(each, changes, numbers))
@@ -94,7 +94,7 @@ def _flow(
 ) -> migration.PortFlow:
     first = each.flow.arguments[0]
     names = list(dict.fromkeys(p.name for p in each.flow.places if p.name))[:3]
-    why = each.flow.kept[:_REASONS] if not each.moved else ["its numbers go to pins of platform functions only"]
+    why = each.flow.kept[:_REASONS] if not each.moved else ["only platform functions use its numbers, as pins"]
     return migration.PortFlow(
         name=", ".join(names) or f"{first.function} {_where(first)}",
         choice="target" if each.moved else "source",
@@ -166,7 +166,7 @@ def _asks(argument: PinArgument, known: Sequence[Value]) -> bool:
 
 def _look_up(argument: PinArgument, around: tuple[str, str]) -> list[migration.TextChange]:
     """The insertions that wrap an argument in a look-up of its pin."""
-    reason = f"the number that '{argument.function}' is given is one of the source"
+    reason = f"'{argument.function}' gets a number of the source"
     places = ((argument.start, around[0]), (argument.end, around[1]))
     return [
         migration.TextChange(
@@ -251,11 +251,11 @@ def _directive(function: str, given: list[PinArgument]) -> str:
             texts[pin.number] = "0"
     more = any(len(call.arguments) > len(names) for call in calls)
     parameters, passed = ", ".join([*names, *["..."] * more]), ", ".join([*texts, *["##__VA_ARGS__"] * more])
-    return f"#define {function}({parameters}) {function}({passed})  // no pin: nothing can look up the port that the macro gives"
+    return f"#define {function}({parameters}) {function}({passed})  // no pin: the port that the macro passes cannot be looked up"
 
 
 def _change(unit: ccode.SourceUnit, start: int, end: int, text: str, functions: list[str]) -> migration.TextChange:
     return migration.TextChange(
         unit=unit, startOffset=start, endOffset=end, replacement=text, rule=NO_PIN, step=migration.Step.hardware,
-        reason=f"a macro gives {', '.join(functions)} a number of the source that nothing can look up",
+        reason=f"a macro passes {', '.join(functions)} a number of the source, which cannot be looked up",
     )  # fmt: skip

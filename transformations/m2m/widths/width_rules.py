@@ -160,9 +160,9 @@ class Walk(Struct):
             self.wants.append(WidthRequirement(TEXT, text, offsets=tuple(offsets)))
 
     def _arguments_of_adapter(self, node: TypedExpression) -> None:
-        """Visit an adapter's arguments, which need no casts: adapters expect the source's widths and its plain char."""
-        for argument in node.children[1:]:
-            if argument.kind.char:
+        """Visit an adapter's arguments: those for `...` need no casts, since it expects the source's plain char there."""
+        for place, argument in enumerate(node.children[1:]):
+            if argument.kind.char and 0 <= node.fixed <= place:
                 argument.converted = argument.kind
             self.value(argument)
 

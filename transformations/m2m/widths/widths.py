@@ -151,7 +151,7 @@ def lost_findings(widened: Widened, units: Sequence[ccode.SourceUnit], texts: Ma
         before = texts[place.unit][: place.start]
         location = Location(place.unit, before.count(b"\n") + 1, place.start - before.rfind(b"\n"))
         name = texts[place.unit][place.start : place.end].decode("ascii", "replace")
-        message = f"'{name}' stands for too many macros within each other to be read: what it computes may lose its width"
+        message = f"'{name}' stands for too many nested macros: its result may lose its width"
         fix = "write int32_t into the first of them: `#define NAME ((int32_t)...)`"
         found.setdefault((place.unit, place.start, place.end), Finding("RS319", Severity.warning, message, location, fix=fix))
     return [found[key] for key in sorted(found)]
@@ -173,11 +173,11 @@ def text_findings(widened: Widened, units: Sequence[ccode.SourceUnit], texts: Ma
             for number, (start, end) in enumerate(_arguments(texts[unit.path], use)) if written else ():
                 if number in written and any(start <= first and last <= end for first, last in changed):
                     place = Location(unit.path, int(use.line), int(use.column))
-                    message = (
-                        f"'{use.name}' writes its argument as a text, and that is another one where numbers keep their widths"
-                    )
+                    message = f"'{use.name}' turns its argument into a text, which changes where numbers keep their widths"
                     found.append(
-                        Finding("RS329", Severity.warning, message, place, fix="give the macro the text that it is to write")
+                        Finding(
+                            "RS329", Severity.warning, message, place, fix="pass the text to the macro as an argument of its own"
+                        )
                     )
                     break
     return found

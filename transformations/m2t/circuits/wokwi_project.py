@@ -60,7 +60,7 @@ def project_files(
     ]
     files[LIBRARIES] = ("\n".join(lines) + "\n").encode()
     if listed:
-        head = "Parts of the robot that Wokwi has none for; they are not in the diagram:"
+        head = "Parts that Wokwi does not have; they are not in the diagram:"
         files[LISTED] = ("\n".join([head, *listed]) + "\n").encode()
     return files
 

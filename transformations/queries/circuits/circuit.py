@@ -41,22 +41,22 @@ def the_board(circuit: hardware.Circuit) -> hardware.Component:
         unknown = Q(circuit.components).select(lambda c: c.role is hardware.Role.Unknown)
         likely = max(unknown, key=lambda c: sum(wire.net is not None for wire in c.connectors), default=None)
         hint = (
-            f"; what '{likely.title}' (#{likely.elementId}, {likely.partTitle or likely.partId}) is nobody knows"
+            f"; the role of '{likely.title}' (#{likely.elementId}, {likely.partTitle or likely.partId}) is unknown"
             if likely
             else ""
         )
         line = f': {toml("#" + likely.elementId)} = "Board"' if likely else ""
         raise SourceError(
-            f"there is no board in this drawing{hint}",
+            f"this drawing has no board{hint}",
             location=place,
-            fix=f"draw the board that is to run the program, or give a part the role Board in robosmi.toml under [roles]{line}",
+            fix=f"draw the board that runs the program, or give a part the role Board in robosmi.toml under [roles]{line}",
         )
     if len(found) > 1:
         names = ", ".join(f"'{board.title}' (#{board.elementId})" for board in found)
         raise SourceError(
-            f"there are {len(found)} boards in this drawing: {names}",
+            f"this drawing has {len(found)} boards: {names}",
             location=place,
-            fix=f'name the one that runs the program in robosmi.toml under [roles]: {toml("#" + found[0].elementId)} = "Board"',
+            fix=f'name the one that runs the program under [roles] in robosmi.toml: {toml("#" + found[0].elementId)} = "Board"',
         )
     return found[0]
 
@@ -86,7 +86,7 @@ def component_named(circuit: hardware.Circuit, name: str) -> hardware.Component:
         raise UsageError(f"{len(found)} components are called '{name}'", fix=f"use one of: {choices}")
     titles = sorted({c.title for c in circuit.components if c.title and c.role is not hardware.Role.Decoration})
     raise UsageError(
-        f"no component is called '{name}'{did_you_mean(name, titles)}", fix=f"use one of: {', '.join(titles) or 'none is there'}"
+        f"no component is called '{name}'{did_you_mean(name, titles)}", fix=f"use one of: {', '.join(titles) or 'there are none'}"
     )
 
 

@@ -6,6 +6,7 @@ The words are data (`parts/port_roles.toml`). Which port goes to which component
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Iterable, Sequence, Set
 from functools import lru_cache
 from itertools import pairwise
@@ -19,6 +20,8 @@ from robosmi.metamodels import migration
 from robosmi.project import read_data
 
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
+_LOOKALIKE = frozenset(["LATIN", "CYRILLIC", "GREEK", "ARMENIAN", "CHEROKEE", "FULLWIDTH", "MATHEMATICAL"])
+"""Alphabets with letters that look alike, by the first words of their letters' names in Unicode."""
 EMPTY_WORDS = frozenset(
     ["port", "pin", "basic", "on", "of", "the", "to", "in", "out", "pulse", "signal", "sig", "read", "write", "board"]
 )
@@ -38,6 +41,7 @@ class PortWords(Struct, frozen=True):
         connectors: purpose of a connector -> words, and what the board does there.
         vocabulary: the words of more than two letters, which others may be put together of.
         kinds: purpose of a connector -> the kind that a component is of, too, at such a connector.
+        negations: words by which a title says what a component is not.
     """
 
     roles: dict[str, frozenset[str]]
@@ -45,6 +49,7 @@ class PortWords(Struct, frozen=True):
     connectors: dict[str, tuple[frozenset[str], str]]
     vocabulary: frozenset[str]
     kinds: dict[str, str]
+    negations: frozenset[str]
 
 
 def kinds_of(connection: migration.Connection) -> set[str]:
@@ -106,6 +111,22 @@ def component_texts(connection: migration.Connection) -> list[str]:
     return [component.title, component.partTitle, component.family]
 
 
+def misleading_title(connection: migration.Connection) -> str:
+    """Why the title of a component is no evidence; empty if it is.
+
+    A letter of another alphabet looks like one of the word that it stands in, and is another; a letter without width is not seen.
+    """
+    title = str(connection.component.title) if connection.component is not None else ""
+    if any(unicodedata.category(letter) == "Cf" for letter in title):
+        return "its title has letters that are not visible"
+    for word in (each for each in title.split() if not each[0].isdigit()):  # as in 10kΩ
+        alphabets = {unicodedata.name(letter, "?").partition(" ")[0] for letter in word} & _LOOKALIKE
+        if len(alphabets) > 1:
+            return f"its title mixes letters of {' and '.join(sorted(alphabets))}"
+    negated = known_roles().negations & {word.lower() for word in _WORDS.findall(title)}
+    return f"its title says what it is not ('{min(negated)}')" if negated else ""
+
+
 def known_roles() -> PortWords:
     """The words of kinds, sides and connectors."""
     path = resources.find("platform_repo", "parts/port_roles.toml")
@@ -122,4 +143,6 @@ def _known_roles(path: Path, _: int) -> PortWords:
     entries = {purpose: purposes.table(purpose) for purpose in purposes.values}
     connectors = {purpose: (frozenset(entry.texts("words")), entry.text("board")) for purpose, entry in entries.items()}
     kinds = {purpose: entry.text("kind") for purpose, entry in entries.items() if "kind" in entry.values}
-    return PortWords(roles, apart, connectors, frozenset(word for word in words if len(word) > 2), kinds)
+    return PortWords(
+        roles, apart, connectors, frozenset(word for word in words if len(word) > 2), kinds, frozenset(data.texts("negations"))
+    )

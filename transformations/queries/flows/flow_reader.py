@@ -48,6 +48,11 @@ class FlowReader:
         self.functions = {
             str(d.name): d for v in views for d in v.unit.declarations if isinstance(d, ccode.Function) and d.definition
         }
+        self._members: dict[str, list[ccode.Function]] = {}
+        """Name -> the functions of that name that classes and namespaces define."""
+        for function in (e for view in views for e in view.elements if isinstance(e, ccode.Function) and e.definition):
+            if isinstance(function.eContainer(), (ccode.Record, ccode.Namespace)):
+                self._members.setdefault(str(function.name), []).append(function)
         self.given: dict[tuple[str, int, int], list[Hashable]] = {}
         """(path of the unit, start, end) of an argument of a macro use -> keys of the macro parameters that it is passed to."""
         self.followed: set[tuple[str, int, int]] = set()
@@ -76,10 +81,23 @@ class FlowReader:
         for view in views:
             self._macro_arguments(view)
 
+    def called(self, call: ccode.Call) -> list[ccode.Function]:
+        """The program's functions that a call may run: of a method all of its name, since a pointer may be to any class."""
+        name = str(call.calleeName or "")
+        if call.callee is None:
+            return []
+        own = self.functions.get(name)
+        inside = isinstance(call.callee.eContainer(), (ccode.Record, ccode.Namespace))
+        if not inside:
+            return [own] if own is not None else []
+        return [*self._members.get(name, ()), *([own] if own is not None and "::" in str(own.signature) else [])]
+
     # ---- what things are
 
     def key(self, thing: Element | None) -> Hashable:
         """The key of a declaration or expression in the flows; the same one for a thing that several files declare."""
+        if isinstance(thing, ccode.Variable) and thing.storage is ccode.Storage.externStorage:
+            return self._outer(thing)
         if isinstance(thing, (ccode.Variable, ccode.Function)) and isinstance(
             thing.eContainer(), (ccode.SourceUnit, ccode.Program)
         ):
@@ -91,11 +109,20 @@ class FlowReader:
                 return ("Parameter", self.key(function), list(function.parameters).index(thing))
         return ("element", id(thing))
 
+    def _outer(self, declared: ccode.Variable) -> Hashable:
+        """The key of the variable that an `extern` declaration means, in a block too."""
+        unit = ancestor_of_kind(declared, ccode.SourceUnit)
+        for other in unit.declarations if unit is not None else ():
+            static = isinstance(other, ccode.Variable) and other.storage is ccode.Storage.staticStorage
+            if static and other.name == declared.name:
+                return ("element", id(other))
+        return ("Variable", str(declared.name))
+
     def value(self, expression: ccode.Located | None) -> Hashable:
         """The key of the thing that an expression takes its value from, such as a variable, a member or a function's result."""
         if expression is None:  # in text that the parser could not read
             self._unread += 1
-            return self._once(("unread", self._unread), "it stands in text that could not be read")
+            return self._once(("unread", self._unread), "it is in text that could not be parsed")
         if isinstance(expression, ccode.Cast):
             return self.value(expression.operand)
         if isinstance(expression, ccode.Index):
@@ -148,15 +175,19 @@ class FlowReader:
         return self._once(("name", str(reference.name)), f"'{reference.name}' is not the program's own")
 
     def _result(self, call: ccode.Call) -> Hashable:
-        own = self.functions.get(str(call.calleeName or "")) if call.callee is not None else None
-        if own is not None and not call.viaMacro:
-            return ("result", self.key(own))
+        if not call.viaMacro and (own := self.called(call)):
+            results = [("result", self.key(function)) for function in own]
+            for other in results[1:]:
+                self.flows.join(results[0], other)
+            return results[0]
         name = call.calleeName or "a function"
         return self._once(("element", id(call)), f"'{name}' returns it (line {call.line})")
 
     def _member(self, member: ccode.Member) -> Hashable:
-        if member.object is None:  # it says in an initialiser which member a value is for
+        if member.object is None and _designates(member):
             return self.key(member)
+        if member.object is None:  # of the object that a method is called for, whose constructors are not followed
+            return self._once(self._field(str(member.name), None), f"'{member.name}' gets its value in a constructor")
         whole = whole_of_member(member)
         return self.value(whole) if whole is not None else self._field(str(member.name), record_of_member(member))
 
@@ -224,6 +255,8 @@ class FlowReader:
                 self._taken(element)
             elif isinstance(element, ccode.Variable):
                 self._variable(element)
+            elif isinstance(element, ccode.Function):
+                self._unseen_calls(element)
             elif isinstance(element, ccode.Assignment):
                 self._assignment(element)
             elif isinstance(element, ccode.Cast):
@@ -256,13 +289,20 @@ class FlowReader:
         if code is function and code.parameters:
             parameter = self.key(code.parameters[0])
             self._give(parameter, handed)
-            self.flows.freeze(parameter, f"it is handed to '{code.name}' on another core")
+            self.flows.freeze(parameter, f"it is passed to '{code.name}' on another core")
             return
         why = f"'{function.name}' is called through a pointer"
         for position, parameter in enumerate(function.parameters):
             self.flows.join(("through a pointer", position), self.key(parameter))
             self.flows.freeze(self.key(parameter), why, computed=True)
         self.flows.freeze(("result", self.key(function)), why)
+
+    def _unseen_calls(self, function: ccode.Function) -> None:
+        """Keep the numbers of what constructors and operators are given, since the code model does not have their calls."""
+        around = function.eContainer()
+        hidden = str(function.name).startswith("operator") or (isinstance(around, ccode.Record) and function.name == around.name)
+        for parameter in function.parameters if hidden else ():
+            self.flows.freeze(self.key(parameter), f"'{function.name}' is given it without a call in the text", computed=True)
 
     def _variable(self, variable: ccode.Variable) -> None:
         key, use = self.key(variable), variable.valueType
@@ -311,10 +351,10 @@ class FlowReader:
         if call.viaMacro:
             return
         arguments = list(call.arguments)
-        own = self.functions.get(str(call.calleeName or "")) if call.callee is not None else None
-        if own is not None:
-            for parameter, argument in zip(own.parameters, arguments, strict=False):
-                self._give(self.key(parameter), argument)
+        if own := self.called(call):
+            for function in own:
+                for parameter, argument in zip(function.parameters, arguments, strict=False):
+                    self._give(self.key(parameter), argument)
             return
         if call.callee is None and call.calleeExpression is not None:
             for position, argument in enumerate(arguments):
@@ -335,7 +375,10 @@ class FlowReader:
     def _pin(self, function: str, pin: PinParameter, call: ccode.Call, view: CodeView) -> None:
         """Let the flow of a call's argument end in a pin parameter of a platform function."""
         text, arguments = self.texts[view.unit.path], list(call.arguments)
-        places = text.arguments(text.at(int(call.startOffset)))
+        if call.calleeExpression is not None:  # which may have parentheses of its own
+            places = text.last_arguments(int(call.endOffset))
+        else:
+            places = text.arguments(text.at(int(call.startOffset)))
         argument = arguments[pin.position]
         start, end = int(argument.startOffset), int(argument.endOffset)
         if places is not None and len(places) == len(arguments) and places[pin.position]:
@@ -401,6 +444,15 @@ class FlowReader:
 def view_text(data: bytes, start: int, end: int) -> str:
     """The text of a byte range of a unit, without white space around it."""
     return data[start:end].decode("utf-8", errors="replace").strip()
+
+
+def _designates(member: ccode.Member) -> bool:
+    """Whether a member without an object says in a list of initial values which member a value is for."""
+    inner: Element = member
+    outer = member.eContainer()
+    while isinstance(outer, (ccode.Member, ccode.Index)):
+        inner, outer = outer, outer.eContainer()
+    return isinstance(outer, ccode.Assignment) and outer.left is inner and isinstance(outer.eContainer(), ccode.InitializerList)
 
 
 def _written(reference: ccode.Expression) -> bool:

@@ -91,9 +91,9 @@ class ValueUses:
         position = next((i for i, a in enumerate(arguments) if a is expression), None)
         if position is None or call.viaMacro:
             return "" if position is None else f"{name} goes through a macro {line}"
-        own = self.reader.functions.get(str(call.calleeName or "")) if call.callee is not None else None
-        if own is not None:
-            return "" if position < len(own.parameters) else f"{name} goes to '{call.calleeName}' {line}"
+        if own := self.reader.called(call):
+            taken = all(position < len(function.parameters) for function in own)
+            return "" if taken else f"{name} goes to '{call.calleeName}' {line}"
         if any(p.position == position for p in self.reader.pins(str(call.calleeName or ""), view)):
             return ""
         return f"{name} goes to '{call.calleeName or 'a function'}' {line}"

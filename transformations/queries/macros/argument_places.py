@@ -50,6 +50,19 @@ class TokenText:
             found[-1].append(token)
         return None
 
+    def last_arguments(self, end: int) -> list[list[Token]] | None:
+        """The tokens of each argument of the call that ends at an offset; None where no parenthesis closes there."""
+        last = bisect_left(self._starts, end) - 1
+        if last < 0 or self.tokens[last][2] != end or self.tokens[last][3] != ")":
+            return None
+        depth = 0
+        for index in range(last, 0, -1):
+            text = self.tokens[index][3]
+            depth += (text in _CLOSE) - (text in _OPEN)
+            if depth == 0:
+                return self.arguments(index - 1)
+        return None
+
 
 def without_parentheses(argument: Sequence[Token]) -> Sequence[Token]:
     """An argument's tokens without parentheses that enclose all of it."""

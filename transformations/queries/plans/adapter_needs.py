@@ -105,7 +105,7 @@ class AdapterPieces:
         for header, name in wanted:
             key = self.key(name, header)
             if key is None:
-                found.unserved[header, name] = "there is no adapter for it"
+                found.unserved[header, name] = "no adapter exists"
                 continue
             chain: dict[tuple[str, str], AdapterPiece] = {}
             why = self._unserved(key, mcu, chain, [])
@@ -130,16 +130,18 @@ class AdapterPieces:
             return ""
         piece = self.variant(key, mcu)
         if piece is None:
-            return f"'{key[1]}' is not there for the {mcu}"
+            return f"the {mcu} has no '{key[1]}'"
         if key in above:
             names = " -> ".join(name for _, name in [*above[above.index(key) :], key])
-            raise PlatformDataError(f"adapters need each other: {names}", location=piece.location, fix="cut the circle")
+            raise PlatformDataError(
+                f"adapters need each other: {names}", location=piece.location, fix="remove one of these needs"
+            )
         for name in piece.needs:
             inner = self.key(name, piece.header)
             if inner is None:
                 hint = did_you_mean(name, [*self._of(piece.header)])
                 raise PlatformDataError(
-                    f"'{piece.name}' needs '{name}', which is not there{hint}", location=piece.location,
+                    f"'{piece.name}' needs '{name}', which does not exist{hint}", location=piece.location,
                     fix="correct its `needs`, or add the piece",
                 )  # fmt: skip
             why = self._unserved(inner, mcu, chain, [*above, key])

@@ -52,11 +52,9 @@ def the_choice(plan: migration.MigrationPlan, name: str) -> Choice:
     if len(found) == 1:
         return found[0]
     if found:
-        raise UsageError(f"'{name}' may mean several choices", fix=f"use one of: {', '.join(c.id for c in found)}")
+        raise UsageError(f"'{name}' is ambiguous", fix=f"use one of: {', '.join(c.id for c in found)}")
     ids = [c.id for c in known]
-    raise UsageError(
-        f"there is no choice '{name}'{did_you_mean(name, ids)}", fix=f"use one of: {', '.join(ids) or 'none is there'}"
-    )
+    raise UsageError(f"unknown choice '{name}'{did_you_mean(name, ids)}", fix=f"use one of: {', '.join(ids) or 'there are none'}")
 
 
 def _names(choice: Choice) -> tuple[str, ...]:
@@ -149,7 +147,7 @@ def _role(component: hardware.Component) -> AvailableChoice:
         chosen=component.role.name if given else hardware.Role.Input.name,
         by=migration.ChosenBy.person.name if given else migration.ChosenBy.defaultValue.name,
         at=None,
-        why="" if given else "what it does is unknown; it is taken as something that is read",
+        why="" if given else "its role is unknown; RoboSMi treats it as an input device",
     )
 
 
@@ -165,9 +163,9 @@ def _options(plan: migration.MigrationPlan, decision: migration.Decision) -> Ite
             if c.pin is not None and id(c.pin) not in offered
         ]
         ranked += [(str(pin.label), 0.0, _pin_why(pin)) for pin in free_pins(plan, decision) if id(pin) not in offered]
-        ranked.append((NOT_WIRED, 0.0, "it is not wired: its calls do nothing"))
+        ranked.append((NOT_WIRED, 0.0, "not connected: its calls do nothing"))
     elif isinstance(decision, migration.LibraryChoice):
-        ranked.append((NO_LIBRARY, 0.0, "it needs no library"))
+        ranked.append((NO_LIBRARY, 0.0, "no library needed"))
     chosen = "" if decision.open else str(decision.choice)
     if chosen and all(value != chosen for value, _, _ in ranked):
         ranked.insert(0, (chosen, float(decision.confidence), reason(decision)))
@@ -193,13 +191,13 @@ def _serves(pin: platform.Pin, binding: migration.PortBinding) -> bool:
 
 
 def _why_drawn(pin: platform.Pin, binding: migration.PortBinding) -> str:
-    return "drawn; nothing speaks for it" if measures(pin, binding) else f"drawn; {pin.label} cannot measure a voltage"
+    return "drawn; no evidence for it" if measures(pin, binding) else f"drawn; {pin.label} cannot measure a voltage"
 
 
 def _why_on(pin: platform.Pin | None, why: str, plan: migration.MigrationPlan, binding: migration.PortBinding) -> str:
     """What speaks for a connection, and which other port has its pin already."""
     others = [str(b.name) for b in plan.portBindings if b is not binding and b.pin is not None and b.pin is pin]
-    return "; ".join([*([why] if why else []), *([f"taken by the port '{others[0]}'"] if others else [])])
+    return "; ".join([*([why] if why else []), *([f"used by port '{others[0]}'"] if others else [])])
 
 
 def _pin_why(pin: platform.Pin) -> str:

@@ -31,7 +31,7 @@ def target_of(plan: migration.MigrationPlan) -> platform.Target:
         SourceError: the plan's models have none.
     """
     if plan.targetDescription is None:
-        raise SourceError("the plan has no description of its target", fix="make the plan again with migrate")
+        raise SourceError("the plan has no description of its target", fix="run migrate again")
     return plan.targetDescription
 
 
@@ -43,7 +43,7 @@ def platform_of(plan: migration.MigrationPlan) -> platform.Platform:
     """
     found = target_of(plan).platform
     if found is None:
-        raise SourceError("the plan has no platform to move to", fix="make the plan again with migrate")
+        raise SourceError("the plan has no target platform", fix="run migrate again")
     return found
 
 
@@ -293,7 +293,7 @@ def steps_of(entry: migration.PlanTask, places: Mapping[str, str]) -> tuple[Flow
     found = []
     for element in [*before, loop]:
         if isinstance(element, ccode.Loop):
-            said = "the loop waits for a change that nothing makes on one core"
+            said = "the loop waits for a change that never happens on one core"
         elif isinstance(element, ccode.Call):
             said = f"'{element.calleeName}' starts code on another core"
         else:

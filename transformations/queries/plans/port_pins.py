@@ -11,6 +11,8 @@ NOT_WIRED = "none"
 UNBOUND = "255"
 """The argument that adapters are given for a port without a pin: a number that is no pin of any target."""
 
+PIN_RULE = "RS345"
+"""The rule of places in the finished program whose pin is not the plan's, or cannot be followed."""
 NO_PIN = "no-pin-in-macro"
 """The rule by which calls in macros get no pin, because no text could look up their ports."""
 

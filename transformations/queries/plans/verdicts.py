@@ -168,7 +168,7 @@ class _Judge:
             element = binding.element
             unit = ancestor_of_kind(element, ccode.SourceUnit) if element is not None else None
             if binding.open and binding.conventionalPort is None and element is not None and unit is not None:
-                reason = f"the port '{binding.name}' is bound to no pin"
+                reason = f"port '{binding.name}' has no pin"
                 yield (str(unit.path), int(element.line), int(element.startOffset)), ReasonedVerdict(NEEDS_YOU, reason, "small")
 
     def judged(self, disposition: migration.Disposition) -> ReasonedVerdict:
@@ -208,27 +208,27 @@ class _Judge:
         if use.status is _Status.todo:
             return ReasonedVerdict(NEEDS_YOU, str(use.reason) or "its adapter has no body yet", body_effort(use))
         if waiting := open_conventions(self.plan, use):
-            return ReasonedVerdict(NEEDS_YOU, f"it uses {_listed(b.name for b in waiting)}, bound to no pin", "small")
+            return ReasonedVerdict(NEEDS_YOU, f"it uses {_listed(b.name for b in waiting)}, which has no pin", "small")
         if use.adapter is None:
-            return ReasonedVerdict(ADAPTED, "its adapter was written by you")
+            return ReasonedVerdict(ADAPTED, "you wrote its adapter")
         if said := limits(use):
             return ReasonedVerdict(CARE, "; ".join(said), "small")
-        return ReasonedVerdict(ADAPTED, str(use.adapter.fidelity) or "an adapter takes its place")
+        return ReasonedVerdict(ADAPTED, str(use.adapter.fidelity) or "an adapter replaces it")
 
     def _symbol(self, use: migration.SymbolUse) -> ReasonedVerdict:
         header = use.symbol.header if use.symbol is not None else None
         if use.status is _Status.todo and header is not None and header.name in self.unserved:
             return ReasonedVerdict(UNSUPPORTED, self.unserved[str(header.name)], "large")
         if use.status is _Status.unsupported:
-            return ReasonedVerdict(UNSUPPORTED, "the target has no such thing", "large")
+            return ReasonedVerdict(UNSUPPORTED, "the target does not have it", "large")
         if use.status is _Status.todo:
-            return ReasonedVerdict(NEEDS_YOU, "a placeholder stands for it, without its meaning", "small")
+            return ReasonedVerdict(NEEDS_YOU, "a placeholder without effect replaces it", "small")
         said = use.adapter.limits if use.adapter is not None else ()
         verdict = CARE if use.status is _Status.care else ADAPTED
         fidelity = str(use.adapter.fidelity) if use.adapter is not None else ""
         return ReasonedVerdict(
             verdict,
-            "; ".join(str(each) for each in said) or fidelity or "declared beside the adapters",
+            "; ".join(str(each) for each in said) or fidelity or "declared with the adapters",
             "small" * (verdict == CARE),
         )
 

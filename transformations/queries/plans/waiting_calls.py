@@ -11,7 +11,7 @@ from collections import Counter
 from robosmi.metamodels import ccode, migration
 from robosmi.query import Q
 from robosmi.transformations.queries.plans.plan_adapters import closure, limits
-from robosmi.transformations.queries.plans.port_pins import NO_PIN, NOT_WIRED
+from robosmi.transformations.queries.plans.port_pins import NO_PIN, NOT_WIRED, PIN_RULE
 from robosmi.transformations.queries.ports.macro_calls import MacroCalls
 
 WORKS, WITH_CARE, WAITS, NOT_WIRED_CALL, TO_WRITE, NO_SUPPORT = (
@@ -66,6 +66,7 @@ class CallStates:
         self.plan = plan
         self._of_macros = MacroCalls(plan)
         self._nowhere = {id(e) for finding in plan.findings if finding.rule == NO_PORT for e in finding.elements}
+        self._wrong = {id(e) for finding in plan.findings if finding.rule == PIN_RULE for e in finding.elements}
         flows = [f for f in plan.portFlows if f.bindings]
         unknown = [f for f in plan.portFlows if f.anything and not f.bindings]
         self._raw = {id(c) for f in plan.portFlows if lacks_pin(f) for c in f.calls}
@@ -78,7 +79,7 @@ class CallStates:
         """The state of one call of an adapter's function."""
         if use.status is migration.AdapterStatus.unsupported:
             return NO_SUPPORT
-        if use.status is migration.AdapterStatus.todo:
+        if use.status is migration.AdapterStatus.todo or id(call) in self._wrong:
             return TO_WRITE
         ports = self._of_macros.ports(use, call) if call.viaMacro else None
         waits = id(call) in self._waiting if ports is None else any(b.open for b in ports)

@@ -62,7 +62,7 @@ def port_flows(views: Sequence[CodeView], sources: Mapping[str, bytes]) -> list[
     count = next((view.api.ports for view in views), 0)
     for flow in found:
         beyond = sorted({place.value for place in flow.places if place.value >= count})
-        flow.kept += [f"{number} is no port of the source (0 to {count - 1})" for number in beyond]
+        flow.kept += [f"{number} is not a port of the source (0 to {count - 1})" for number in beyond]
         flow.places.sort(key=lambda p: (p.unit.path, p.start))
         flow.arguments.sort(key=lambda a: (a.unit.path, a.start))
     return sorted(found, key=lambda f: (f.arguments[0].unit.path, f.arguments[0].start))
@@ -229,7 +229,7 @@ class _MadePins:
         if view_text(self.reader.sources[view.unit.path], start, end) in pin.none:
             return
         key = ("unplaced", view.unit.path, int(call.startOffset), function, pin.position)
-        self.reader.flows.freeze(key, f"no text of its own says which port '{function}' is given", computed=True)
+        self.reader.flows.freeze(key, f"no text in the program gives the port of '{function}'", computed=True)
         self.reader.reach(key, PinArgument(view.unit, start, end, function, pin, call, argument, unplaced=True))
 
 
@@ -451,7 +451,7 @@ class _MacroBody:
             value = pin_number(c_integer(number[1]))
             self.reader.put(key, self.view.unit, token[1], token[2], value, self.macro, self.name)
         else:
-            self.reader.flows.freeze(key, f"'{self.name}' is no whole number", computed=True)
+            self.reader.flows.freeze(key, f"'{self.name}' is not a whole number", computed=True)
 
     def _call(self, name: str, arguments: list[list[Token]]) -> None:
         """Follow the arguments of a call in the body."""

@@ -91,12 +91,14 @@ class ProgramPorts(Struct):
         flows: those that send a port somewhere.
         anything: whether any port may be reached, so that a person may bind any number.
         unasked: conventional ports of the source that nothing uses on the target; a person may bind them all the same.
+        shared: names that declarations of several ports have, each with the ports' numbers; they name no port.
     """
 
     ports: list[Port]
     flows: list[FlowPorts]
     anything: bool
     unasked: list[Port] = []
+    shared: Mapping[str, Sequence[int]] = {}
 
 
 def program_ports(views: Sequence[CodeView], flows: Sequence[Flow]) -> ProgramPorts:
@@ -116,11 +118,11 @@ def program_ports(views: Sequence[CodeView], flows: Sequence[Flow]) -> ProgramPo
     found: dict[int, Port] = {}
     for number, element in _reached(through, [use for use in bits if use.pin is not None and use.pin < count]):
         found.setdefault(number, Port(f"P{number}", "runtime", element, number))
-    _name(found, through)
+    shared = _name(found, through)
     anything = any(f.anything for f in through) or any(use.pin is None for use in bits)
     _use(found, [*pin_uses(views), *bits, *_in_macros(through)], through)
     own = list(found.values())
-    return ProgramPorts([*own, *give_numbers(own, _conventional(views))], through, anything)
+    return ProgramPorts([*own, *give_numbers(own, _conventional(views))], through, anything, shared=shared)
 
 
 def give_numbers(own: Sequence[Port], conventional: Sequence[Port]) -> list[Port]:
@@ -200,18 +202,28 @@ def _where(each: FlowPorts, number: int) -> ccode.Located:
     return (holders or reached or list[ccode.Located](each.calls) or [place.element for place in each.flow.places])[0]
 
 
-def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> None:
-    """Name the ports as the program does; a name of several ports is qualified with its function."""
+def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> dict[str, list[int]]:
+    """Name the ports as the program does; a name of several ports is qualified with its function.
+
+    Returns:
+        The names that several ports have all the same, in blocks of one function or in several files, with their numbers.
+    """
     places = [place for each in through for place in each.flow.places if place.value in found]
     meant: dict[str, set[int]] = {}
     for place in places:
         if place.name:
             meant.setdefault(place.name, set()).add(place.value)
+    numbers: dict[str, set[int]] = {}
+    for place in places:
+        if name := _full_name(place, meant):
+            numbers.setdefault(name, set()).add(place.value)
+    shared = {name: sorted(several) for name, several in numbers.items() if len(several) > 1}
+    shared |= {name: sorted(several) for name, several in meant.items() if len(several) > 1}
     named: set[tuple[int, str]] = set()
     for place in places:
         port = found[place.value]
         name = _full_name(place, meant)
-        if not name:
+        if not name or name in shared:
             port.origin = "literal" if port.origin == "runtime" else port.origin
         elif port.origin != "declaration":
             port.origin, port.element, port.name = "declaration", place.element, name
@@ -225,9 +237,11 @@ def _name(found: Mapping[int, Port], through: Sequence[FlowPorts]) -> None:
             number = known[0].number if len(known) == 1 else None
             reached = found.get(number) if number is not None else None
             holder = _constant(argument.argument)
-            if reached is not None and holder is not None and reached.origin != "declaration":
+            taken = holder is not None and (holder[0] in shared or any(holder[0] == port.name for port in found.values()))
+            if reached is not None and holder is not None and reached.origin != "declaration" and not taken:
                 reached.origin, reached.element = "declaration", holder[1]
                 reached.name, reached.names = holder[0], [f"P{reached.pin}"]
+    return shared
 
 
 def _constant(argument: ccode.Expression | None) -> tuple[str, ccode.Located] | None:
@@ -246,6 +260,7 @@ def _constant(argument: ccode.Expression | None) -> tuple[str, ccode.Located] | 
 
 
 def _full_name(place: PortPlace, meant: Mapping[str, set[int]]) -> str:
+    """The name that a place gives its port; of several ports qualified with its function, empty where none is."""
     if not place.name or len(meant[place.name]) == 1:
         return place.name
     return f"{place.within}.{place.name}" if place.within else ""

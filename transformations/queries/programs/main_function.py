@@ -74,7 +74,7 @@ def divide(main: ccode.Function, reserved: Collection[str] = (), words: Collecti
     returns = tuple(all_of_kind(main, ccode.Return))
     statements = tuple(main.body.statements) if main.body else ()
     if unit is None or structure is None or structure.loop is None:
-        return Division(main, None, statements, returns=returns, reason="main has no endless loop of its own")
+        return Division(main, None, statements, returns=returns, reason="main has no endless loop")
     loop, before = structure.loop, structure.before
     breaks = tuple(e for e in loop_exits(loop) if isinstance(e, ccode.Break))
     after = tuple(structure.after) if breaks else ()
@@ -132,7 +132,7 @@ def _obstacle(structure: MainStructure) -> str:
         ):
             return f"line {statement.line} declares a type"
     if line := _torn(unit, main, loop):
-        return f"the conditional directive in line {line} would be torn apart"
+        return f"the conditional directive in line {line} would be split"
     taken = {d.name for d in unit.declarations} | {m.name for m in unit.macros}
     names = {p.name for p in main.parameters if p.references}
     return f"its parameter '{min(names & taken)}' hides a name at file scope" if names & taken else ""
@@ -155,7 +155,7 @@ def _jumps(structure: MainStructure) -> str:
                 if isinstance(inner, ccode.Goto) and labels.get(str(inner.labelName)) != part:
                     return f"line {inner.line} jumps to '{inner.labelName}', which is not {part} its loop"
                 if isinstance(inner, ccode.UnknownStatement):
-                    return f"line {inner.line} is a statement that nothing is known of"
+                    return f"line {inner.line} is an unknown statement"
     return ""
 
 

@@ -154,7 +154,7 @@ def _stays(variable: ccode.Variable, assigned: bool) -> str:
     if use is not None and use.arrayDims and not _constant_size(variable):
         return f"the size of '{variable.name}' is not constant"
     if use is not None and assigned and use.arrayDims:
-        return f"the array '{variable.name}' has values that are not constant, or that it is given again"
+        return f"the array '{variable.name}' has values that are not constant, or gets new ones"
     if declared is not None and ancestor_of_kind(declared, ccode.Function) is not None:
         return f"the type of '{variable.name}' is declared in main"
     return ""
@@ -193,6 +193,8 @@ def _constant_size(variable: ccode.Variable) -> bool:
 
 def is_constant(expression: ccode.Expression) -> bool:
     """Whether an expression may stand as the initial value of a global: literals, constants and operators on them."""
+    if isinstance(expression, ccode.UnknownExpression) and expression.text.startswith("[]"):
+        return True  # a lambda that captures nothing
     for inner in all_contents(expression):
         if isinstance(inner, (ccode.Call, ccode.Assignment, ccode.UnknownExpression, ccode.Member, ccode.Index)):
             return False

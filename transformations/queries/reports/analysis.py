@@ -44,7 +44,7 @@ def library_cogs(view: code.CodeView) -> list[Finding]:
     for header, functions in by_header.items():
         call = min((f.calls[0] for f in functions), key=lambda c: int(c.startOffset))
         names = ", ".join(f.name for f in functions)
-        runs = "run on a core of their own" if len(functions) > 1 else "runs on a core of its own"
+        runs = "run on their own core" if len(functions) > 1 else "runs on its own core"
         evidence = {"functions": [f.name for f in functions]}
         found.append(_finding(view, "RS108", Severity.info, call, f"{names} ({header}) {runs}", evidence=evidence))
     return found
@@ -56,12 +56,12 @@ def unknown_functions(view: code.CodeView) -> list[Finding]:
     for function in view.unknown():
         place: ccode.Located = function.calls[0]
         if function.header:
-            message = f"the function {function.name} is declared in {function.header} and defined in no file of the program"
+            message = f"the function {function.name} is declared in {function.header}, but no file of the program defines it"
         elif function.callee is not None and code.unit_of(function.callee) is not None:
-            message = f"the program declares the function {function.name} as {function.signature}, and defines it in no file"
+            message = f"the program declares the function {function.name} as {function.signature}, but no file defines it"
             place = function.callee
         else:
-            message = f"nothing is known of the function {function.name}: its signature is inferred as {function.signature}"
+            message = f"the function {function.name} is declared nowhere; inferred signature: {function.signature}"
         evidence = {"function": function.name}
         found.append(_finding(view, "RS109", Severity.warning, place, message, "add the file that defines it", evidence))
     return found

@@ -188,37 +188,42 @@ def needs_in_words(needs: BoardNeeds) -> str:
     pins = needs.pins
     said = []
     if (build := needs.build) is not None:
-        said.append(f"flash {build.flashBytes} of {build.flashLimit} bytes, RAM {build.ramBytes} of {build.ramLimit}, compiled")
+        said.append(
+            f"flash {build.flashBytes} of {build.flashLimit} bytes, RAM {build.ramBytes} of {build.ramLimit} bytes (compiled)"
+        )
     if pins.of_board and (pins.used or pins.drawn or pins.wanted):
-        more = f", {pins.wanted} more wanted" if pins.wanted else ""
-        spare = f", {pins.drawn} wired to what no port uses" if pins.drawn else ""
+        more = f", {pins.wanted} still to assign" if pins.wanted else ""
+        spare = f", {pins.drawn} wired pin{'s' * (pins.drawn != 1)} the program does not use yet" if pins.drawn else ""
         said.append(f"{pins.used} of {pins.of_board} pins{spare}{more}")
     said += [f"{timer.timer} for {' and '.join(timer.takers)}" for timer in needs.timers]
     known = needs.memory
     if build is not None and build.stackBytes:
-        said.append(f"at most {build.stackBytes} bytes of stack")
+        said.append(f"stack at most {build.stackBytes} bytes")
     elif known.limit:
-        ram = f"{known.total} of {known.limit} bytes of RAM and {known.depth}" if needs.build is None else f"{known.depth} bytes"
+        ram = f"RAM about {known.total} of {known.limit} bytes, stack" if needs.build is None else "stack"
         lines = ", ".join(str(each) for each in known.unfollowed)
-        without = f" without what is called through pointers (line {lines})" if known.unfollowed else ""
-        said.append(f"about {ram} of stack{without}")
+        without = f", without calls through pointers (line {lines})" if known.unfollowed else ""
+        said.append(f"{ram} about {known.depth} bytes{without}")
     if known.stacks:
-        said.append(f"{known.stacks} of {known.limit} bytes of RAM for the stacks of what ran on other cores")
+        said.append(f"stacks of former other cores {known.stacks} of {known.limit} bytes of RAM")
     if needs.loop is not None:
-        said.append(f"each pass of the loop {_time_in_words(needs.loop)}")
+        said.append(_loop_time(needs.loop))
     return "; ".join(said)
 
 
-def _time_in_words(time: Time) -> str:
+def _loop_time(time: Time) -> str:
+    """The time of a pass of the loop in words; waits of unknown length are named."""
+    waits = list(dict.fromkeys(wait.what for wait in time.unbounded))
+    names = [f"{name}()" if name.isidentifier() else name for name in waits]
+    places = sorted({wait.line for wait in time.unbounded})
+    lines = f"line{'s' * (len(places) > 1)} {', '.join(str(each) for each in places[:4])}{' ...' if len(places) > 4 else ''}"
+    shown = [*names[:3], "..."] if len(names) > 3 else names
+    listed = f"{' and '.join(filter(None, [', '.join(shown[:-1]), shown[-1]]))} ({lines})" if names else ""
+    if not time.high:
+        return f"loop time depends on {listed}" if listed else "the loop never waits"
     low, high = _seconds(time.low), _seconds(time.high)
-    counted = f"{low} to {high}" if low != high else low
-    names = list(dict.fromkeys(wait.what for wait in time.unbounded))
-    lines = sorted({wait.line for wait in time.unbounded})
-    if not names:
-        return f"waits {counted}" if time.high else "does not wait"
-    places = f"line{'s' * (len(lines) > 1)} {', '.join(str(each) for each in lines[:4])}{' ...' if len(lines) > 4 else ''}"
-    longer = f"as long as {', '.join(names[:3])}{' ...' if len(names) > 3 else ''} take{'s' * (len(names) == 1)} ({places})"
-    return f"waits {counted}, and {longer}" if time.high else f"waits {longer}"
+    known = high if low == high else f"{low} to {high}"
+    return f"loop time {known}, plus {listed}" if listed else f"loop time {known}"
 
 
 def _seconds(microseconds: float) -> str:
@@ -231,12 +236,12 @@ def shortages(needs: BoardNeeds) -> list[str]:
     """What the board cannot give, as sentences without a full stop."""
     found = _lacking(needs)
     if found and needs.roomier:
-        found[-1] += f"; a board '{needs.roomier}' may have room"
+        found[-1] += f"; '{needs.roomier}' may have enough"
     if needs.pins.missing:
         needed = needs.pins.used + needs.pins.wanted
         few = f"{needs.pins.missing} pin{'s' * (needs.pins.missing != 1)} too few"
-        found.append(f"{few}: {needed} are needed, and the board has {needs.pins.of_board}")
-    found += [f"{timer.timer} is taken by {' and '.join(timer.takers)}" for timer in needs.timers if timer.contested]
+        found.append(f"{few}: the program needs {needed}, the board has {needs.pins.of_board}")
+    found += [f"{timer.timer} is needed by {' and '.join(timer.takers)}" for timer in needs.timers if timer.contested]
     return found
 
 
@@ -246,11 +251,11 @@ def _lacking(needs: BoardNeeds) -> list[str]:
     if build is None:
         return _too_much(known)
     sizes = (("flash", build.flashBytes, build.flashLimit), ("RAM", build.ramBytes, build.ramLimit))
-    found = [f"{size} bytes of {what}, and the board has {limit}" for what, size, limit in sizes if size > limit]
+    found = [f"the program needs {size} bytes of {what}, the board has {limit}" for what, size, limit in sizes if size > limit]
     if build.ramBytes <= build.ramLimit < build.ramBytes + needs.stack:
         left = build.ramLimit - build.ramBytes
         most = f"up to {needs.stack}" if build.stackBytes else f"about {needs.stack}"
-        found.append(f"{build.ramBytes} of {build.ramLimit} bytes of RAM leave {left} for {most} of stack")
+        found.append(f"the stack needs {most} bytes, but only {left} of {build.ramLimit} bytes of RAM are left")
     return found
 
 
@@ -260,9 +265,11 @@ def _too_much(known: Memory) -> list[str]:
         return []
     shares = [
         *((share.bytes, f"'{share.name}' {share.bytes}") for share in known.variables[:2]),
-        (known.stacks, f"stacks of what ran on other cores {known.stacks}"),
+        (known.stacks, f"stacks of former other cores {known.stacks}"),
         (known.texts, f"texts {known.texts}"),
         (known.of_adapters, f"adapters and libraries {known.of_adapters}"),
     ]
     largest = ", ".join(said for size, said in sorted(shares, key=lambda each: -each[0])[:3] if size)
-    return [f"about {known.total} bytes of RAM and {known.depth} of stack, and the board has {known.limit} ({largest})"]
+    return [
+        f"the program needs about {known.total} bytes of RAM and {known.depth} of stack, the board has {known.limit} ({largest})"
+    ]

@@ -330,8 +330,8 @@ def _pointer_name(call: ccode.Call) -> str:
     while isinstance(pointer, (ccode.Unary, ccode.Cast, ccode.Index)):
         pointer = pointer.array if isinstance(pointer, ccode.Index) else pointer.operand
     if isinstance(pointer, (ccode.NameReference, ccode.Member)):
-        return f"what is called through {pointer.name}"
-    return "what is called through a pointer"
+        return f"the function behind {pointer.name}"
+    return "the function behind a pointer"
 
 
 def _name(loop: ccode.Loop) -> str:

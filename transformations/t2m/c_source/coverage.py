@@ -15,9 +15,11 @@ from robosmi.diagnostics import Severity
 from robosmi.metamodels import ccode
 from robosmi.transformations.knowledge.lexer import KEYWORDS
 from robosmi.transformations.t2m.c_source.context import UnitContext
+from robosmi.transformations.t2m.c_source.parsing.translation_unit import Diagnostic
 
 _NO_CALL = KEYWORDS | {
     "defined",
+    "__attribute",
     "__builtin_offsetof",
     "__alignof__",
     "_Alignof",
@@ -62,7 +64,7 @@ def calls(context: UnitContext) -> Coverage:
             in_text += 1
             lost.append(ccode.UnresolvedCall(name=name, **context.source.place(start, end)))
             cut = any(first <= start < last for first, last in context.parsed.cut)
-            why = "its text is kept and not read" if cut else "the parser could not read its statement"
+            why = "its text is copied but not parsed" if cut else "its statement has a syntax error"
             message = f"the call of {name} is lost: {why}"
             context.find("RS102", Severity.warning, message, start, end, "correct the statement, or migrate it by hand")
     return Coverage(in_text, in_model, lost)
@@ -82,17 +84,26 @@ def problems(context: UnitContext) -> list[ccode.SyntaxProblem]:
             continue
         said.add((start, diagnostic.message))
         place = context.source.place(start, start)
-        fatal = diagnostic.syntax and not _before_a_cut(context, start)
+        fatal = (diagnostic.syntax or _of_a_number(context, diagnostic)) and not _before_a_cut(context, start)
         found.append(ccode.SyntaxProblem(message=diagnostic.message, fatal=fatal or None, **place))
         if _is_error_directive(context, start):
             message = f"#error: {diagnostic.message.strip(chr(34))}"
-            context.find("RS101", Severity.error, message, start, None, "define what the text asks for with -D")
+            context.find("RS101", Severity.error, message, start, None, "define the macro that the text needs with -D")
         elif diagnostic.message == _WITHIN:
-            message = "a function is defined within another one, which GNU C takes and C++ does not: it is kept as text"
-            context.find("RS101", Severity.error, message, start, None, "move it in front of the function that it is in")
+            message = "a nested function, which GNU C accepts and C++ does not, is copied as text"
+            context.find("RS101", Severity.error, message, start, None, "move it before the function that contains it")
         elif fatal:
             context.find("RS101", Severity.error, f"syntax error: {diagnostic.message}", start, None, "correct the source text")
     return found
+
+
+_THROUGH_NUMBER = re.compile(rb"\*\s*[0-9]")
+
+
+def _of_a_number(context: UnitContext, diagnostic: Diagnostic) -> bool:
+    """Whether a number is used as a pointer: what stood before `*` was ended by a macro with a semicolon."""
+    said = diagnostic.message.startswith("indirection requires pointer operand")
+    return said and _THROUGH_NUMBER.match(context.source.parsed, diagnostic.offset) is not None
 
 
 def _before_a_cut(context: UnitContext, offset: int) -> bool:
@@ -128,13 +139,13 @@ def notes(context: UnitContext, includes: list[ccode.Include], conditionals: lis
         context.find(
             "RS104",
             Severity.warning,
-            "nested too deep, declared over and over, or macros that become too much: kept as text from here on",
+            "nested too deep, declared too often, or macros that expand to too much text: copied as text from here on",
             start,
             end,
             "split the expression, the statement or the macro, or keep one of the declarations",
         )
     if context.source.encoding != "UTF-8":
-        context.find("RS105", Severity.info, f"the file is no UTF-8; it was read as {context.source.encoding}", 0, None)
+        context.find("RS105", Severity.info, f"the file is not UTF-8; RoboSMi reads it as {context.source.encoding}", 0, None)
     for start, end in context.parsed.skipped:
         message = f"lines {context.source.line(start)} to {context.source.line(end)} are not compiled and not in the model"
         context.find("RS106", Severity.info, message, start, end)

@@ -38,6 +38,8 @@ FUNCTION_KINDS = (
 )  # with templates and sets of overloaded functions
 TYPE_REF = cursor_kinds.TYPE_REF
 
+_POINTERS = frozenset((101, 112, 114))
+"""CXTypeKind of pointers, and of arrays with and without a size."""
 UNARY_OPERATORS = ("", "++", "--", "++", "--", "&", "*", "+", "-", "~", "!", "__real", "__imag", "__extension__", "co_await")
 BINARY_OPERATORS = (
     "", ".*", "->*", "*", "/", "%", "+", "-", "<<", ">>", "<=>", "<", ">", "<=", ">=", "==", "!=", "&", "^", "|", "&&", "||",
@@ -182,11 +184,31 @@ def _conditional(context: UnitContext, node: Node) -> ccode.Expression | None:
     )
 
 
+def _omitted(context: UnitContext, node: Node) -> ccode.Expression | None:
+    """GNU C's `a ?: b`, which is `a` if that is not zero and else `b`: a choice without a condition of its own."""
+    children = operands(node)
+    if len(children) != 4 or len({(child.start, child.end) for child in children[:3]}) != 1:
+        return None
+    parts = [expression(context, child) for child in (children[0], children[3])]
+    return ccode.ConditionalExpression(whenTrue=parts[0], whenFalse=parts[1], **context.source.place(node.start, node.end))
+
+
+def _statement_expression(context: UnitContext, node: Node) -> ccode.Expression | None:
+    """GNU C's `({ ... })`, whose value is that of its last statement: its text, and the statements in it."""
+    if [child.kind for child in node.children] != [cursor_kinds.COMPOUND_STMT]:
+        return None
+    body = context.builders.block(context, node.children[0])
+    return ccode.UnknownExpression(text=context.text(node), body=body, **context.source.place(node.start, node.end))
+
+
 def _index(context: UnitContext, node: Node) -> ccode.Expression | None:
     children = operands(node)
     if len(children) != 2:
         return None
     array, index = expression(context, children[0]), expression(context, children[1])
+    type_ = context.lib.getCanonicalType(context.lib.getCursorType(children[1].cursor))
+    if type_.kind in _POINTERS:  # 1[row] is row[1]
+        array, index = index, array
     return ccode.Index(array=array, index=index, **context.source.place(node.start, node.end))
 
 
@@ -265,6 +287,8 @@ BUILDERS: Mapping[int, ExpressionBuilder] = {
     BINARY: _binary,
     COMPOUND_ASSIGN: _binary,
     cursor_kinds.CONDITIONAL_OPERATOR: _conditional,
+    UNEXPOSED: _omitted,
+    cursor_kinds.StmtExpr: _statement_expression,
     CAST: _cast,
     COMPOUND_LITERAL: _cast,
     cursor_kinds.INIT_LIST_EXPR: _initializer_list,

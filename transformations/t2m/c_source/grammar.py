@@ -93,7 +93,7 @@ def _overloaded(context: UnitContext, node: Node) -> ccode.Expression | None:
 
 
 def _try(context: UnitContext, node: Node) -> ccode.Block:
-    context.find("RS107", Severity.warning, "exceptions are read as plain blocks", node.start, node.end, "read it by hand")
+    context.find("RS107", Severity.warning, "exceptions are parsed as plain blocks", node.start, node.end, "check it by hand")
     parts = [_catch(context, child) if child.kind == CATCH else statement(context, child) for child in node.children]
     return ccode.Block(statements=parts, **context.source.place(node.start, node.end))
 
@@ -112,8 +112,8 @@ def _catch(context: UnitContext, node: Node) -> ccode.Statement:
 def _for_range(context: UnitContext, node: Node) -> ccode.Statement:
     initial, declaration, children = statements.leading(context, node)
     if declaration is None:  # for (auto [a, b] : pairs)
-        message = "the variables of this loop are in no model"
-        context.find("RS107", Severity.warning, message, node.start, node.end, "read it by hand")
+        message = "the model does not contain the variables of this loop"
+        context.find("RS107", Severity.warning, message, node.start, node.end, "check it by hand")
     over = [child for child in children[:-1] if child.kind in cursor_kinds.EXPRESSIONS and child.end > child.start]
     return ccode.For(
         form=ccode.LoopForm.forLoop,

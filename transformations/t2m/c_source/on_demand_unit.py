@@ -65,7 +65,7 @@ class WaitingContext(UnitContext):
 
     def _build(self, build: Callable[[], R], around: tuple[int, int | None]) -> R:
         if not self.parsed.unit:
-            raise ModelError("the program was closed before this part of it was read", fix="close it later")
+            raise ModelError("the program was closed before this part was parsed", fix="close it later")
         before = self.depth, self.making
         (self.depth, self.making), self._now = around, True
         try:

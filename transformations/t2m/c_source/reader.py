@@ -74,8 +74,8 @@ def read_program(
     files = source_files(given, folders, defines)
     if len(files) > MOST_FILES:
         raise SourceError(
-            f"the program has {len(files)} source files; {MOST_FILES} are the most that are read as one",
-            location=Location(os.fspath(given[0])), fix="give the files of one program, or part after part",
+            f"the program has {len(files)} source files, but the limit for one program is {MOST_FILES}",
+            location=Location(os.fspath(given[0])), fix="give the files of one program, or one part at a time",
         )  # fmt: skip
     with collector_at_rest():
         try:
@@ -269,8 +269,8 @@ def _tell(context: UnitContext, include: ccode.Include, together: Sequence[str])
     what = (
         "the file includes itself"
         if len(together) == 1
-        else f"the include of {include.header} comes back to this file ({', '.join(together)})"
+        else f"the include of {include.header} leads back to this file ({', '.join(together)})"
     )
-    message = f"{what}, and nothing keeps it from being read again without end: no compiler takes that"
-    fix = "put `#pragma once` at the top of the headers, or take the include out"
+    message = f"{what}, without an include guard"
+    fix = "put `#pragma once` at the top of the headers, or remove the include"
     context.find(CIRCLE, Severity.error, message, _start(include), int(include.endOffset), fix)

@@ -65,8 +65,9 @@ def _read(path: str, made: SideProject, *, library: bool, seen: set[str]) -> Non
     try:
         text = inputs.read_text(path, inputs.SETTINGS)
     except (OSError, ValueError) as error:
-        fix = "put a readable file in its place, or give the source files"
-        raise SourceError(f"the project file cannot be read: {error}", location=Location(path), fix=fix) from error
+        fix = "make it readable, or give the source files"
+        cause = "it is not UTF-8" if isinstance(error, UnicodeDecodeError) else str(error)
+        raise SourceError(f"the project file cannot be read: {cause}", location=Location(path), fix=fix) from error
     folder = os.path.dirname(path)
     folders: list[str] = []
     names: list[str] = []
@@ -74,7 +75,7 @@ def _read(path: str, made: SideProject, *, library: bool, seen: set[str]) -> Non
     for number, line in enumerate(text.splitlines(), 1):
         said = line.strip()
         if said.startswith(("-I", "-L")):
-            place = os.path.normpath(os.path.join(folder, said[2:].strip()))
+            place = os.path.normpath(os.path.join(folder, said[2:].strip().replace("\\", "/")))
             (made.include_dirs if said.startswith("-I") else folders).append(place)
         elif said.startswith(">"):
             names += _LIBRARY.findall(said)
@@ -100,10 +101,10 @@ def _file(said: str, folder: str, place: Location, made: SideProject) -> None:
         return  # found where it is included
     if not name.lower().endswith(_SOURCES):
         made.findings.append(
-            Finding("RS112", Severity.warning, f"'{name}' was left out: it is no C", place, fix="move what it does by hand")
+            Finding("RS112", Severity.warning, f"'{name}' was left out: it is not C", place, fix="migrate it by hand")
         )
     elif not os.path.isfile(path):
-        message = f"'{name}' was left out: there is no such file"
-        made.findings.append(Finding("RS112", Severity.warning, message, place, fix="put it there, or give the sources"))
+        message = f"'{name}' was left out: no such file"
+        made.findings.append(Finding("RS112", Severity.warning, message, place, fix="add the file, or give the sources"))
     elif path not in made.sources:
         made.sources.append(path)

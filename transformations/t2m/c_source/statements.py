@@ -91,7 +91,7 @@ def _unknown(context: UnitContext, node: Node) -> ccode.Statement:
     place = _place(context, node)
     text = context.source.text(place["startOffset"], place["endOffset"])
     what = "assembler" if node.kind in (cursor_kinds.ASM_STMT, cursor_kinds.MS_ASM_STMT) else "a statement of an unusual form"
-    context.find("RS107", Severity.warning, f"{what} is kept as text", node.start, node.end, "read it by hand")
+    context.find("RS107", Severity.warning, f"{what} is copied as text", node.start, node.end, "check it by hand")
     return ccode.UnknownStatement(text=text, **place)
 
 
@@ -145,7 +145,9 @@ def _head_as_text(context: UnitContext, start: int, end: int) -> ccode.Statement
     text = context.source.text(start, end)
     if text == ";":
         return ccode.EmptyStatement(**place)
-    context.find("RS107", Severity.warning, "the first statement of a head is kept as text", start, end, "read it by hand")
+    context.find(
+        "RS107", Severity.warning, "the first statement of a loop's head is copied as text", start, end, "check it by hand"
+    )
     return ccode.UnknownStatement(text=text, **place)
 
 

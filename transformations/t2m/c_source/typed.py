@@ -123,9 +123,16 @@ def typed_unit(
         return []
     try:
         with raised_recursion_limit():
-            return _Reader(parsed, expanded, machines, platform, wider).read()
+            named = {name: _named_parameters(name, api) for name in platform}
+            return _Reader(parsed, expanded, machines, named, wider).read()
     finally:
         parsed.close()
+
+
+def _named_parameters(name: str, api: ApiIndex) -> int:
+    """How many parameters a function of the platform names if it takes more than these, else -1."""
+    lists = [entry.parameters for entry in api.entries(name) if "..." in entry.parameters]
+    return lists[0].count(",") if lists else -1
 
 
 class _Reader:
@@ -134,7 +141,7 @@ class _Reader:
         parsed: Parsed,
         expanded: Expanded,
         machines: tuple[Machine, Machine],
-        platform: Collection[str],
+        platform: Mapping[str, int],
         wider: Collection[str],
     ) -> None:
         self.lib = clang.library()
@@ -240,7 +247,7 @@ class _Reader:
         file, _ = clang.file_offset(lib.getCursorLocation(referenced))
         name = clang.file_name(file)
         if made.name in self.platform:
-            made.origin = "platform"
+            made.origin, made.fixed = "platform", self.platform[made.name]
         elif referenced.kind == _FUNCTION:
             implicit = self.parsed.reader.is_implicit(referenced)
             made.origin = "standard" if implicit or not name or name.startswith(VIRTUAL) else "program"

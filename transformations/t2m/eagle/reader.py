@@ -76,10 +76,10 @@ class _Drawn:
         for part in self.document.parts:
             identity = free_identity(part.name, part.line, found)
             if identity != part.name:
-                why = f"the name '{part.name}' stands twice" if part.name else "a part has no name"
+                why = f"the name '{part.name}' occurs twice" if part.name else "a part has no name"
                 self.report(
-                    "RS206", Severity.warning, f"{why}: this '{part.deviceset}' is {identity}, wires to the name are left out",
-                    part.line, "give each part a name of its own in EAGLE",
+                    "RS206", Severity.warning, f"{why}: this '{part.deviceset}' becomes {identity}, without its wires",
+                    part.line, "give each part a unique name in EAGLE",
                 )  # fmt: skip
                 self.twice.add(part.name)
             found[identity] = part
@@ -88,12 +88,12 @@ class _Drawn:
     def schematic(self) -> Schematic:
         """The parts and the nets."""
         for module, line in self.document.missing:
-            self.report("RS214", Severity.warning, f"there is no module '{module}': it is left out", line, "add it in EAGLE")
+            self.report("RS214", Severity.warning, f"unknown module '{module}': it was left out", line, "add it in EAGLE")
         for identity, part in self.parts.items():
             if part.found is None:
                 self.report(
                     "RS214", Severity.warning,
-                    f"the drawing has no symbol of '{identity}' ('{part.deviceset}' of '{part.library}'), only its wired pins",
+                    f"the drawing has no symbol for '{identity}' ('{part.deviceset}' of '{part.library}'), only its wired pins",
                     part.line, "update the library in EAGLE and save the schematic again",
                 )  # fmt: skip
         made = Schematic(self.document.path, self.document.digest, TOOL, self.document.version)
@@ -112,7 +112,7 @@ class _Drawn:
                 if end in taken and end not in net.ends:
                     self.report(
                         "RS208", Severity.warning, f"'{pin.pin}' of '{pin.part}' is on two nets; it was left out of '{name}'",
-                        pin.line, "mend the net in EAGLE",
+                        pin.line, "correct the net in EAGLE",
                     )  # fmt: skip
                 elif end not in taken:
                     taken.add(end)
@@ -123,12 +123,12 @@ class _Drawn:
     def _end(self, pin: PinRef) -> End | None:
         left_out = "; it was left out"
         if pin.part in self.twice:
-            cause = f"'{pin.part}' on a net is not one part: the name stands twice{left_out}"
-            self.report("RS206", Severity.warning, cause, pin.line, "give each part a name of its own in EAGLE")
+            cause = f"'{pin.part}' on a net is ambiguous: the name occurs twice{left_out}"
+            self.report("RS206", Severity.warning, cause, pin.line, "give each part a unique name in EAGLE")
             return None
         part = self.parts.get(pin.part)
         if part is None:
-            cause = f"a net has a pin of '{pin.part}', and no part is called so{did_you_mean(pin.part, self.parts)}{left_out}"
+            cause = f"a net has a pin of '{pin.part}', but no part has this name{did_you_mean(pin.part, self.parts)}{left_out}"
             self.report("RS207", Severity.warning, cause, pin.line, "correct the net, or add the part")
             return None
         if part.found is None:  # what its gates are is told by its wired pins alone
@@ -174,6 +174,7 @@ MOST_LEVELS = 20
 """Module instances inside module instances."""
 
 _FIX = "open it in EAGLE 6 or newer and save it again"
+_OTHER = "export it to KiCad, or write a pin table (docs/reference/pin-tables.md)"
 _BINARY = (b"\x10\x00", b"\x10\x80")
 
 
@@ -240,8 +241,10 @@ def read_schematic(path: Path) -> EagleSchematic:
     """
     data = drawing_bytes(path, "schematic", "the .sch file in it", _FIX)
     if data.startswith(_BINARY):
-        cause = "it is a binary file of EAGLE 5 or before, which is not read"
+        cause = "binary files of EAGLE 5 and before are not supported"
         raise SourceError(cause, location=Location(str(path)), fix=_FIX)
+    if not data.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<"):
+        raise SourceError("it is not a schematic of a supported tool", location=Location(str(path), 1), fix=_OTHER)
     root = parse_xml(data, str(path), path.name, "EAGLE", "eagle")
     drawn = root.find("drawing/schematic")
     if root.tag != "eagle" or drawn is None:
@@ -252,8 +255,11 @@ def read_schematic(path: Path) -> EagleSchematic:
             if root.find("drawing/library") is not None
             else ""
         )
-        cause = f"it is {kind} of EAGLE, not a schematic" if kind else f"it is no EAGLE schematic: its root is <{root.tag}>"
-        raise SourceError(cause, location=Location(str(path), line_of(root)), fix="give the .sch file of the schematic")
+        cause = f"it is {kind} of EAGLE, not a schematic" if kind else "it is an EAGLE file without a schematic"
+        fix = "give the .sch file of the schematic"
+        if root.tag != "eagle":
+            cause, fix = f"it is not a schematic of a supported tool: its root is <{root.tag}>", _OTHER
+        raise SourceError(cause, location=Location(str(path), line_of(root)), fix=fix)
     made = EagleSchematic(str(path), hashlib.sha256(data).hexdigest(), root.get("version", ""))
     _Reading(made, drawn).all_of(drawn, "", ())
     return made
@@ -308,7 +314,7 @@ class _Reading:
             module = self.modules.get(kind)
             if kind in inside or len(inside) >= MOST_LEVELS:
                 place = Location(self.made.path, line_of(element))
-                raise SourceError(f"the module '{kind}' has itself in it", location=place, fix="remove the inner one in EAGLE")
+                raise SourceError(f"the module '{kind}' contains itself", location=place, fix="remove the inner one in EAGLE")
             if module is None:
                 self.made.missing.append((kind, line_of(element)))
                 continue

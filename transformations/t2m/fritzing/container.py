@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import stat
 import zipfile
+from collections.abc import Iterable
 from pathlib import Path
 
 from msgspec import Struct
@@ -68,7 +69,7 @@ def read_container(path: Path) -> Container:
     if data[:2] == b"PK":
         return _archive(str(path), digest, data)
     if path.suffix.lower() == ".fzz" and not data.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<"):
-        raise _error(path, "it is no ZIP archive, as a .fzz has to be", _FIX)
+        raise _error(path, "it is not a ZIP archive, as a .fzz must be", _FIX)
     return Container(str(path), digest, path.name, data)
 
 
@@ -80,7 +81,7 @@ def _bytes_of(path: Path) -> bytes:
     try:
         data = inputs.read_bytes(path, inputs.DRAWING)
     except FileNotFoundError as error:
-        raise _error(path, "there is no such file", "check the name of the sketch") from error
+        raise _error(path, "no such file", "check the name of the sketch") from error
     except IsADirectoryError as error:
         raise _error(path, "it is a folder, not a Fritzing sketch", "give the .fz or .fzz file in it") from error
     except OSError as error:
@@ -96,9 +97,13 @@ def _archive(path: str, digest: str, data: bytes) -> Container:
     odd = [e.filename for e in entries if "/" in e.filename or "\\" in e.filename or ".." in e.filename]
     links = [e.filename for e in entries if stat.S_ISLNK(e.external_attr >> 16)]
     flat = [e for e in entries if e.filename not in {*odd, *links}]
-    sketches = [e for e in flat if e.filename.lower().endswith(".fz")]
+    sketches = [e for e in flat if _is_sketch(e)]
+    if not sketches and (folder := _packed_folder(entry for entry in entries if entry.filename not in links)) is not None:
+        flat = [e for e in entries if _folder_of(e) == folder and e.filename not in links]
+        odd = [name for name in odd if name not in {e.filename for e in flat} and not name.endswith("/")]
+        sketches = [e for e in flat if _is_sketch(e)]
     if not sketches:
-        raise _error(path, "there is no .fz sketch in the archive", _FIX)
+        raise _error(path, "the archive has no .fz sketch", _FIX)
     try:
         sketch = zip_archive.unpacked(data, sketches[0], path, MAX_BYTES)
     except zipfile.BadZipFile as error:
@@ -120,7 +125,7 @@ def _archive(path: str, digest: str, data: bytes) -> Container:
             _left_out(
                 path,
                 [e.filename for e in sketches[1:]],
-                f"is a further sketch; '{result.sketch_name}' was read, as Fritzing does",
+                f"is another sketch; RoboSMi reads '{result.sketch_name}', as Fritzing does",
             )
         )
     if links:
@@ -128,6 +133,21 @@ def _archive(path: str, digest: str, data: bytes) -> Container:
     if odd:
         result.findings.append(_left_out(path, odd, "has a folder in its name, which Fritzing does not write"))
     return result
+
+
+def _is_sketch(entry: zipfile.ZipInfo) -> bool:
+    return entry.filename.lower().endswith(".fz")
+
+
+def _folder_of(entry: zipfile.ZipInfo) -> str:
+    return entry.filename.replace("\\", "/").rpartition("/")[0]
+
+
+def _packed_folder(entries: Iterable[zipfile.ZipInfo]) -> str | None:
+    """The folder with the sketch in an archive that was unpacked and packed again, or None; Fritzing writes no folder."""
+    folders = [_folder_of(entry) for entry in entries if _is_sketch(entry)]
+    inner = [folder for folder in folders if not {"..", "__MACOSX"} & {*folder.split("/")}]
+    return min(inner, key=lambda folder: folder.count("/"), default=None)
 
 
 def _left_out(path: str, names: list[str], why: str) -> Finding:

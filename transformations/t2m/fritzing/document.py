@@ -92,9 +92,9 @@ def parse_sketch(data: bytes, path: str, name: str) -> FritzingSketch:
         )
     if len(instances) > MAX_INSTANCES:
         raise SourceError(
-            f"the sketch has {len(instances):,} parts and wires, more than the {MAX_INSTANCES:,} that are read",
+            f"the sketch has {len(instances):,} parts and wires, but the limit is {MAX_INSTANCES:,}",
             location=Location(path, line_of(instances)),
-            fix="check that it is a drawing, or draw its board by itself",
+            fix="check that it is a drawing, or draw its board alone",
         )
     live: list[Instance] = []
     empty = 0
@@ -111,8 +111,8 @@ def _no_sketch(root: etree._Element, name: str) -> str:
     if root.tag == "module" and (root.get("moduleId") is not None or root.find("connectors") is not None):
         return f"'{name}' is the definition of a part (.fzp), not a sketch"
     if root.tag == "module":
-        return f"'{name}' is no Fritzing sketch: it has no <instances>"
-    return f"'{name}' is no Fritzing sketch: its root is <{root.tag}>, not <module>"
+        return f"'{name}' is not a Fritzing sketch: it has no <instances>"
+    return f"'{name}' is not a Fritzing sketch: its root is <{root.tag}>, not <module>"
 
 
 def _instance(element: etree._Element, views: etree._Element) -> Instance:

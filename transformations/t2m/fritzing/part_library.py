@@ -62,7 +62,7 @@ def read_library(folders: Sequence[Path], project: Path | None = None) -> PartLi
             library.findings.append(_left_out(path, f"it cannot be read: {cause}"))
             continue
         if part is None:
-            library.findings.append(_left_out(path, "it is no part definition"))
+            library.findings.append(_left_out(path, "it is not a part definition"))
         elif part.id in seen:
             library.repeated += 1
         else:
@@ -71,7 +71,7 @@ def read_library(folders: Sequence[Path], project: Path | None = None) -> PartLi
             library.parts.append((role if role.role != "Unknown" else replace(part, evidence="no rule fits"), _words(root)))
     if not library.parts:
         raise SourceError(
-            "there is no Fritzing part definition (.fzp) in it",
+            "it contains no Fritzing part definition (.fzp)",
             location=Location(str(folders[0])),
             fix="give a folder of parts, such as the one that Fritzing installs",
         )
@@ -85,7 +85,7 @@ def _files(folders: Sequence[Path]) -> Iterator[tuple[Path, str]]:
             yield folder, folder.name
             continue
         if not folder.is_dir():
-            raise SourceError("there is no such folder", location=Location(str(folder)), fix="give a folder with .fzp files")
+            raise SourceError("no such folder", location=Location(str(folder)), fix="give a folder with .fzp files")
         for path in sorted(folder.rglob("*.fzp")):
             if path.is_file():
                 yield path, f"{path.parent.name}/{path.name}"

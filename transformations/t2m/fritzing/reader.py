@@ -91,7 +91,7 @@ class _Reading:
                 )
                 continue
             if part is None:
-                self.report("RS204", Severity.warning, f"'{name}' in the drawing was left out: it is no part definition")
+                self.report("RS204", Severity.warning, f"'{name}' in the drawing was left out: it is not a part definition")
             else:
                 parts.setdefault(part.id, part)
         return parts
@@ -105,7 +105,7 @@ class _Reading:
                 number = 2
                 while (identity := f"{instance.index or 'line' + str(instance.line)}.{number}") in found:
                     number += 1
-                why = f"the model index {instance.index} stands twice" if instance.index else "a part has no model index"
+                why = f"the model index {instance.index} occurs twice" if instance.index else "a part has no model index"
                 self.report(
                     "RS206",
                     Severity.warning,
@@ -190,7 +190,7 @@ class _Reading:
             self.report(
                 "RS213",
                 Severity.warning,
-                f"'{instance.title or instance.module_id}' has more holes than are followed; what its strips join is not known",
+                f"'{instance.title or instance.module_id}' has too many holes; the connections of its strips are unknown",
                 instance.line,
                 "draw a smaller board",
             )
@@ -198,7 +198,7 @@ class _Reading:
             self.report(
                 "RS207",
                 Severity.warning,
-                f"'{instance.title or instance.module_id}' is connected to {index or 'nothing'}, which is not there",
+                f"'{instance.title or instance.module_id}' is connected to {index or 'nothing'}, which does not exist",
                 instance.line,
                 "open the sketch in Fritzing and check this connection",
             )
@@ -236,7 +236,7 @@ def believed(
     if chosen is None:
         message = "no part is connected to another in this drawing"
         return breadboard, [_finding("RS212", message, path, "connect the parts in the breadboard view")]
-    message = f"the {_spoken(first)} connects no parts; the {_spoken(chosen.view)} was read"
+    message = f"the {_spoken(first)} connects no parts; RoboSMi reads the {_spoken(chosen.view)}"
     return chosen, [_finding("RS201", message, path, "check the connections in the breadboard view")]
 
 
@@ -249,9 +249,7 @@ def _differences(
     if here == there:
         return []
     odd = sorted({f"{identity}.{connector}" for net in here ^ there for identity, connector in net})
-    message = (
-        f"{_spoken(chosen.view)} and {_spoken(other.view)} connect the parts differently; the {_spoken(chosen.view)} was read"
-    )
+    message = f"{_spoken(chosen.view)} and {_spoken(other.view)} differ; RoboSMi reads the {_spoken(chosen.view)}"
     return [_finding("RS202", message, path, "compare the two views in Fritzing", connectors=odd[:20])]
 
 

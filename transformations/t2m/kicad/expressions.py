@@ -89,7 +89,7 @@ class Expressions:
             token = found[0]
             if token == "(":
                 if root is not None:
-                    raise self.error("more stands behind its end", found.start())
+                    raise self.error("there is text after its end", found.start())
                 open_lists.append(found.start())
                 count += 1
                 if len(open_lists) > MOST_LEVELS or count > MOST_LISTS:
@@ -132,7 +132,7 @@ class Expressions:
         except (ValueError, AssertionError, AttributeError, sexpdata.ExpectClosingBracket, sexpdata.ExpectNothing) as error:
             raise self.error(f"it cannot be read: {error}", listed.start) from error
         if not isinstance(found, list):
-            raise self.error("it is no list", listed.start)
+            raise self.error("it is not a list", listed.start)
         return found
 
     def _without_looks(self, listed: Expression) -> str:
@@ -153,7 +153,7 @@ class Expressions:
 
     def error(self, cause: str, place: int) -> SourceError:
         """The error for a fault at an offset."""
-        return SourceError(f"not a sound file of KiCad: {cause}", location=Location(self.path, self.line(place)), fix=FIX)
+        return SourceError(f"not a valid file of KiCad: {cause}", location=Location(self.path, self.line(place)), fix=FIX)
 
     def _head(self, start: int) -> str:
         found = _HEAD.match(self.text, start)
@@ -219,5 +219,5 @@ def coordinate(value: SExpression) -> float:
         ValueError: it is no number, or greater than any sheet.
     """
     if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) < _FARTHEST:
-        raise ValueError(f"'{value if isinstance(value, int | float) else word(value)}' is no coordinate")
+        raise ValueError(f"'{value if isinstance(value, int | float) else word(value)}' is not a coordinate")
     return float(value)

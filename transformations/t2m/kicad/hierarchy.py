@@ -89,9 +89,9 @@ class Hierarchy:
             numbers = [end.connector for end in sorted(found) if end.component == part.identity] if found else []
             if numbers:
                 told = ", ".join(numbers)
-                cause = f"the number {told} of '{part.title}' stands for pins on several nets: they were left out"
+                cause = f"the number {told} of '{part.title}' belongs to pins on several nets: they were left out"
                 line = part.symbol.line if part.symbol in self.root.symbols else None
-                self.report("RS208", Severity.warning, cause, line, "give each pin of the symbol a number of its own in KiCad")
+                self.report("RS208", Severity.warning, cause, line, "give each pin of the symbol a unique number in KiCad")
         return found
 
     def _walk(self, sheet: Sheet, file: str, path: str, names: tuple[str, ...], inside: tuple[str, ...]) -> SheetNets:
@@ -119,14 +119,12 @@ class Hierarchy:
     ) -> None:
         found = self.read(below.file, file)
         if found is None:
-            cause = (
-                f"the sheet '{below.name}' has no file '{below.file}' in the folder of the drawing: what is on it is not known"
-            )
+            cause = f"the sheet '{below.name}' has no file '{below.file}' in the drawing's folder, so its parts are unknown"
             line = below.line if sheet is self.root else None
-            self.report("RS214", Severity.warning, cause, line, "put the file beside the drawing")
+            self.report("RS214", Severity.warning, cause, line, "put the file next to the drawing")
             return
         if found.file == self.root.file or found.file in inside:
-            cause = f"the sheet '{below.name}' ({below.file}) has itself in it"
+            cause = f"the sheet '{below.name}' ({below.file}) contains itself"
             raise SourceError(cause, location=Location(sheet.file, below.line), fix="remove the inner one in KiCad")
         inner = self._walk(found, found.file, f"{path}/{below.uuid}", (*names, below.name), (*inside, found.file))
         for pin in below.pins:
@@ -165,8 +163,8 @@ class Hierarchy:
             return part
         if part is not None:
             line = symbol.line if sheet is self.root else None
-            cause = f"the reference '{reference}' stands twice: this '{symbol.identity}' is a part of its own"
-            self.report("RS206", Severity.warning, cause, line, "annotate the schematic anew in KiCad")
+            cause = f"the reference '{reference}' occurs twice: this '{symbol.identity}' becomes a separate part"
+            self.report("RS206", Severity.warning, cause, line, "annotate the schematic again in KiCad")
         number = 1
         while identity in self.parts:
             number += 1

@@ -56,7 +56,7 @@ class _Legacy:
         self.path = path
         self.lines = text.splitlines()
         if not self.lines or not self.lines[0].startswith(HEAD):
-            raise SourceError("it is no EESchema schematic", location=Location(path, 1), fix="give the .sch file")
+            raise SourceError("it is not an EESchema schematic", location=Location(path, 1), fix="give the .sch file")
         self.sheet = Sheet(path, version=self.lines[0].removeprefix(HEAD).strip(), by_value=False)
         self.place = 1
         while self.place < len(self.lines):
@@ -145,11 +145,11 @@ class _Legacy:
     def _numbers(self, text: str, count: int, line: int = 0) -> tuple[int, ...]:
         words = text.split()[:count]
         if len(words) < count or not all(_NUMBER.fullmatch(word) for word in words):
-            raise self._error(f"{count} numbers are expected, and there is '{text.strip()[:40]}'", line or self.place + 1)
+            raise self._error(f"expected {count} numbers, found '{text.strip()[:40]}'", line or self.place + 1)
         return tuple(int(word) for word in words)
 
     def _error(self, cause: str, line: int) -> SourceError:
-        return SourceError(f"not a sound EESchema file: {cause}", location=Location(self.path, line), fix=FIX)
+        return SourceError(f"not a valid EESchema file: {cause}", location=Location(self.path, line), fix=FIX)
 
 
 def shlex_last(line: str) -> str:

@@ -62,7 +62,7 @@ class _Modern:
     def __init__(self, listed: Expressions) -> None:
         self.listed = listed
         if listed.root.head != "kicad_sch":
-            cause = f"it is no KiCad schematic: it begins with '{listed.root.head}'"
+            cause = f"it is not a KiCad schematic: it begins with '{listed.root.head}'"
             raise SourceError(cause, location=Location(listed.path, 1), fix="give the .kicad_sch file")
         self.sheet = Sheet(listed.path)
         readers: dict[str, Callable[[Listed, int], None]] = {

@@ -75,7 +75,7 @@ class _Netlist:
         family, name = of_library(family, name)
         fields = {text_of(f, "name"): word(f[-1]) for f in children(child(part, "fields") or [], "field") if len(f) > 2}
         if reference in self.by_reference:
-            cause = f"the reference '{reference}' stands twice; its pins are left out"
+            cause = f"the reference '{reference}' occurs twice; its pins are left out"
             self.report("RS206", Severity.warning, cause, line, "annotate the schematic and export it again")
             self.twice.add(reference)
         identity = identity or reference or f"line{line}"
@@ -115,7 +115,7 @@ class _Netlist:
     def _end(self, reference: str, pin: str, line: int) -> End | None:
         part = self.by_reference.get(reference)
         if part is None:
-            cause = f"a net has a pin of '{reference}', and no component is called so; it was left out"
+            cause = f"a net has a pin of '{reference}', but no component has this reference; it was left out"
             self.report("RS207", Severity.warning, cause, line, "export the netlist again from KiCad")
             return None
         if reference in self.twice:

@@ -147,7 +147,7 @@ def _passes(wire: Wire, place: Point) -> bool:
 
 
 _VECTOR = re.compile(r"(.*)\[([0-9]{1,4})\.\.([0-9]{1,4})\]((?s:.*))")
-_GROUP = re.compile(r"([^{}]*)\{(.*)\}")
+_GROUP = re.compile(r"([^{}]*(?<!\$))\{(.*)\}")  # `${NAME}` is a text variable
 _ESCAPES = frozenset(("slash", "backslash", "space", "tab", "return", "colon", "brace", "lt", "gt", "quote", "dblquote", "bar"))
 _MOST_MEMBERS = 1_000
 _DEEPEST = 5
@@ -159,8 +159,8 @@ Aliases = Mapping[str, Sequence[str]]
 def members(text: str, aliases: Aliases | None = None) -> list[str]:
     """The names of a bus's members, a thousand at most; none for a name that is no bus.
 
-    >>> members("D[0..2]"), members("USB{DP DM}"), members("{OE A[0..1]}"), members("I{slash}O")
-    (['D0', 'D1', 'D2'], ['USB.DP', 'USB.DM'], ['OE', 'A0', 'A1'], [])
+    >>> members("D[0..2]"), members("USB{DP DM}"), members("{OE A[0..1]}"), members("I{slash}O"), members("${NET}")
+    (['D0', 'D1', 'D2'], ['USB.DP', 'USB.DM'], ['OE', 'A0', 'A1'], [], [])
     """
     return [name for name, _ in zip(_members(text, aliases or {}, _DEEPEST), range(_MOST_MEMBERS), strict=False)]
 

@@ -28,7 +28,16 @@ from robosmi.transformations.t2m.kicad.symbol_library import library_of
 from robosmi.transformations.t2m.schematic import Schematic, circuit_of
 
 TOOL = "KiCad"
-_GEDA = re.compile(r"v [0-9]{8} [0-9]")
+_OTHERS = {
+    "gEDA": re.compile(r"v [0-9]{8} [0-9]"),
+    "xschem": re.compile(r"v \{xschem version="),
+    "Qucs": re.compile(r"<Qucs(?:-S)? Schematic "),
+    "LTspice": re.compile(r"Version 4\r?\nSHEET "),
+    "Altium": re.compile(r"\|HEADER=Protel for Windows"),
+    "TinyCAD": re.compile(r"(?:<\?xml[^>]*>\s*)?<TinyCAD"),
+    "Xilinx ISE": re.compile(r"VERSION [0-9]\s*\r?\nBEGIN SCHEMATIC"),
+}
+"""Tools that call their schematics .sch, too -> how such a file begins."""
 _MODERN = re.compile(r"\(\s*kicad_sch\b")
 _NETLIST = re.compile(r"\(\s*export\b")
 _OLD_NETLIST = re.compile(r"(?:#|\( \{) *EESchema Netlist", re.IGNORECASE)
@@ -37,10 +46,12 @@ _OLD_NETLIST = re.compile(r"(?:#|\( \{) *EESchema Netlist", re.IGNORECASE)
 def recognises(head: bytes) -> bool:
     """Whether a file that begins so is a schematic or a netlist of KiCad.
 
-    Also True for files with that ending that are refused with advice: old netlists, schematics of gEDA.
+    Also True for files with that ending that are refused with advice: old netlists, schematics of other tools.
     """
     text = head.decode("utf-8-sig", "replace").lstrip()
-    return text.startswith(HEAD) or any(form.match(text) is not None for form in (_MODERN, _NETLIST, _OLD_NETLIST, _GEDA))
+    return text.startswith(HEAD) or any(
+        form.match(text) is not None for form in (_MODERN, _NETLIST, _OLD_NETLIST, *_OTHERS.values())
+    )
 
 
 def read_circuit(
@@ -76,11 +87,12 @@ def read_circuit(
         made.version = root.version
         Hierarchy(root, sheets.read, builder).fill(made)
     else:
-        if _GEDA.match(begins) is not None:
-            fix = "draw it in KiCad or EAGLE, or write a pin table (docs/reference/pin-tables.md)"
-            raise SourceError("it is a schematic of gEDA, which is not read", location=Location(str(path), 1), fix=fix)
+        for tool, form in _OTHERS.items():
+            if form.match(begins) is not None:
+                fix = "draw it in KiCad or EAGLE, or write a pin table (docs/reference/pin-tables.md)"
+                raise SourceError(f"it is a schematic of {tool}, which is not read", location=Location(str(path), 1), fix=fix)
         old = _OLD_NETLIST.match(begins) is not None
-        cause = "it is a netlist of KiCad 3 or before, which is not read" if old else "it is no schematic and no netlist of KiCad"
+        cause = "netlists of KiCad 3 and before are not supported" if old else "it is neither a schematic nor a netlist of KiCad"
         raise SourceError(cause, location=Location(str(path), 1), fix=FIX)
     builder.give_roles(roles or {}, {part.identity: part.title for part in made.parts})
     return circuit_of(made, builder), builder.findings
@@ -119,8 +131,8 @@ class _Sheets:
             shown = ", ".join(missing[:5]) + (", ..." if len(missing) > 5 else "")
             self.builder.report(
                 "RS214", Severity.warning,
-                f"no library beside the schematic has {shown}: where their pins are is not known, and they are not wired",
-                None, f"put {self.folder.path.stem}-cache.lib beside it, or open it in KiCad 6 or newer and save it",
+                f"no library next to the schematic has {shown}, so their pins are unknown and not wired",
+                None, f"put {self.folder.path.stem}-cache.lib next to it, or open it in KiCad 6 or newer and save it",
             )  # fmt: skip
         return sheet
 

@@ -115,7 +115,7 @@ class _Reading:
         for key, value, entries, start in self._members():
             if key in seen and key in ("parts", "connections"):
                 raise self._error(
-                    f"'{key}' stands twice, in lines {seen[key]} and {self._line(start)}", start, "keep one of them"
+                    f"'{key}' occurs twice, in lines {seen[key]} and {self._line(start)}", start, "keep one of them"
                 )
             seen[key] = self._line(start)
             if key == "version":
@@ -125,14 +125,14 @@ class _Reading:
             elif key == "connections":
                 self._connections(made, self._listed(key, entries, start))
         if "parts" not in seen:
-            raise self._error("it is no Wokwi diagram: it has no list of parts", 0, _FIX)
+            raise self._error("it is not a Wokwi diagram: it has no list of parts", 0, _FIX)
         return made
 
     def _parts(self, made: Diagram, entries: list[_Entry]) -> None:
         for number, (entry, place) in enumerate(entries, 1):
             line = self._line(place)
             if not isinstance(entry, dict):
-                made.left_out.append((f"entry {number} of the parts is no part", line))
+                made.left_out.append((f"entry {number} of the parts is not a part", line))
                 continue
             identity, kind = _text(entry.get("id")), _text(entry.get("type"))
             if not kind:
@@ -151,7 +151,7 @@ class _Reading:
                 and isinstance(one := entry[0], str)
                 and isinstance(other := entry[1], str)
             ):
-                made.left_out.append((f"entry {number} of the connections is no connection", line))
+                made.left_out.append((f"entry {number} of the connections is not a connection", line))
                 continue
             third = entry[2] if len(entry) > 2 else ""
             color = _text(third) if isinstance(third, str) else ""
@@ -167,7 +167,7 @@ class _Reading:
         while True:
             key, place = self._value(place)
             if not isinstance(key, str):
-                raise self._error("the name of a member is no text", place, _FIX)
+                raise self._error("the name of a member is not a text", place, _FIX)
             start = self._skip(self._expect(":", place))
             if key in ("parts", "connections") and self._at("[", start):
                 items, end = self._items(start)
@@ -200,7 +200,7 @@ class _Reading:
 
     def _listed(self, key: str, entries: list[_Entry] | None, start: int) -> list[_Entry]:
         if entries is None:
-            raise self._error(f"'{key}' is no list", start, _FIX)
+            raise self._error(f"'{key}' is not a list", start, _FIX)
         return entries
 
     def _value(self, place: int) -> tuple[Json, int]:
@@ -223,12 +223,12 @@ class _Reading:
         place = self._skip(place)
         if not self.text.startswith(letter, place):
             found = f"'{self.text[place]}'" if place < len(self.text) else "the end of the file"
-            raise self._error(f"not valid JSON: '{letter}' is expected, and there is {found}", place, _FIX)
+            raise self._error(f"not valid JSON: '{letter}' is expected, but there is {found}", place, _FIX)
         return self._skip(place + 1)
 
     def _end(self, place: int) -> None:
         if self.text[place:].strip():
-            raise self._error("not valid JSON: more stands behind its end", self._skip(place), _FIX)
+            raise self._error("not valid JSON: there is text after its end", self._skip(place), _FIX)
 
     def _line(self, place: int) -> int:
         return bisect_right(self.breaks, place - 1) + 1

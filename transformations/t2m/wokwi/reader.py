@@ -64,7 +64,7 @@ class _Reading:
         self.builder = builder
         self.report = builder.report
         for cause, line in diagram.left_out:
-            self.report("RS214", Severity.warning, f"{cause}, and was left out", line, "mend or remove the entry")
+            self.report("RS214", Severity.warning, f"{cause}, and was left out", line, "correct or remove the entry")
         self.twice: set[str] = set()
         self.parts = self._identified()
         self.variants: dict[str, tuple[str, ...]] = {}
@@ -80,10 +80,10 @@ class _Reading:
         for part in self.diagram.parts:
             identity = free_identity(part.identity, part.line, found)
             if identity != part.identity:
-                why = f"the id '{part.identity}' stands twice" if part.identity else "a part has no id"
+                why = f"the id '{part.identity}' occurs twice" if part.identity else "a part has no id"
                 lost = "; connections to it are left out" if part.identity else ""
-                fix = "give each part an id of its own"
-                self.report("RS206", Severity.warning, f"{why}: this '{part.kind}' is read as {identity}{lost}", part.line, fix)
+                fix = "give each part a unique id"
+                self.report("RS206", Severity.warning, f"{why}: this '{part.kind}' becomes {identity}{lost}", part.line, fix)
                 self.twice.add(part.identity)
             found[identity] = part
         return found
@@ -143,19 +143,19 @@ class _Reading:
             identity, _, pin = longer
         left_out = "; the connection was left out"
         if identity in self.twice:
-            cause = f"'{text}' is not one part: the id '{identity}' stands twice{left_out}"
-            self.report("RS206", Severity.warning, cause, connection.line, "give each part an id of its own")
+            cause = f"'{text}' is ambiguous: the id '{identity}' occurs twice{left_out}"
+            self.report("RS206", Severity.warning, cause, connection.line, "give each part a unique id")
             return None
         if identity not in self.parts:
             guess = did_you_mean(identity, self.parts)
-            cause = f"a connection leads to '{text}', and no part is called '{identity}'{guess}{left_out}"
+            cause = f"a connection leads to '{text}', but no part has the id '{identity}'{guess}{left_out}"
             self.report("RS207", Severity.warning, cause, connection.line, "correct the connection, or add the part")
             return None
         _, known = self.known[identity]
         if not pin or not known.part.has(pin):
             pins = [*known.part.connectors]
             more = ", ..." if len(pins) > _NAMED else ""
-            fix = f"use one of its pins: {', '.join(pins[:_NAMED])}{more}" if pins else "name one of its pins"
+            fix = f"use one of its pins: {', '.join(pins[:_NAMED])}{more}" if pins else "use one of its pins"
             cause = f"'{identity}' ({self.parts[identity].kind}) has no pin '{pin}'{did_you_mean(pin, pins)}{left_out}"
             self.report("RS208", Severity.warning, cause, connection.line, fix)
             return None

@@ -124,7 +124,7 @@ def signals_of(ports: Sequence[BoundPort], scenario: Scenario | None) -> dict[in
     for name, settings in (scenario.signals if scenario is not None else {}).items():
         if name == CONSOLE:
             if set(settings) != {POINTS}:
-                message = "what is typed on the console is one list of points"
+                message = "the console's input must be one list of points"
                 raise UsageError(message, location=place, fix='write console = [[100, "text"]]')
             check_signal(name, POINTS, settings[POINTS], device_facts()[TYPING], place)
             continue
@@ -133,13 +133,15 @@ def signals_of(ports: Sequence[BoundPort], scenario: Scenario | None) -> dict[in
         if not inputs:
             known = sorted({each for port in ports if port.device for each in _names(port)[:2] if each})
             why = (
-                "which the program does not read" if fitting else f"which is no component, port or pin{did_you_mean(name, known)}"
+                "but the program does not read it"
+                if fitting
+                else f"but there is no such component, port or pin{did_you_mean(name, known)}"
             )
-            message, fix = f"the scenario has a signal of '{name}', {why}", f"use one of: {', '.join([*known, CONSOLE])}"
+            message, fix = f"the scenario has a signal for '{name}', {why}", f"use one of: {', '.join([*known, CONSOLE])}"
             raise UsageError(message, location=place, fix=fix)
         if len({ports[n].group or n for n in inputs}) > 1:
             raise UsageError(
-                f"the scenario has a signal of '{name}', which has {len(inputs)} ports",
+                f"the scenario has a signal for '{name}', but it has {len(inputs)} ports",
                 location=place,
                 fix=f"use one of: {', '.join(ports[n].name for n in inputs)}",
             )
@@ -149,9 +151,9 @@ def signals_of(ports: Sequence[BoundPort], scenario: Scenario | None) -> dict[in
         first = next(n for n, port in enumerate(ports) if port.group == group) if group else inputs[0]
         if first in found:
             raise UsageError(
-                f"the scenario has a signal of '{named[first]}' and one of '{name}', which are the same device",
+                f"the scenario has a signal for '{named[first]}' and for '{name}', but both are the same device",
                 location=place,
-                fix="write one of them, with all points",
+                fix="write only one of them, with all points",
             )
         found[first], named[first] = settings, name
     return found
@@ -182,9 +184,9 @@ def check_signal(name: str, setting: str, points: Points, facts: Mapping[str, An
         fitting = [kind for kind in kinds if _KINDS[kind][1](value)]
         if not fitting or (limits is not None and value is not None and not _is_within(value, *limits)):
             shown = '"none"' if value is None else repr(value)
-            said = f"the signal of '{name}' has {shown} at {at_ms:g} ms"
+            said = f"the signal for '{name}' has {shown} at {at_ms:g} ms"
             raise UsageError(
-                f"{said}, which its device cannot show" if fitting else f"{said}, which is no {_KINDS[kinds[0]][0]}",
+                f"{said}, outside its device's range" if fitting else f"{said}, not a {_KINDS[kinds[0]][0]}",
                 fix=f"write {' or '.join(_KINDS[kind][0] for kind in kinds)}{_told(limits)}",
                 location=place,
             )

@@ -78,7 +78,7 @@ def _read(path: Path) -> Mapping[str, SimulatedKind]:
         for key in as_table(facts):
             if key not in known:
                 raise PlatformDataError(
-                    f"'{kind}.{key}' means nothing{did_you_mean(key, known)}", location=Location(str(path)),
+                    f"unknown key '{kind}.{key}'{did_you_mean(key, known)}", location=Location(str(path)),
                     fix=f"use one of: {', '.join(sorted(known))}",
                 )  # fmt: skip
     return cast("Mapping[str, SimulatedKind]", kinds)

@@ -199,4 +199,4 @@ class _Run(Bench):
             os.kill(os.getpid(), signal.SIGXCPU)  # the time limit is this process's as well
         said = self._process.stderr.read() if self._process.stderr is not None else ""
         lines = [line for line in said.splitlines() if "Error" in line]
-        return VerificationError(f"avr8js ended: {lines[0] if lines else 'it said nothing'}", fix="try another engine")
+        return VerificationError(f"avr8js failed: {lines[0] if lines else 'no message'}", fix="try another engine")

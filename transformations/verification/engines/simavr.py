@@ -21,6 +21,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
+from robosmi import inputs
 from robosmi.errors import MissingToolError, VerificationError
 from robosmi.transformations.verification.engines.avr_timers import Timers
 from robosmi.verify.bench import Bench
@@ -125,7 +126,16 @@ class _Run(Bench):
             raise VerificationError(f"this simavr does not know the microcontroller '{job.mcu}'", fix="try another engine")
         library.avr_init(avr)
         library.avr_load_firmware(avr, ctypes.byref(firmware))
+        for address, data in self._flash():  # of an ELF file simavr loads no other sections than .text and .data
+            library.avr_loadcode(avr, data, len(data), address)
         return avr
+
+    def _flash(self) -> list[tuple[int, bytes]]:
+        """The runs of bytes that are written to the flash of a board, with their addresses."""
+        try:
+            return runs_of_hex(inputs.read_text(self._job.hex, inputs.OUTPUT, "ascii"))
+        except (OSError, ValueError) as error:
+            raise VerificationError(f"'{self._job.hex}' cannot be read: {error}", fix="compile the program again") from error
 
     # ---- the stack
 
@@ -389,6 +399,30 @@ TIMER = ctypes.CFUNCTYPE(ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctyp
 LOGGER = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int, ctypes.c_char_p)
 
 
+def runs_of_hex(text: str) -> list[tuple[int, bytes]]:
+    """The bytes of a text in Intel HEX (Intel 1988), adjacent records joined, with their addresses.
+
+    Raises:
+        ValueError: it is none.
+    """
+    found: list[tuple[int, bytes]] = []
+    base = 0
+    for line in text.split():
+        record = bytes.fromhex(line[1:])
+        if line[:1] != ":" or len(record) != record[0] + 5 or sum(record) & 0xFF:
+            raise ValueError(f"'{line}' is no record of Intel HEX")
+        address, kind, data = int.from_bytes(record[1:3], "big"), record[3], record[4:-1]
+        if kind in (2, 4):
+            base = int.from_bytes(data, "big") << (4 if kind == 2 else 16)
+        elif kind == 0:
+            last = found[-1] if found else None
+            if last is not None and last[0] + len(last[1]) == base + address:
+                found[-1] = (last[0], last[1] + data)
+            else:
+                found.append((base + address, data))
+    return found
+
+
 class Firmware(ctypes.Structure):
     """The head of `elf_firmware_t`; the last field is room for the rest of it."""
 
@@ -418,6 +452,7 @@ def _declared(library: ctypes.CDLL) -> ctypes.CDLL:
         ("avr_init", ctypes.c_int, [pointer]),
         ("elf_read_firmware", ctypes.c_int, [ctypes.c_char_p, pointer]),
         ("avr_load_firmware", None, [pointer, pointer]),
+        ("avr_loadcode", None, [pointer, ctypes.c_char_p, number, number]),
         ("avr_run", ctypes.c_int, [pointer]),
         ("avr_terminate", None, [pointer]),
         ("avr_io_getirq", pointer, [pointer, number, ctypes.c_int]),

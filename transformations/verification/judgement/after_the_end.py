@@ -53,7 +53,7 @@ def compared_after_the_end(
         events = seen[each.channel][0] if each.channel in seen else ()
         event = next((e for e in events if e.at_us / 1000 > quiet_ms and not e.barely), None)
         if event is not None:
-            message = f"{event}, which the source does not do: it has ended at {runs.nominal.trace.simulated_us / 1000:.1f} ms"
+            message = f"{event.does()}; the original ended at {runs.nominal.trace.simulated_us / 1000:.1f} ms"
             difference = FirstDifference(event.at_us / 1000, each.channel, message, None, event)
             each = replace(each, status=DIFFERENT, difference=difference)
         compared.append(each)

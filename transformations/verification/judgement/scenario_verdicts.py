@@ -81,14 +81,14 @@ def compare_scenarios(
     """
 
     def further(scenario: Scenario, runs: SourceRuns) -> SourceRuns:
-        announce(f"look whether the source differs from itself in '{scenario.name}'")
+        announce(f"check that the original is repeatable in '{scenario.name}'")
         return run_further(program, ports, scenario, runs, LIMIT_S)
 
     found = ComparedScenarios()
     number = 0
     for (scenario, runs), trace in zip(cases, side.run([simulated_longer(*case) for case in cases]), strict=True):
         number += 1
-        announce(f"compare what both do: {number} of {len(cases)}")
+        announce(f"compare both programs: {number} of {len(cases)}")
         if not side.shows_console:
             runs.channels.pop(CONSOLE_CHANNEL, None)
         if isinstance(trace, VerificationError):

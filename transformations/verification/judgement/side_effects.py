@@ -50,8 +50,7 @@ def console_speed(source: PinTrace, target: PinTrace, channel: str) -> FirstDiff
     if theirs_us <= (1 + _BAUD_PART) * byte_us and (byte_us >= _FASTEST_US or theirs_us >= (1 - _BAUD_PART) * byte_us):
         return None
     message = (
-        f"its line is set to {target.console_baud:.0f} baud, so that a byte takes {theirs_us:.0f} us; "
-        f"the source sends one in {byte_us:.0f} us"
+        f"it sends at {target.console_baud:.0f} baud, {theirs_us:.0f} us per byte; the original sends a byte in {byte_us:.0f} us"
     )
     return FirstDifference(0.0, channel, message, None, None)  # before the differences that follow from it
 
@@ -76,8 +75,8 @@ def foreign_pin(
     for at_us, pin in begins:
         if pin not in its_own and at_us < target.simulated_us - _LATE_US:
             what = f"{pin} ({named[pin]})" if pin in named else pin
-            why = "the source only reads it" if pin in named else "no port of the program is on it"
-            return FirstDifference(at_us / 1000, what, f"the migrated program drives {pin}, and {why}", None, None)
+            why = "the original only reads it" if pin in named else "the program has no port there"
+            return FirstDifference(at_us / 1000, what, f"the migrated program drives {pin}; {why}", None, None)
     return None
 
 
@@ -91,7 +90,7 @@ def pulled_up(source: PinTrace, target: PinTrace, ports: Sequence[BoundPort]) ->
         if port.line or not port.target or port.device not in ("", _READ) or _pulled(source, port.source) is not None:
             continue
         if (since_us := _pulled(target, port.target)) is not None:
-            message = f"the migrated program switches the pull-up of {port.target} on, and the source lets {port.source} float"
+            message = f"the migrated program enables the pull-up of {port.target}; the original leaves {port.source} floating"
             found.append(FirstDifference(since_us / 1000, port.title, message, None, None))
     return min(found, key=lambda each: each.at_ms, default=None)
 

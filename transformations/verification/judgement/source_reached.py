@@ -11,6 +11,7 @@ from robosmi.model.elements.strict import Element
 from robosmi.transformations.queries.reports.written_bodies import AS_BYTES, open_bodies
 from robosmi.transformations.verification.bound_devices.played_devices import played
 from robosmi.transformations.verification.bound_devices.port_devices import BoundPort
+from robosmi.transformations.verification.judgement.compared_outputs import compared_outputs, unreachable_functions
 from robosmi.transformations.verification.original_side import SourceRuns
 from robosmi.verify.missed_lines import line_ranges
 from robosmi.verify.original_build import OriginalProgram
@@ -55,10 +56,18 @@ def cover(
     ]:
         verdict.reasons += _unfinished(coverage(program, called), plan, _open_now(output))
     verdict.counted = len(decided)
+    verdict.outputs = compared_outputs(verdict, ports)
     if not decided:
         return
+    assert plan.program is not None
+    dead = unreachable_functions(plan.program.units)
     covered = coverage(program, decided)
-    by_racy = coverage(program, [c for c in racy if c]) if any(racy) else None
+    dead = {place: text for place, text in dead.items() if not _ran(covered, place)}  # the compiler knows better
+    verdict.unreachable = sorted(dead.values())
+    dead_lines = {(Path(file).name, line) for (file, line), name in covered.functions.items() if (Path(file).name, name) in dead}
+    verdict.outputs = compared_outputs(verdict, ports, dead_lines)
+    covered = covered.without(dead)
+    by_racy = coverage(program, [c for c in racy if c]).without(dead) if any(racy) else None
     verdict.lines_pct = covered.line_percent
     only_racy = {place for place in covered.missed_branches if by_racy is not None and by_racy.branches.get(place, 0) > 0}
     missed = [place for place in covered.missed_branches if place not in only_racy]
@@ -68,6 +77,12 @@ def cover(
     verdict.missed_branches = [f"{Path(file).name}:{line}" for file, line, _ in missed]
     verdict.missed_lines = line_ranges({place for place, count in covered.lines.items() if not count}, covered.lines)
     verdict.untaken = [f"{Path(file).name}:{line}" for file, line, _ in missed if covered.lines.get((file, line))]
+
+
+def _ran(covered: SourceCoverage, function: tuple[str, str]) -> bool:
+    """Whether a run has reached a function, called in a way that the model of the program does not show."""
+    lines = (place for place, name in covered.functions.items() if (Path(place[0]).name, name) == function)
+    return any(covered.lines[place] for place in lines)
 
 
 def _compared_counts(runs: SourceRuns, told: ScenarioVerdict, program: OriginalProgram, ports: Sequence[BoundPort]) -> bytes:
@@ -86,7 +101,7 @@ def _unfinished(covered: SourceCoverage, plan: migration.MigrationPlan, open_now
         if not open_now.get(str(use.targetName or use.name), without):
             continue
         if any((Path(_unit(call)).name, int(call.line)) in lines for call in use.calls):
-            found.append(f"{use.name} is called and has no body yet")
+            found.append(f"the program calls {use.name}, which has no body yet")
     return found
 
 

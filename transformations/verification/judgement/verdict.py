@@ -44,12 +44,12 @@ from robosmi.verify.traces.comparison import DIFFERENT, NOT_EXERCISED, RACY, RES
 from robosmi.verify.traces.verdict import DIFFERENT_VERDICT, NO_DIFFERENCE, NOT_DECIDABLE, PROGRAM, ScenarioVerdict, Verdict
 
 _UNSETTLED = {
-    "unmodelled": "it calls a function that has no model",
-    "recursion": "its calls use up the stack",
-    "time limit": "it takes more time of this machine than it may: simulate less time",
-    "output limit": "it changes its pins or prints more often than can be recorded: simulate less time",
+    "unmodelled": "it calls a function without a host model",
+    "recursion": "its calls exhaust the stack",
+    "time limit": "it exceeds the time limit on this machine; simulate less time",
+    "output limit": "it changes its pins or prints too often to record; simulate less time",
 }
-_ADVICE = {"unmodelled": "; look at it on the bench, or give the host model that function"}
+_ADVICE = {"unmodelled": "; check it on the bench, or add the function to the host model"}
 SAME_MS = 45.0
 """Events no further apart than this (in milliseconds) plus the error of the resonators count as simultaneous."""
 
@@ -93,8 +93,8 @@ def verdict_of(
     if any(c.status == DIFFERENT for c in found):
         return ScenarioVerdict(scenario, DIFFERENT_VERDICT, found, horizon_ms)
     if crashed_ms is not None and not _crashes_by(runs, crashed_ms):
-        went_on = "had ended in order" if nominal.status == "finished" else "runs on"
-        message = f"the migrated program crashes on the simulator, where the original {went_on}"
+        went_on = "ends normally" if nominal.status == "finished" else "continues"
+        message = f"the migrated program crashes on the simulator; the original {went_on}"
         crash = FirstDifference(crashed_ms, PROGRAM, message, None, None)
         return ScenarioVerdict(scenario, DIFFERENT_VERDICT, found, horizon_ms, crash=crash)
     reason = _doubt(scenario, runs, [c for c in found if c.status == RACY], crashed_ms)
@@ -148,7 +148,7 @@ def without_target(scenario: Scenario, runs: SourceRuns, error: VerificationErro
         runs: the runs of the original.
         error: why that run is not known.
     """
-    unknown = f"what the migrated program does in '{scenario.name}' is not known: {error.message}"
+    unknown = f"the migrated program did not run in '{scenario.name}': {error.message}"
     if runs.given_up:
         unknown = f"{_given_up(runs)}; {unknown}"
     elif ended_badly(runs):
@@ -218,8 +218,8 @@ def _crashes_by(runs: SourceRuns, at_ms: float) -> bool:
 
 def _given_up(runs: SourceRuns) -> str:
     """Why a scenario decides nothing if a run of the original was given up."""
-    varied = "" if runs.nominal.status == runs.given_up else ", when its steps cost a little more or less"
-    return f"the original did not run to its end{varied} ({_UNSETTLED[runs.given_up]})"
+    varied = "" if runs.nominal.status == runs.given_up else " with slightly changed timing"
+    return f"the original did not finish{varied} ({_UNSETTLED[runs.given_up]})"
 
 
 def _doubt(scenario: Scenario, runs: SourceRuns, racy: Sequence[ChannelComparison], crashed_ms: float | None) -> str:
@@ -227,20 +227,20 @@ def _doubt(scenario: Scenario, runs: SourceRuns, racy: Sequence[ChannelCompariso
     nominal = runs.nominal
     if nominal.status not in SETTLED:
         cause = (f": {nominal.cause}" if nominal.cause else "") + _ADVICE.get(nominal.status, "")
-        reason = f"the original did not run to its end ({_UNSETTLED.get(nominal.status, nominal.status)}{cause})"
+        reason = f"the original did not finish ({_UNSETTLED.get(nominal.status, nominal.status)}{cause})"
         if crashed_ms is not None:
             ended_ms = nominal.trace.simulated_us / 1000
-            reason = f"both programs crash: {reason} at {ended_ms:.1f} ms, and the migrated program at {crashed_ms:.1f} ms"
+            reason = f"both programs crash: {reason} at {ended_ms:.1f} ms, the migrated program crashed at {crashed_ms:.1f} ms"
         return reason
     if crashed_ms is not None:
         return (
-            f"the migrated program crashes at {crashed_ms:.1f} ms, and the original does not run to its end, either, "
-            "when its steps cost a little more or less"
+            f"the migrated program crashes at {crashed_ms:.1f} ms; the original does not finish either "
+            "with slightly changed timing"
         )
     if racy:
         where = "; ".join(f"{c.channel}: {c.itself}" if c.itself is not None else c.channel for c in racy)
-        advice = "look on the bench at what hangs on chance or exact times"
-        return f"in '{scenario.name}' the source differs from itself ({where}); {advice}"
+        advice = "check on the bench what depends on chance or exact timing"
+        return f"the original is not repeatable in '{scenario.name}' ({where}); {advice}"
     return ""
 
 
@@ -252,21 +252,21 @@ def why_nothing_was_compared(verdict: Verdict, ports: Sequence[BoundPort]) -> st
         ports: the ports.
     """
     idle = [str(channel["name"]) for channel in verdict.channels()]
-    where = "in any scenario (give one in which it does: --scenario FILE)"
+    where = "in any test case (give one in which it changes: --scenario FILE)"
     if verdict.racy:
         others = f"{verdict.racy} other{'s' * (verdict.racy != 1)}"
         where = (
-            f"in the scenarios that are left; in {others} the source differs from itself, by chance or by exact times "
-            "(give one in which it does the same each time: --scenario FILE, or look at it on the bench)"
+            f"in the remaining test cases; in {others} the original is not repeatable "
+            "(give one in which it is repeatable: --scenario FILE, or check on the bench)"
         )
-    parts = [f"{', '.join(idle)}: nothing happens {where}"] if idle else []
+    parts = [f"{', '.join(idle)}: no change {where}"] if idle else []
     if none := [port.title for port in ports if not port.target and port.given_up]:
-        parts.append(f"{', '.join(none)}: on no pin of the target, as the plan says")
+        parts.append(f"{', '.join(none)}: not connected, by the plan")
     if unbound := [port for port in ports if not port.target and not port.given_up]:
         advice = " ".join(f"--bind {port.name}=PIN" for port in unbound)
-        parts.append(f"{', '.join(port.title for port in unbound)}: not wired on the target (bind it: migrate {advice})")
+        parts.append(f"{', '.join(port.title for port in unbound)}: not connected on the target (to connect: migrate {advice})")
     if lines := [port.title for port in ports if port.line and port.target]:
-        parts.append(f"{', '.join(lines)}: a line of a bus or a serial connection (look at it on the bench)")
+        parts.append(f"{', '.join(lines)}: a bus or serial line (check it on the bench)")
     return f"nothing was compared: {'; '.join(parts)}"
 
 
@@ -356,7 +356,7 @@ def _period_ms(event: ActivityEvent) -> float:
 
 def _told(before: _Begin, after: _Begin) -> FirstDifference:
     message = (
-        f"{before.event} comes {before.target_ms - after.target_ms:.2f} ms after {after.event} of {after.channel}, "
-        f"instead of {after.at_ms - before.at_ms:.2f} ms before it"
+        f"{before.event} comes {before.target_ms - after.target_ms:.2f} ms after {after.event} of {after.channel}; "
+        f"in the original {after.at_ms - before.at_ms:.2f} ms before it"
     )
     return FirstDifference(before.at_ms, before.channel, message, before.event, before.target)

@@ -102,7 +102,7 @@ class Trials:
             What it reaches, and `also`.
         """
         found = self.found
-        announce(f"look for scenarios: {found.tried} tried, {len(found.scenarios)} kept")
+        announce(f"search for test cases: {found.tried} tried, {len(found.scenarios)} selected")
         if found.tried and self.effort.is_over():
             return frozenset()
         found.tried += 1

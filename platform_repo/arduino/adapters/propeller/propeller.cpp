@@ -155,6 +155,25 @@ struct PortRegister {
   const PortRegister &operator|=(uint32_t mask) const { return change(mask, mask); }
   const PortRegister &operator&=(uint32_t mask) const { return change(~mask, 0); }
   const PortRegister &operator^=(uint32_t mask) const { return change(mask, 0, true); }
+  const PortRegister &operator+=(uint32_t value) const { return *this = bits() + value; }
+  const PortRegister &operator-=(uint32_t value) const { return *this = bits() - value; }
+  const PortRegister &operator*=(uint32_t value) const { return *this = bits() * value; }
+  const PortRegister &operator/=(uint32_t value) const { return *this = bits() / value; }
+  const PortRegister &operator%=(uint32_t value) const { return *this = bits() % value; }
+  const PortRegister &operator<<=(uint8_t count) const { return *this = bits() << count; }
+  const PortRegister &operator>>=(uint8_t count) const { return *this = bits() >> count; }
+  const PortRegister &operator++() const { return *this += 1; }
+  const PortRegister &operator--() const { return *this -= 1; }
+  uint32_t operator++(int) const {
+    uint32_t before = bits();
+    *this = before + 1;
+    return before;
+  }
+  uint32_t operator--(int) const {
+    uint32_t before = bits();
+    *this = before - 1;
+    return before;
+  }
 };
 
 //# register OUTA

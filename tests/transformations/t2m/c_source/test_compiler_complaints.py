@@ -8,6 +8,7 @@ import robosmi
 from robosmi.transformations.m2t.first_screen import written
 from robosmi.transformations.queries.reports.work import Work
 from robosmi.transformations.t2m.c_source.parsing.compiler_complaints import compiler_complaints
+from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
 from tests.tools import require_tools
 
 PROGRAM = Path(__file__).parent / "refused_text" / "robot.c"
@@ -44,9 +45,11 @@ Thing thing = thing_of(LED_BUILTIN);
 void setup() { clock_t start = clock(), now; now = start; Serial.begin(9600); thing.turn((Kind *)start, F("a")); }
 void loop() { PORTB |= _BV(3); digitalWrite(3, HIGH); int32_t x = (FILE *)0 == stdout; }
 """
-    assert compiler_complaints({"robot.ino": sketch}, "Arduino.h") == []
+    assert compiler_complaints(GeneratedProgram({"robot.ino": sketch}, "Arduino.h")) == []
 
 
 def test_a_function_that_the_program_defines_below_its_use_is_told() -> None:
     sketch = b"void setup() {\n  later(3);\n}\nvoid later(int x) { (void)x; }\nvoid loop() {}\n"
-    assert [(each.file, each.line) for each in compiler_complaints({"robot.ino": sketch}, "Arduino.h")] == [("robot.ino", 2)]
+    assert [(each.file, each.line) for each in compiler_complaints(GeneratedProgram({"robot.ino": sketch}, "Arduino.h"))] == [
+        ("robot.ino", 2)
+    ]

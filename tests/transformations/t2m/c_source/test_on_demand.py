@@ -104,6 +104,10 @@ def test_nothing_is_parsed_before_it_is_asked_for() -> None:
     assert built() == {"Program", "SourceUnit"}
 
 
+EXPRESSIONS = {"Assignment", "Binary", "Call", "NameReference"}
+"""What is built for statements, too: an expression may hold some (GNU C's statement expressions)."""
+
+
 @pytest.mark.usefixtures("nothing_old")
 @pytest.mark.parametrize(
     ("kind", "needed"),
@@ -123,6 +127,7 @@ def test_nothing_is_parsed_before_it_is_asked_for() -> None:
                 "DeclarationStatement",
                 "ExpressionStatement",
                 "Parameter",
+                *EXPRESSIONS,
             },
         ),
         (
@@ -137,6 +142,7 @@ def test_nothing_is_parsed_before_it_is_asked_for() -> None:
                 "DeclarationStatement",
                 "ExpressionStatement",
                 "Parameter",
+                *EXPRESSIONS,
             },
         ),
     ],

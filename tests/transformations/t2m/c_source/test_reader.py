@@ -169,8 +169,8 @@ def test_a_function_within_a_function_is_told_as_what_it_is(tmp_path: Path) -> N
     path.write_text("int main(void) { int twice(int x) { return 2 * x; } return twice(1); }\n")
     _, findings = read_program(path)
     (finding,) = [f for f in findings if f.rule == "RS101"]
-    assert "GNU C takes and C++ does not" in finding.message
-    assert finding.fix == "move it in front of the function that it is in"
+    assert "nested function" in finding.message
+    assert finding.fix == "move it before the function that contains it"
 
 
 def test_a_macro_of_a_file_in_latin1_is_read_in_latin1() -> None:

@@ -214,5 +214,5 @@ def test_an_ending_of_several_readers_is_decided_by_content(monkeypatch: pytest.
     neither.write_text("EESchema Schematic File Version 4\n")
     with pytest.raises(SourceError):  # the first of the readers says what is wrong with it
         reader_for(neither, DRAWING)(neither)
-    with pytest.raises(SourceError, match=r"no drawing reader takes a '\.pcb' file"):
+    with pytest.raises(SourceError, match=r"no drawing reader for '\.pcb' files"):
         reader_for(tmp_path / "x.pcb", DRAWING)

@@ -17,6 +17,7 @@ from robosmi import inputs
 from robosmi.errors import SourceError
 from robosmi.transformations.t2m import guarded_xml
 from robosmi.transformations.t2m.fritzing import container, document, read_circuit
+from robosmi.transformations.t2m.fritzing.container import read_container
 from tests.transformations.t2m.fritzing.support import CASES, FIXTURES
 
 SKETCH = (FIXTURES / "one_sided.fz").read_bytes()
@@ -43,7 +44,7 @@ def refused(path: Path) -> SourceError:
         ("a_part.fz", "is the definition of a part (.fzp), not a sketch", 2),
         ("text.fz", "not well-formed XML", 1),
         ("empty.fz", "the file is empty", None),
-        ("missing.fz", "there is no such file", None),
+        ("missing.fz", "no such file", None),
     ],
 )
 def test_files_that_are_no_sketch(name: str, cause: str, line: int | None) -> None:
@@ -78,15 +79,23 @@ def archive(path: Path, entries: dict[str, bytes]) -> Path:
 
 
 def test_archives_without_a_sketch(tmp_path: Path) -> None:
-    assert "there is no .fz sketch" in refused(archive(tmp_path / "a.fzz", {"code.ino": b"void setup(){}"})).message
-    assert "there is no .fz sketch" in refused(archive(tmp_path / "b.fzz", {"../up.fz": SKETCH})).message
-    assert "there is no .fz sketch" in refused(archive(tmp_path / "c.fzz", {})).message
+    assert "has no .fz sketch" in refused(archive(tmp_path / "a.fzz", {"code.ino": b"void setup(){}"})).message
+    assert "has no .fz sketch" in refused(archive(tmp_path / "b.fzz", {"../up.fz": SKETCH})).message
+    assert "has no .fz sketch" in refused(archive(tmp_path / "c.fzz", {})).message
+
+
+@pytest.mark.parametrize("folder", ["robot/", "deep/er/", "robot\\"])
+def test_an_archive_that_was_packed_again_with_its_folder_is_read(folder: str, tmp_path: Path) -> None:
+    entries = {f"__MACOSX/{folder}._a.fz": b"?", f"{folder}a.fz": SKETCH, f"{folder}part.b.fzp": b"<module moduleId='b'/>"}
+    container = read_container(archive(tmp_path / "a.fzz", entries))
+    assert container.sketch == SKETCH
+    assert [name for name, _ in container.parts] == [f"{folder}part.b.fzp"]
 
 
 def test_what_is_no_archive(tmp_path: Path) -> None:
     path = tmp_path / "a.fzz"
     path.write_bytes(b"\x00\x01\x02 no archive")
-    assert "no ZIP archive" in refused(path).message
+    assert "ZIP archive" in refused(path).message
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -178,7 +187,7 @@ def test_more_parts_than_a_drawing_has(tmp_path: Path, monkeypatch: pytest.Monke
     path = tmp_path / "a.fz"
     path.write_bytes(SKETCH)
     error = refused(path)
-    assert "more than the 2 that are read" in error.message
+    assert "the limit is 2" in error.message
     assert error.location is not None
     assert error.location.line is not None
 

@@ -222,7 +222,7 @@ def test_a_user_s_entry_goes_before_the_built_in_one(tmp_path: Path) -> None:
         ('# a\n[[part]]\nids = ["a"\n', "not valid TOML", None),
         ('[[part]]\nids = ["b"]\n[[part]]\nids = ["a"]\nconnectors = [{ id = "c", kind = "hot" }]\n', "unknown kind 'hot'", 3),
         ('[[part]]\nids = ["a"]\nconnectors = [{ name = "c" }]\n', "is damaged", 1),
-        ('[[part]]\nids = ["a"]\n[part.buses]\nx = ["y"]\n', "bus 'x' has a connector that the part has not", 1),
+        ('[[part]]\nids = ["a"]\n[part.buses]\nx = ["y"]\n', "bus 'x' has a connector that the part does not have", 1),
         ('[[part]]\ntitle = "a"\nx = "a"\n', "a part has no ids", 1),
     ],
 )
@@ -342,7 +342,7 @@ def test_import_of_a_folder_without_parts(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("entry", "told"),
-    [('role = "Sensor"\nwhy = "x"', "an entry has the role 'Sensor'"), ('role = "Input"', "an entry for 'Input' says no reason")],
+    [('role = "Sensor"\nwhy = "x"', "an entry has the role 'Sensor'"), ('role = "Input"', "an entry for 'Input' has no reason")],
 )
 def test_damaged_rules_for_roles_are_told(entry: str, told: str, tmp_path: Path) -> None:
     folder = tmp_path / ".robosmi" / "platform_repo" / "parts"
@@ -370,9 +370,9 @@ def test_own_rules_for_roles_go_before_the_built_in_ones_and_leave_them(tmp_path
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ('[[rule]]\nrole = "Input"\nwhy = "x"\nword = ["a"]', "'word' is no key \\(did you mean 'words'\\?\\)"),
-        ('[[rules]]\nrole = "Input"\nwhy = "x"', "'rules' means nothing here \\(did you mean 'rule'\\?\\)"),
-        ('[rule]\nrole = "Input"', "'rule' is no list of tables"),
+        ('[[rule]]\nrole = "Input"\nwhy = "x"\nword = ["a"]', "'word' is not a key \\(did you mean 'words'\\?\\)"),
+        ('[[rules]]\nrole = "Input"\nwhy = "x"', "unknown table 'rules' \\(did you mean 'rule'\\?\\)"),
+        ('[rule]\nrole = "Input"', "'rule' is not a list of tables"),
         ('[[rule]]\nrole = "Input"\nwhy = "x"\nfamilies.fritzin = ["a"]', "families.fritzin.*did you mean 'fritzing'"),
         ('[[rule]]\nrole = "Input"\nwhy = "x"\ndriver = "yes"', "'driver' has the value 'yes'"),
         ('[[rule]]\nrole = "Input"\nwhy = "x"\nwords = "a"', "'words' has the value 'a'"),

@@ -91,6 +91,12 @@ def test_members_of_a_bus_are_told_by_the_names_on_its_lines(
     assert pins(path) == {f"D{2 + n}": f"lamps/D{n + 1}" for n in range(len(labels))}
 
 
+@pytest.mark.parametrize("text", ["${NET}", "MOTOR_${SIDE}", "${A}_${B}", "${LED}[1]"])
+def test_a_text_variable_is_no_group(text: str, tmp_path: Path) -> None:
+    path = schematic(tmp_path / "robot.kicad_sch", uno(), led("D1", 300, 50), label(text, 100, 20), label(text, 300, 50))
+    assert pins(path) == {"D2": "D1"}
+
+
 def test_a_bus_leads_from_sheet_to_sheet_whatever_its_name_is_in_each(tmp_path: Path) -> None:
     lamps(tmp_path, "lamps", "L[0..3]", "L2")
     schematic(tmp_path / "brain.kicad_sch", uno(), label("B2", 100, 20), label("B[0..3]", 0, 0, "hierarchical_label"))
@@ -119,7 +125,7 @@ def test_a_missing_sheet_is_said_and_a_sheet_outside_the_folder_is_not_read(tmp_
 
 def test_a_sheet_that_has_itself_in_it_is_refused(tmp_path: Path) -> None:
     schematic(tmp_path / "b.kicad_sch", below("again", "a.kicad_sch"))
-    with pytest.raises(SourceError, match="has itself in it") as refused:
+    with pytest.raises(SourceError, match="contains itself") as refused:
         read_circuit(schematic(tmp_path / "a.kicad_sch", below("b", "b.kicad_sch")))
     assert refused.value.fix
 
@@ -138,7 +144,7 @@ def test_units_of_a_reference_are_one_part_and_parts_without_a_number_are_told_a
 
 def test_a_reference_that_stands_twice_is_two_parts_and_said(tmp_path: Path) -> None:
     circuit, findings = read_circuit(schematic(tmp_path / "a.kicad_sch", uno(), led("D1", 100, 20), led("D1", 100, 30)))
-    assert ["'D1' stands twice" in message for message in said(findings, "RS206")] == [True]
+    assert ["'D1' occurs twice" in message for message in said(findings, "RS206")] == [True]
     assert len({c.elementId for c in circuit.components}) == 3
 
 
@@ -154,7 +160,7 @@ def test_an_eeschema_drawing_without_its_library_has_parts_and_no_pins(tmp_path:
     circuit, findings = read_circuit(path)
     assert len(circuit.components) == 19
     assert [*circuit.nets] == []
-    assert ["no library beside" in message for message in said(findings, "RS214")] == [True]
+    assert ["no library next to" in message for message in said(findings, "RS214")] == [True]
 
 
 def test_a_netlist_with_pins_and_parts_that_are_not_there(tmp_path: Path) -> None:
@@ -211,18 +217,20 @@ def test_a_field_with_a_number_of_thousands_of_digits_is_no_field(tmp_path: Path
         ("(kicad_sch (version 1)", "ends before its lists do"),
         ('(kicad_sch (version "1)', "no end"),
         ("(kicad_sch))", r"has no '\('"),
-        ("(kicad_sch) (more)", "behind its end"),
+        ("(kicad_sch) (more)", "after its end"),
         ("(kicad_sch " + "(" * 100_000, "lists inside lists"),
-        ("(kicad_pcb (version 1))", "no schematic and no netlist"),
+        ("(kicad_pcb (version 1))", "neither a schematic nor a netlist"),
         ("(export (version D) (components))", "no components or no nets"),
-        ("(kicad_sch\n(wire (pts (xy nan 2) (xy 1 2))))", "'nan' is no coordinate"),
-        ("(kicad_sch\n(wire (pts (xy 1e309 2) (xy 1 2))))", "'inf' is no coordinate"),
-        ("(kicad_sch\n(junction (at x 2)))", "'x' is no coordinate"),
+        ("(kicad_sch\n(wire (pts (xy nan 2) (xy 1 2))))", "'nan' is not a coordinate"),
+        ("(kicad_sch\n(wire (pts (xy 1e309 2) (xy 1 2))))", "'inf' is not a coordinate"),
+        ("(kicad_sch\n(junction (at x 2)))", "'x' is not a coordinate"),
         ('(kicad_sch\n(label "A" (at 5)))', "'at' is followed by 1 of 2 numbers"),
         ("v 20130925 2\nC 40000 40000 0 0 0 title-B.sym\n", "schematic of gEDA"),
-        ("# EESchema Netlist Version 1.1 created now\n", "KiCad 3 or before"),
+        ("v {xschem version=3.4.4 file_version=1.2}\nG {}\n", "schematic of xschem"),
+        ("<Qucs Schematic 0.0.19>\n<Properties>\n", "schematic of Qucs"),
+        ("# EESchema Netlist Version 1.1 created now\n", "KiCad 3 and before"),
         ("EESchema Schematic File Version 4\n$Comp\nL R R1\n", "ends within an entry"),
-        ("EESchema Schematic File Version 4\nWire Wire Line\n\t1 2 x 4\n$EndSCHEMATC\n", "4 numbers are expected"),
+        ("EESchema Schematic File Version 4\nWire Wire Line\n\t1 2 x 4\n$EndSCHEMATC\n", "expected 4 numbers"),
         ("EESchema Schematic File Version 4\n", "ends before its"),
     ],
 )
@@ -326,7 +334,7 @@ def test_a_number_of_two_pins_on_different_nets_is_on_none_and_said(tmp_path: Pa
     entries = [uno(), placed("Own:X", "U1", 300, 0), wire(100, 20, 300, 0), wire(100, 30, 300, 10), led("D1", 100, 40)]
     path = schematic(tmp_path / "a.kicad_sch", *entries, library=[*LIBRARY, double])
     assert pins(path) == {"D4": "D1", "D5": "D1"}
-    assert ["1 of 'U1' stands for pins on several nets" in text for text in said(read_circuit(path)[1], "RS208")] == [True]
+    assert ["1 of 'U1' belongs to pins on several nets" in text for text in said(read_circuit(path)[1], "RS208")] == [True]
 
 
 def test_pins_without_a_number_in_a_netlist_are_told_apart_by_what_they_do(tmp_path: Path) -> None:

@@ -54,7 +54,7 @@ def test_roles_of_the_project_file_go_first() -> None:
         "Wobbler": "Input",
         "left": "Both",
     }
-    with pytest.raises(UsageError, match="no component is called 'Wobler'"):
+    with pytest.raises(UsageError, match="unknown component 'Wobler'"):
         mappings(HERE / "robot.csv", {"Wobler": "Input"})
 
 
@@ -120,22 +120,22 @@ def shape(found: list[dict[str, Any]]) -> list[dict[str, Any]]:
 @pytest.mark.parametrize(
     ("name", "text", "cause", "line"),
     [
-        ("a.csv", "pin,part,colour\nD3,LED,red\n", "no column is called 'colour'", 1),
-        ("a.csv", "pin,role\nD3,Input\n", "there is no column 'part'", 1),
+        ("a.csv", "pin,part,colour\nD3,LED,red\n", "unknown column 'colour'", 1),
+        ("a.csv", "pin,role\nD3,Input\n", "the column 'part' is missing", 1),
         ("a.csv", "pin,part\nD3,LED\nD4,\n", "a row has no part", 3),
         ("a.csv", "pin,part\n,LED\n", "a row has no pin", 2),
         ("a.csv", "pin,part,role\nD3,LED,Sensor\n", "'Sensor' is no role", 2),
         ("a.csv", "pin,part,rest\nD3,Relay module,up\n", "rest is 'up'", 2),
         ("a.csv", "pin,part,driver\nD3,L293D,perhaps\n", "driver is 'perhaps'", 2),
-        ("a.csv", "pin,part\nD3,LED,red,bright\n", "a row has 4 cells, the head 2", 2),
+        ("a.csv", "pin,part\nD3,LED,red,bright\n", "a row has 4 cells, but the header has 2", 2),
         ("a.csv", 'pin,part\nD3,"LED\n', "not valid CSV", 2),
         ("a.csv", "pin,part,board\nD3,LED,uno\nD3,LED,mega\n", "the rows name 2 boards", None),
         ("a.toml", "pins = []\n", "the table has no row", None),
-        ("a.csv", "# nothing\n", "there is no column 'pin'", 1),
+        ("a.csv", "# nothing\n", "the column 'pin' is missing", 1),
         ("a.csv", "\n \n", "the file is empty", None),
         ("a.toml", "[[pin]\n", "not valid TOML", None),
-        ("a.toml", "pin = 3\n", "'pin' is no list of tables", None),
-        ("a.toml", "board = 3\n[[pin]]\npin = 3\npart = 'LED'\n", "'board' is no text", None),
+        ("a.toml", "pin = 3\n", "'pin' is not a list of tables", None),
+        ("a.toml", "board = 3\n[[pin]]\npin = 3\npart = 'LED'\n", "'board' is not a text", None),
         ("a.toml", "[[pin]]\npin = 3\npart = ''\n", "a row has no part", 1),
         ("a.csv", f"pin,part,through\nD3,LED,\nD4,LED,{'R1;' * 101}\n", "the signal goes through 101 parts one after another", 3),
         ("a.csv", "pin,part\n" + "D3,LED\n" * 2001, "the table has more than 2,000 parts", 2002),
@@ -166,9 +166,9 @@ def test_a_table_of_a_drawing_without_a_wired_pin_is_read_again(ending: str, boa
 def test_a_board_that_nobody_knows_and_a_table_for_no_such_file(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
     path.write_text("pin,part,board\nD3,LED,unno\n")
-    with pytest.raises(UsageError, match="no board is called 'unno'"):
+    with pytest.raises(UsageError, match="unknown board 'unno'"):
         hardware(path)
-    with pytest.raises(UsageError, match=r"a pin table is no '\.txt' file"):
+    with pytest.raises(UsageError, match=r"a pin table cannot be a '\.txt' file"):
         hardware(HERE / "robot.csv").pin_table(tmp_path / "a.txt")
 
 

@@ -77,7 +77,7 @@ def test_what_is_left_out_is_named_with_the_reason(found: ApiFound) -> None:
     assert set(skipped) == {"drivers/binary.h", "drivers/motor/motor.h", "html/board.h"}
     assert "binary" in skipped["drivers/binary.h"]
     assert "motor_damaged" in skipped["drivers/motor/motor.h"]
-    assert "another header of that name" in skipped["html/board.h"]
+    assert "another header has the same name" in skipped["html/board.h"]
     assert set(found.headers["motor.h"]["functions"]) == {"motor_speed", "motor_stop"}
 
 

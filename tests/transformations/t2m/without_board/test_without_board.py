@@ -39,7 +39,7 @@ def test_a_sheet_without_a_board_is_read_and_no_program_is_moved_to_it(tool: str
     assert "net" in run("hardware", path).out
     refused = run("migrate", PROGRAM, "--hardware", path, "-o", tmp_path / "out")
     assert refused.code == 3
-    assert "there is no board" in refused.err
+    assert "no board" in refused.err
     assert "\n  do: " in refused.err
     assert run("recommend", path).code == 3
 
@@ -51,7 +51,7 @@ def test_a_board_drawn_as_headers_is_an_error_and_no_program_is_moved_to_it(tmp_
     assert outcome.code == 1
     assert [c["title"] for c in outcome.document["result"]["components"]] == ["J1", "J2"]
     assert [f["severity"] for f in outcome.document["findings"] if f["rule"] == "RS219"] == ["error"]
-    with pytest.raises(SourceError, match="headers of one") as refused:
+    with pytest.raises(SourceError, match="its headers") as refused:
         plan_migration([PROGRAM], hardware=path)
     assert "its own symbol" in str(refused.value.fix)
 
@@ -77,7 +77,7 @@ def test_a_chip_and_a_board_on_one_net_are_two_boards(tmp_path: Path) -> None:
     made = hardware(path)
     assert [b["title"] for b in made.result["boards"]] == ["U1", "IC1"]
     assert [(m["board"], m["pin"], m["component"]) for m in made.result["mappings"]] == [("U1", "D9", "D1"), ("IC1", "D7", "D2")]
-    with pytest.raises(SourceError, match=r"2 boards in this drawing: 'U1' \(#U1\), 'IC1' \(#IC1\)") as refused:
+    with pytest.raises(SourceError, match=r"2 boards: 'U1' \(#U1\), 'IC1' \(#IC1\)") as refused:
         plan_migration([PROGRAM], hardware=path)
     assert '"#U1" = "Board"' in str(refused.value.fix)
 
@@ -100,6 +100,6 @@ def test_where_no_part_is_a_board_the_unknown_one_is_named(tmp_path: Path) -> No
         '<module><instances><instance moduleIdRef="acme_9000" modelIndex="7" path=""><title>Brain</title><views><breadboardView>'
         '<geometry z="1" x="0" y="0"/></breadboardView></views></instance></instances></module>'
     )
-    with pytest.raises(SourceError, match="what 'Brain' \\(#7, acme_9000\\) is nobody knows") as refused:
+    with pytest.raises(SourceError, match="'Brain' \\(#7, acme_9000\\)") as refused:
         hardware(path)
     assert '"#7" = "Board"' in str(refused.value.fix)

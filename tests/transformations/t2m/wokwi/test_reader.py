@@ -103,6 +103,14 @@ def test_title_and_identity_are_the_id_and_the_module_is_the_type(tmp_path: Path
     assert pins(plain) == {}
 
 
+def test_a_pin_that_supplies_a_part_is_written(tmp_path: Path) -> None:
+    ranger, screen = part("us1", "wokwi-hc-sr04"), part("oled1", "board-ssd1306")
+    wires = [["us1:VCC", "uno:7"], ["us1:TRIG", "uno:8"], ["us1:ECHO", "uno:9"], ["us1:GND", "uno:10"], ["oled1:VCC", "uno:4"]]
+    path = diagram(tmp_path, [UNO, ranger, screen], [[*wire, "", []] for wire in wires])
+    signals = {m["pin"]: m["signal"] for m in hardware(path).result["mappings"]}
+    assert signals == {"D4": "write", "D7": "write", "D8": "write", "D9": "read", "D10": "write"}
+
+
 def test_the_serial_monitor_is_no_component_and_a_chip_of_ones_own_is_unknown(tmp_path: Path) -> None:
     chip = part("chip1", "chip-hc-sr04")
     wires = [["$serialMonitor:TX", "uno:0", "", []], ["uno:1", "$serialMonitor:RX", "", []], ["uno:7", "chip1:MISO", "", []]]
@@ -142,7 +150,7 @@ def test_what_repeats_an_input_is_passed_through(tmp_path: Path) -> None:
         ([UNO, part("b", "wokwi-pushbutton")], [["uno:13", "b:SIG", "", []]], "RS208", "has no pin 'SIG'", 7),
         ([UNO, LED], [["uno:14", "led1:A", "", []]], "RS208", "has no pin '14'", 7),
         ([UNO, LED], [["uno", "led1:A", "", []]], "RS208", "has no pin ''", 7),
-        ([UNO, LED, LED], [["uno:13", "led1:A", "", []]], "RS206", "stands twice", 5),
+        ([UNO, LED, LED], [["uno:13", "led1:A", "", []]], "RS206", "twice", 5),
         ([UNO, LED], [["uno:13"]], "RS214", "entry 1 of the connections", 7),
         ([UNO, LED], [{"from": "uno:13"}], "RS214", "entry 1 of the connections", 7),
         ([UNO, LED, 7], [], "RS214", "entry 3 of the parts", 5),
@@ -165,10 +173,10 @@ def test_what_cannot_be_told_is_left_out_and_said(
     [
         ('{"parts": [', "not valid JSON"),
         ('{"parts": [{"type": "wokwi-led", "id": "a"}', "not valid JSON"),
-        ('{"parts": []} more', "more stands behind its end"),
+        ('{"parts": []} more', "after its end"),
         ('{"parts": [] "connections": []}', "',' is expected"),
-        ('{"parts": [], "parts": []}', "'parts' stands twice"),
-        ('{"parts": {}}', "'parts' is no list"),
+        ('{"parts": [], "parts": []}', "'parts' occurs twice"),
+        ('{"parts": {}}', "'parts' is not a list"),
         ('{"connections": []}', "it has no list of parts"),
         ("[]", "'{' is expected"),
         ("{}", "it has no list of parts"),
@@ -187,9 +195,7 @@ def test_what_is_no_diagram_is_refused_with_its_place(text: str, cause: str, tmp
     assert refused.value.fix
 
 
-@pytest.mark.parametrize(
-    ("boards", "words"), [([], "there is no board"), ([UNO, part("nano", "wokwi-arduino-nano")], "there are 2 boards")]
-)
+@pytest.mark.parametrize(("boards", "words"), [([], "no board"), ([UNO, part("nano", "wokwi-arduino-nano")], "2 boards")])
 def test_a_program_moves_to_one_board_only(boards: list[Any], words: str, tmp_path: Path) -> None:
     with pytest.raises(SourceError, match=words) as refused:
         plan_migration([PROGRAM], hardware=diagram(tmp_path, [*boards, LED], []))
@@ -203,7 +209,7 @@ def test_a_board_of_another_family_is_read_and_no_program_is_moved_to_it(kind: s
     assert [b["module_id"] for b in made.result["boards"]] == [kind]
     assert [m["component"] for m in made.result["mappings"]] == ["led1"]
     assert {net.voltage for net in made.circuit.nets if net.rail} == {"GND"}
-    with pytest.raises(SourceError, match="nothing is known of the board"):
+    with pytest.raises(SourceError, match="unknown board"):
         plan_migration([PROGRAM], hardware=path)
 
 
@@ -214,7 +220,7 @@ def test_a_board_of_a_type_that_nobody_knows_is_one_where_no_other_is(tmp_path: 
     assert [(b["title"], b["module_id"]) for b in made.result["boards"]] == [("b", "board-acme-9000")]
     assert pins(path) == {"D5": "led1"}
     assert "type begins with 'board-'" in made.circuit.components[0].roleEvidence
-    with pytest.raises(SourceError, match="nothing is known of the board 'b'"):
+    with pytest.raises(SourceError, match="unknown board 'b'"):
         plan_migration([PROGRAM], hardware=path)
     beside = hardware(diagram(tmp_path, [part("b", "board-acme-9000"), LED, UNO], wires))
     assert [b["title"] for b in beside.result["boards"]] == ["uno"]

@@ -83,7 +83,7 @@ def cuts(path: str, data: bytes, tokens: Sequence[Token]) -> list[Replacement]:
     if scan.total > MAX_EXPANDED:
         raise SourceError(
             f"its macros expand to more than {MAX_EXPANDED:,} tokens",
-            location=Location(path), fix="take out the macros that double themselves",
+            location=Location(path), fix="remove the macros that expand each other",
         )  # fmt: skip
     return [*scan.edits, *deep, *repeated]
 

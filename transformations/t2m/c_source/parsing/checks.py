@@ -64,7 +64,7 @@ def refuse_other_languages(parsed: Parsed) -> None:
     place = source.place(syntax[0].offset, syntax[0].offset)
     hint = next((f" (it looks like {name})" for ending, name in _HINTS.items() if source.path.lower().endswith(ending)), "")
     raise SourceError(
-        f"this is no C source text{hint}: {syntax[0].message}",
+        f"this is not C source text{hint}: {syntax[0].message}",
         location=Location(source.path, place["line"], place["column"]),
         fix="give a C source file",
     )

@@ -131,6 +131,10 @@ _SIGNATURES: dict[str, tuple[list[Any], Any]] = {
     "getCursorExtent": ([Cursor], SourceRange),
     "getCursorLocation": ([Cursor], SourceLocation),
     "getCursorReferenced": ([Cursor], Cursor),
+    "getCanonicalCursor": ([Cursor], Cursor),
+    "getCursorUSR": ([Cursor], String),
+    "getCursorLinkage": ([Cursor], c_int),
+    "Cursor_getVarDeclInitializer": ([Cursor], Cursor),
     "getSpecializedCursorTemplate": ([Cursor], Cursor),
     "getCursorSpelling": ([Cursor], String),
     "getCursorType": ([Cursor], Type),
@@ -192,6 +196,10 @@ class ClangLibrary:
         getCursorExtent: Callable[[Cursor], SourceRange]
         getCursorLocation: Callable[[Cursor], SourceLocation]
         getCursorReferenced: Callable[[Cursor], Cursor]
+        getCanonicalCursor: Callable[[Cursor], Cursor]
+        getCursorUSR: Callable[[Cursor], String]
+        getCursorLinkage: Callable[[Cursor], int]
+        Cursor_getVarDeclInitializer: Callable[[Cursor], Cursor]
         getSpecializedCursorTemplate: Callable[[Cursor], Cursor]
         getCursorSpelling: Callable[[Cursor], String]
         getCursorType: Callable[[Cursor], Type]
@@ -339,6 +347,13 @@ def file_offset(location: SourceLocation) -> tuple[int | None, int]:
     file, offset = c_void_p(), c_uint()
     library().getFileLocation(location, byref(file), None, None, byref(offset))
     return file.value, offset.value
+
+
+def line_of(location: SourceLocation) -> tuple[int | None, int]:
+    """The file (a handle) and the line, from 1, of a location; for one in a macro's expansion, of the macro use."""
+    file, line = c_void_p(), c_uint()
+    library().getFileLocation(location, byref(file), byref(line), None, None)
+    return file.value, line.value
 
 
 def fix_its(diagnostic: int | None) -> list[tuple[SourceLocation, SourceLocation, str]]:

@@ -141,10 +141,14 @@ class Prelude:
             self.types[name] = self.cxx or uses.as_pointer(name) or uses.record_values(name)
         elif access := uses.member_access(name):
             self.values[name] = f"extern struct {MEMBERS} {'*' if access == '->' else ''}{name};"
+        elif dimensions := uses.dimensions(name):
+            access = uses.element_access(name)
+            kind = f"struct {MEMBERS} {'*' if access == '->' else ''}" if access else "int "
+            self.values[name] = f"extern {kind}{name}{'[64]' * dimensions};"
+        elif uses.dereferenced(name):
+            self.values[name] = f"extern int *{name};"
         elif uses.written(name):
-            self.values[name] = f"extern int {name}{'[64]' if uses.indexed(name) else ''};"
-        elif uses.indexed(name):
-            self.values[name] = f"extern int {name}[64];"
+            self.values[name] = f"extern int {name};"
         else:
             self.values[name] = f"enum {{ {name} = {self._number()} }};"
         return True
@@ -179,7 +183,7 @@ class Prelude:
             return f"extern {base if plain else 'int'} {name}{'[]' if entry.detail.endswith('[]') else ''};"
         if entry.callable:
             return f"int {name}({self._any});"
-        if uses.written(name) or uses.indexed(name):
+        if uses.written(name):
             return None
         return f"enum {{ {name} = {self._number()} }};"
 
@@ -306,7 +310,7 @@ class _Uses:
                 return True
             return before == "&" and i > 1 and (t[i - 2] in _BEFORE_OPERAND)
 
-        return self._any(name, test) or (self.indexed(name))
+        return self._any(name, test) or self.dimensions(name) > 0
 
     def member_access(self, name: str) -> str:
         """The operator by which a member of the name is used, `.` or `->`; empty if none is."""
@@ -315,9 +319,33 @@ class _Uses:
                 return access
         return ""
 
-    def indexed(self, name: str) -> bool:
-        """Whether the name is indexed."""
-        return self._any(name, lambda t, i: t[i + 1] == "[")
+    def dimensions(self, name: str) -> int:
+        """How many indices stand behind the name at most."""
+        return max((self._indices(i)[0] for i in self._places.get(name, ())), default=0)
+
+    def element_access(self, name: str) -> str:
+        """The operator by which a member of an indexed name is used, `.` or `->`; empty if none is."""
+        behind = [self._texts[place] for i in self._places.get(name, ()) for count, place in [self._indices(i)] if count]
+        return next((access for access in ("->", ".") if access in behind), "")
+
+    def _indices(self, place: int) -> tuple[int, int]:
+        """The number of indices behind a place, and the place behind them."""
+        count, place = 0, place + 1
+        while self._texts[place] == "[":
+            depth = 0
+            while place < len(self._texts) - 3:
+                depth += (self._texts[place] == "[") - (self._texts[place] == "]")
+                place += 1
+                if depth == 0:
+                    break
+            else:
+                break
+            count += 1
+        return count, place
+
+    def dereferenced(self, name: str) -> bool:
+        """Whether the value that the name points to is used."""
+        return self._any(name, lambda t, i: i > 1 and t[i - 1] == "*" and t[i - 2] in _BEFORE_DEREFERENCE)
 
     def attribute(self, name: str) -> bool:
         """Whether the name directly precedes a type, as a macro does that stands for an attribute."""
@@ -334,6 +362,10 @@ _BEFORE_OPERAND = frozenset(
     ["(", ",", "=", "{", ";", "return", "+", "-", "*", "/", "%", "&", "|", "^", "!", "~", "<", ">", "<=", ">=", "==", "!=", "&&",
      "||", "?", ":"]
 )  # fmt: skip
+
+
+_BEFORE_DEREFERENCE = (_BEFORE_OPERAND - {")", "*", "&"}) | {"}", "+=", "-="}
+"""What stands before a `*` that is no multiplication and belongs to no declaration."""
 
 
 def _word(text: str) -> bool:

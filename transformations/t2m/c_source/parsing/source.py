@@ -26,7 +26,7 @@ MOST_TOKENS = 2_000_000
 _TEXTS = frozenset(["comment", "string", "char"])  # they may hold any byte; elsewhere compilers read NUL as a blank
 _STRAY = re.compile(rb"[\x01-\x08\x0e-\x1f\x7f]")
 CPLUSPLUS = (".cpp", ".cc", ".cxx", ".hpp", ".hh", ".ino", ".C")
-_SPLIT = "give the program's own source files; leave generated data out"
+_SPLIT = "give the program's own source files, without generated data"
 
 
 class TextRange(TypedDict):
@@ -162,13 +162,13 @@ def _bytes(name: str) -> bytes:
     try:
         return inputs.read_bytes(name, inputs.SOURCE)
     except FileNotFoundError as error:
-        raise SourceError("there is no such file", location=place, fix="check the path") from error
+        raise SourceError("no such file", location=place, fix="check the path") from error
     except IsADirectoryError as error:
         raise SourceError("this is a folder, not a file", location=place, fix="give the C source files in it") from error
     except PermissionError as error:
         if os.path.isdir(name):  # Windows says so of folders
             raise SourceError("this is a folder, not a file", location=place, fix="give the C source files in it") from error
-        raise SourceError("the file may not be read", location=place, fix="change its permissions") from error
+        raise SourceError("no permission to read the file", location=place, fix="change its permissions") from error
     except OSError as error:
         fix = inputs.fix_of(error, "check the path and the disk")
         raise SourceError(f"the file cannot be read: {error.strerror or error}", location=place, fix=fix) from error

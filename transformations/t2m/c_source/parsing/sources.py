@@ -77,7 +77,7 @@ def _of_folder(folder: str) -> list[str]:
         files += [os.path.join(place, name) for name in sorted(names) if name.endswith(ENDINGS)]
         if len(files) > MOST_FILES:
             raise SourceError(
-                f"there are more than {MOST_FILES} source files in this folder",
+                f"this folder has more than {MOST_FILES} source files",
                 location=Location(folder), fix="give the folder of one program",
             )  # fmt: skip
     if not files:
@@ -94,7 +94,7 @@ def _of_commands(path: str, include_dirs: Sequence[str], defines: Sequence[str])
     Raises:
         SourceError: it is damaged, or names no file.
     """
-    fix = "let the build tool write it again"
+    fix = "generate it again with the build tool"
     try:
         entries = json_of(inputs.read_bytes(path, inputs.TABLE))
     except (OSError, ValueError) as error:
@@ -102,7 +102,7 @@ def _of_commands(path: str, include_dirs: Sequence[str], defines: Sequence[str])
     files = []
     for entry in entries if isinstance(entries, list) else ():
         if not isinstance(entry, dict) or not isinstance(entry.get("file"), str):
-            raise SourceError("an entry of the compile commands names no file", location=Location(path), fix=fix)
+            raise SourceError("an entry of the compile commands has no file", location=Location(path), fix=fix)
         folder = os.path.join(os.path.dirname(path), str(entry.get("directory", "")))
         words = entry.get("arguments")
         if not isinstance(words, list):
@@ -115,7 +115,7 @@ def _of_commands(path: str, include_dirs: Sequence[str], defines: Sequence[str])
             name = os.path.normpath(os.path.join(folder, entry["file"]))
             files.append(Compiled(name, (*own_folders, *include_dirs), (*own_defines, *defines)))
     if not files:
-        raise SourceError("the compile commands name no C source", location=Location(path), fix=fix)
+        raise SourceError("the compile commands list no C source", location=Location(path), fix=fix)
     return files
 
 

@@ -72,6 +72,7 @@ class Diagnostic(Struct):
             (
                 "expected ",
                 "extraneous ",
+                "unexpected ",
                 "unterminated ",
                 "missing terminating",
                 "bracket nesting",
@@ -180,7 +181,20 @@ def _prelude(source: ReadSource, api: ApiIndex) -> Prelude:
     prelude = Prelude(api, source.language == "C++")
     if b"va_arg" in source.parsed:  # it takes a type, so it cannot be guessed as a function
         prelude.always.append("#include <stdarg.h>")
+    if _HANDLER.search(source.parsed):
+        prelude.always += _HANDLERS
     return prelude
+
+
+_HANDLER = re.compile(rb"\b(?:ISR|SIGNAL|EMPTY_INTERRUPT)\s*\(\s*\w+_vect\b")
+_HANDLERS = (
+    "#ifndef ISR",
+    "#define ISR(vector, ...) void vector(void)",
+    "#define SIGNAL(vector) void vector(void)",
+    "#define EMPTY_INTERRUPT(vector) void vector(void) { }",
+    "#endif",
+)
+"""What avr/interrupt.h makes of an interrupt handler, as far as a parser needs it: sketches have it without an include."""
 
 
 class _Attempt:

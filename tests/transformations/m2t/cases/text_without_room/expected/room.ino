@@ -11,5 +11,5 @@ void setup() {
 }
 
 void loop() {
-  pause(code[0]);
+  pause((uint8_t)code[0]);
 }

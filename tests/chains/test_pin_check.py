@@ -1,0 +1,198 @@
+"""RS345: a wrong pin in a finished program is found in the text itself, whatever made it."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import pytest
+
+import robosmi
+from robosmi.errors import UsageError
+from robosmi.metamodels import migration
+from robosmi.project import Project
+from robosmi.transformations.chains.migrate import plan_migration
+from robosmi.transformations.chains.stages import completion
+from robosmi.transformations.chains.stages.compiler_errors import parsed_program
+from robosmi.transformations.chains.stages.models import MigrationModels
+from robosmi.transformations.knowledge.lexer import Token
+from robosmi.transformations.m2t.first_screen import decided, written
+from robosmi.transformations.queries.flows.flow_reader import FlowReader
+from robosmi.transformations.queries.macros.argument_places import TokenText
+from robosmi.transformations.queries.plans.port_pins import PIN_RULE
+from robosmi.transformations.queries.reports.work import Work
+from tests.running import run
+from tests.tools import require_engine, require_tools
+
+CASES = Path(__file__).parent / "pin_faults"
+PROGRAM = CASES / "robot.c"
+FAULTS = tomllib.loads((CASES / "faults.toml").read_text())["fault"]
+
+
+def fired(models: MigrationModels, old: str = "", new: str = "") -> list[migration.PlanFinding]:
+    """What the check finds in the program of a plan in which one place is changed."""
+    texts = {file.name: file.after or "" for file in completion.program(models).files}
+    main = next(name for name in texts if name.endswith(".ino"))
+    if old:
+        assert texts[main].count(old) == 1, f"{old!r} is {texts[main].count(old)} times in the program"
+        texts[main] = texts[main].replace(old, new)
+    return completion.pin_check(models, parsed_program(models.plan, texts))
+
+
+@pytest.fixture(scope="module")
+def models() -> MigrationModels:
+    return plan_migration([PROGRAM])
+
+
+def test_a_right_program_has_no_finding(models: MigrationModels) -> None:
+    assert [f.message for f in fired(models)] == []
+
+
+@pytest.mark.parametrize("fault", FAULTS, ids=[fault["name"] for fault in FAULTS])
+def test_each_planted_fault_is_found(fault: dict[str, str], models: MigrationModels) -> None:
+    found = fired(models, fault["old"], fault["new"])
+    assert found
+    assert {f.rule for f in found} == {PIN_RULE}
+
+
+def test_a_change_that_the_plan_lost_is_found() -> None:
+    models = plan_migration([PROGRAM])
+    next(b for b in models.plan.portBindings if b.sourcePin == 4).changes.clear()
+    assert fired(models)
+
+
+def test_a_look_up_that_the_plan_lost_is_found() -> None:
+    models = plan_migration([PROGRAM])
+    next(flow for flow in models.plan.portFlows if flow.changes).changes.clear()
+    assert fired(models)
+
+
+CONSTRUCTS = sorted((Path(__file__).parent / "cpp_pins").glob("*.cpp"))
+LOST = frozenset({"lambda", "virtual"})
+"""Constructs that a task names; their calls are not followed."""
+
+
+@pytest.mark.parametrize("program", CONSTRUCTS, ids=lambda path: path.stem)
+def test_a_pin_of_each_construct_of_cpp_moves_or_is_named(program: Path, tmp_path: Path) -> None:
+    bound = robosmi.migrate([program], tmp_path / "bound", bind={} if program.stem == "lambda" else {"P8": "D12"}).models.plan
+    assert [f.message for f in bound.findings if f.rule == PIN_RULE] == []
+    assert (Work(bound).working == Work(bound).calls["total"] and not Work(bound).unread) == (program.stem not in LOST)
+    open_ = robosmi.migrate([program], tmp_path / "open").models.plan
+    assert Work(open_).working < Work(open_).calls["total"] or written(Work(open_)) != "nothing"
+
+
+@pytest.mark.parametrize("program", [p for p in CONSTRUCTS if p.stem != "lambda"], ids=lambda path: path.stem)
+def test_the_sketch_of_each_construct_of_cpp_drives_the_pin_of_its_port(program: Path, tmp_path: Path) -> None:
+    require_tools("avr-gcc", "arduino-core-avr")
+    require_engine("simavr")
+    robosmi.migrate([program], tmp_path / "out", bind={"P8": "D12"})
+    outcome = run("simulate", tmp_path / "out", "--seconds", "1", "--json")
+    assert outcome.code == 0, outcome.err
+    assert {e["pin"] for e in outcome.result["events"] if e.get("level") == 1} - {"D0", "D1"} == {"D12"}
+
+
+HOSTILE = Path(__file__).parent / "hostile_pins"
+
+
+def plan_of(case: str, bind: dict[str, str] | None = None, project: bool = True) -> MigrationModels:
+    """The models of a program that misleads, with the pins of its project file."""
+    path = HOSTILE / case
+    files = [path] if path.is_file() else sorted(path.glob("*.c"))
+    return plan_migration(
+        files,
+        bind=bind,
+        project=None if project else Project(),
+        hardware=pins if (pins := path.parent / "pins.csv").is_file() else None,
+    )
+
+
+def calls_ready(models: MigrationModels) -> bool:
+    counts = Work(models.plan).calls
+    return counts["works"] == counts["total"]
+
+
+@pytest.mark.parametrize(
+    ("case", "bind"), [("c01_blockext.c", {"P3": "D9"}), ("c02_blockext2.c", {"P3": "D9", "P4": "D7", "P5": "D2"})]
+)
+def test_a_variable_declared_again_in_a_block_is_one_port(case: str, bind: dict[str, str]) -> None:
+    models = plan_of(f"block_scope_extern/{case}", bind, project=False)
+    assert [f.message for f in fired(models)] == []
+    assert [flow.choice for flow in models.plan.portFlows] == ["target"]
+
+
+def test_without_the_mend_the_check_finds_a_variable_declared_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(FlowReader, "_outer", lambda self, declared: ("element", id(declared)))
+    assert fired(plan_of("block_scope_extern/c01_blockext.c"))
+    assert fired(plan_of("block_scope_extern/c02_blockext2.c"))
+
+
+def test_the_arguments_of_a_call_of_a_called_function_are_its_own() -> None:
+    models = plan_of("call_of_a_called_function/chosen.c")
+    assert fired(models) == []
+    text = next(file.after or "" for file in completion.program(models).files if file.name.endswith(".ino"))
+    assert "choose(1)(port(3))" in text
+    assert "choose(0)(port(3))" in text
+
+
+def test_without_the_mend_the_check_finds_the_other_list_of_arguments(monkeypatch: pytest.MonkeyPatch) -> None:
+    def first(self: TokenText, end: int) -> list[list[Token]] | None:
+        names = (index for index in range(self.at(end) - 1, -1, -1) if self.tokens[index][0] == "name")
+        return self.arguments(next(names))
+
+    monkeypatch.setattr(TokenText, "last_arguments", first)
+    assert {f.line for f in fired(plan_of("call_of_a_called_function/chosen.c"))} >= {7}
+
+
+@pytest.mark.parametrize("case", ["d01_twoa.c", "d06_macro_in_two"])
+def test_ports_of_one_name_are_bound_by_their_numbers(case: str) -> None:
+    models = plan_of(f"one_name_two_ports/{case}")
+    bound = {b.sourcePin: b.pin.label for b in models.plan.portBindings if b.pin is not None}
+    assert (bound[3], bound[5]) == ("D9", "D2")
+    assert [f.message for f in fired(models)] == []
+
+
+def test_a_name_of_two_ports_is_refused_with_their_numbers() -> None:
+    with pytest.raises(UsageError) as caught:
+        plan_of("one_name_two_ports/d02_dupstatic")
+    assert "P3" in caught.value.message
+    assert "P5" in caught.value.message
+
+
+def test_without_the_mend_the_check_finds_two_ports_that_one_name_has_bound() -> None:
+    models = plan_of("one_name_two_ports/d06_macro_in_two")
+    three, five = (next(b for b in models.plan.portBindings if b.sourcePin == n) for n in (3, 5))
+    three.name = five.name = "LED"
+    five.connection, five.pin = three.connection, three.pin
+    assert "P3, P5" in fired(models)[0].message
+
+
+def test_calls_through_a_table_of_own_and_platform_functions_are_not_ready(tmp_path: Path) -> None:
+    made = robosmi.migrate([HOSTILE / "function_pointer_ready" / "a02_fptable.c"], tmp_path / "out")
+    assert {f.line for f in made.models.plan.findings if f.rule == PIN_RULE} == {9}
+    assert not calls_ready(made.models)
+    assert written(Work(made.models.plan)) != "nothing"
+
+
+def test_an_index_that_stands_before_its_array_is_followed() -> None:
+    models = plan_of("indexes/q.c", {"P3": "D9", "P4": "D7", "P5": "D2", "P6": "D4"}, project=False)
+    assert [b.sourcePin for b in models.plan.portBindings] == [3, 4, 5, 6]
+    assert [f.message for f in fired(models)] == []
+
+
+def test_calls_whose_ports_only_the_running_program_knows_are_not_said_to_need_nothing() -> None:
+    work = Work(plan_of("indexes/run_time.c", {"P3": "D9"}, project=False).plan)
+    assert work.calls["waits_for_port"] == 2
+    assert "nothing" not in decided(work)
+
+
+def test_a_program_that_calls_main_has_a_task(tmp_path: Path) -> None:
+    made = robosmi.migrate([HOSTILE / "main_called" / "f04_mainrec.c"], tmp_path / "out")
+    assert "RS337" in {f.rule for f in made.findings}
+    assert written(Work(made.models.plan)) != "nothing"
+
+
+@pytest.mark.parametrize("name", ["reg.c", "compound.c"])
+def test_each_compound_assignment_of_a_register_compiles(name: str, tmp_path: Path) -> None:
+    require_tools("avr-gcc", "arduino-core-avr")
+    made = robosmi.migrate([HOSTILE / "registers_nothing_open" / name], tmp_path / "out", bind={"P3": "D9"})
+    assert robosmi.compile_sketch(made.sketch).ok

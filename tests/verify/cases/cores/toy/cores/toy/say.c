@@ -1,0 +1,5 @@
+#include "Arduino.h"
+
+#include <stdio.h>
+
+void say(const char *text) { puts(text); }

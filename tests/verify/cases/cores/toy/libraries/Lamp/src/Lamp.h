@@ -1,0 +1,1 @@
+int lampOn(int pin);

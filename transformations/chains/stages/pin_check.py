@@ -1,0 +1,194 @@
+"""The invariant of pins, checked in each finished program: what reaches a pin of the target is a pin by the plan.
+
+It follows the values through the generated text again (`generated_pins`), counts that each change of a port's number is in the
+text, and that no call with a pin was missed. What does not hold is a finding, and the calls that it is about are not ready.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import accumulate
+
+from robosmi.diagnostics import Finding, Location, Severity
+from robosmi.metamodels import ccode, migration, platform
+from robosmi.query import ancestor_of_kind
+from robosmi.transformations.knowledge.adapters.adapter_checks import parameters_of
+from robosmi.transformations.m2m.plan_tasks import plan_findings
+from robosmi.transformations.m2m.ports.port_texts import LOOK_UP, RULE as MOVED
+from robosmi.transformations.queries.circuits.circuit import pin_literal
+from robosmi.transformations.queries.plans.port_pins import PIN_RULE, UNBOUND, text_in_place
+from robosmi.transformations.queries.text_changes import all_changes, decision_of, effective
+from robosmi.transformations.t2m.c_source.parsing.generated_pins import PinCheck, PinNames, PinPlace, follow_pins
+from robosmi.transformations.t2m.c_source.parsing.generated_program import GeneratedProgram
+
+LOOK_UPS = frozenset({"port", "ports"})
+"""The helpers by which a finished program looks up the pin of a port."""
+_TOKENS = re.compile(r"[A-Za-z_]\w*|\d\w*")
+_COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+_FIX = "compare the line with the source, and write the pin of the wiring table there"
+
+Place = Callable[[str, int], Location | None]
+"""File and line of a finished program -> the place in the source."""
+
+
+def pin_findings(
+    plan: migration.MigrationPlan, program: GeneratedProgram, place: Place, sources: Mapping[str, bytes]
+) -> list[migration.PlanFinding]:
+    """RS345: the places of a finished program whose pin is not the plan's, or cannot be followed.
+
+    Args:
+        plan: the plan, which stays as it is.
+        program: the finished program, parsed.
+        place: file and line of the program -> the place in the source.
+        sources: path of a unit -> its bytes.
+    """
+    checked = follow_pins(program, pin_names(plan))
+    dropped = _dropped(plan)
+    calls = {
+        str(use.targetName or use.name): [call for call in use.calls if not dropped(_path(call), int(call.startOffset))]
+        for use in plan.adapterUses
+    }
+    made: list[tuple[Finding, Sequence[ccode.Call]]] = []
+    for each in checked.wrong:
+        at = place(each.file, each.line)
+        written = f", written in line {each.at[1]} of {each.at[0]}" if each.at != (each.file, each.line) and each.at[0] else ""
+        message = f"line {each.line} of {each.file}: a pin of '{each.function}' is {each.what}{written}"
+        made.append((_finding(message, at), _calls_at(calls.get(each.function, []), at)))
+    made += _missing_changes(plan, program, sources)
+    made += _unseen_calls(calls, checked, program)
+    made += _ports_of_one_name(plan)
+    paths = {str(unit.path): str(unit.path) for unit in (plan.program.units if plan.program is not None else ())}
+    findings = plan_findings(plan, [finding for finding, _ in made], paths)
+    for finding, (_, concerned) in zip(findings, made, strict=True):
+        finding.elements.extend(concerned)
+    return findings
+
+
+def _finding(message: str, place: Location | None) -> Finding:
+    return Finding(PIN_RULE, Severity.warning, message, place, fix=_FIX)
+
+
+def pin_names(plan: migration.MigrationPlan) -> PinNames:
+    """What counts as a pin in the finished program of a plan."""
+    functions = {str(use.targetName or use.name): places for use in plan.adapterUses if (places := _pins_of(use))}
+    functions |= {name: [PinPlace(0, looked_up=True)] for name in LOOK_UPS}
+    constants = {str(c.name): pin_literal(c.pin) for c in plan.connections if c.pin is not None}
+    literals = Counter(
+        text_in_place(binding)
+        for binding in plan.portBindings
+        if binding.connection is None and binding.pin is not None
+        for change in binding.changes
+        if change.rule == MOVED
+    )
+    return PinNames(functions, LOOK_UPS, constants, literals, int(UNBOUND))
+
+
+def _pins_of(use: migration.AdapterUse) -> list[PinPlace]:
+    """The parameters of a function of the source platform that are pins, by the platform or by the adapter's markers."""
+    known = [] if use.function is None else list(enumerate(use.function.parameters))
+    found = [
+        PinPlace(at, p.rangeWith >= 0 or p.span != 1, tuple(str(each) for each in p.none))
+        for at, p in known
+        if p.isPort and p.meaning is platform.Meaning.pin
+    ]
+    if found or use.adapter is None:
+        return found
+    names = parameters_of(str(use.adapter.text), str(use.adapter.targetName or use.adapter.name))
+    return [PinPlace(names.index(str(pin.name))) for pin in use.adapter.pins if pin.name in names]
+
+
+def _calls_at(calls: Sequence[ccode.Call], place: Location | None) -> list[ccode.Call]:
+    """The calls of a line of the source, or all where none is in it."""
+    here = [c for c in calls if place is not None and c.line == place.line and _path(c) == place.path]
+    return here or list(calls)
+
+
+def _path(element: ccode.Located) -> str:
+    unit = ancestor_of_kind(element, ccode.SourceUnit)
+    return str(unit.path) if unit is not None else ""
+
+
+def _missing_changes(
+    plan: migration.MigrationPlan, program: GeneratedProgram, sources: Mapping[str, bytes]
+) -> Iterator[tuple[Finding, Sequence[ccode.Call]]]:
+    """Ports that the plan calls moved or looked up, whose change is not in the text as often as it was decided."""
+    wanted: dict[str, list[migration.TextChange]] = {}
+    dropped = _dropped(plan)
+    for change in effective(all_changes(plan)):
+        gone = change.unit is not None and dropped(str(change.unit.path), int(change.startOffset))
+        if change.rule in (MOVED, LOOK_UP) and not gone and (word := _word(change)):
+            wanted.setdefault(word, []).append(change)
+    texts = [data for name, data in program.files.items() if name != program.adapters]
+    counts = Counter(token for data in texts for token in _TOKENS.findall(_COMMENT.sub(" ", data.decode("utf-8", "replace"))))
+    constants = Counter(str(c.name) for c in plan.connections)
+    for word, changes in wanted.items():
+        there = counts[word] - constants[word] * len(program.units)
+        if there < len(changes):
+            first = changes[0]
+            owner = decision_of(first)
+            flows = [f for f in plan.portFlows if f is owner or owner in f.bindings]
+            line = sources[first.unit.path].count(b"\n", 0, first.startOffset) + 1 if first.unit is not None else None
+            path = str(first.unit.path) if first.unit is not None else ""
+            message = f"'{word}' is {max(there, 0)} times in the sketch, and the plan has put it there {len(changes)} times"
+            yield _finding(message, Location(path, line)), [call for flow in flows for call in flow.calls]
+    for flow in plan.portFlows:
+        for binding in flow.bindings if flow.choice == "target" else ():
+            if not any(change.rule == MOVED for change in binding.changes):
+                message = f"the port '{binding.name}' is to be moved with '{flow.name}', and no number of the text changes"
+                yield _finding(message, _place_of(binding.element)), list(flow.calls)
+
+
+def _dropped(plan: migration.MigrationPlan) -> Callable[[str, int], bool]:
+    """The function from a unit's path and an offset to whether the plan leaves out what stands there."""
+    elements = [d.element for d in plan.dispositions if d.action is migration.Action.drop and d.element is not None]
+    ranges: dict[str, list[tuple[int, int]]] = {}
+    for element in elements:
+        ranges.setdefault(_path(element), []).append((int(element.startOffset), int(element.endOffset)))
+    starts, reach = {}, {}
+    for path, found in ranges.items():
+        found.sort()
+        starts[path] = [start for start, _ in found]
+        reach[path] = list(accumulate((end for _, end in found), max))
+
+    def dropped(path: str, offset: int) -> bool:
+        last = bisect_right(starts.get(path, []), offset) - 1
+        return last >= 0 and offset < reach[path][last]
+
+    return dropped
+
+
+def _word(change: migration.TextChange) -> str:
+    """The word by which a change is found in the text: its last one, such as the name of a constant; empty for a bracket."""
+    found = _TOKENS.findall(_COMMENT.sub(" ", change.replacement))
+    return str(found[0] if change.rule == LOOK_UP else found[-1]) if found and not change.replacement.startswith(")") else ""
+
+
+def _place_of(element: ccode.Located | None) -> Location | None:
+    return Location(_path(element), int(element.line)) if element is not None else None
+
+
+def _unseen_calls(
+    calls: Mapping[str, Sequence[ccode.Call]], checked: PinCheck, program: GeneratedProgram
+) -> Iterator[tuple[Finding, Sequence[ccode.Call]]]:
+    """Functions with pins of which the finished text has fewer calls than the source, so that some were not followed."""
+    for name, known in calls.items():
+        if name in checked.functions and checked.seen[name] < len(known):
+            message = f"{len(known) - checked.seen[name]} of {len(known)} calls of '{name}' could not be followed in the sketch"
+            yield _finding(message, _place_of(known[0])), known
+
+
+def _ports_of_one_name(plan: migration.MigrationPlan) -> Iterator[tuple[Finding, Sequence[ccode.Call]]]:
+    """Ports of the source that have one name and one pin, so that a choice for one of them has moved another."""
+    bound = [b for b in plan.portBindings if b.sourcePin >= 0 and b.pin is not None]
+    for name, count in Counter(str(b.name) for b in bound).items():
+        same = [b for b in bound if b.name == name]
+        if count > 1 and len({id(b.pin) for b in same}) < count:
+            numbers = ", ".join(f"P{b.sourcePin}" for b in same)
+            calls = [c for flow in plan.portFlows if any(b in same for b in flow.bindings) for c in flow.calls]
+            yield (
+                _finding(f"the ports {numbers} are all called '{name}', and one pin serves them", _place_of(same[0].element)),
+                calls,
+            )
