@@ -14,6 +14,8 @@ from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
+from robosmi import inputs
+
 MEMORY_MB, PROCESSOR_S, FILE_MB = 500, 10, 256
 """Limits of each process: of its address space, of its processor time, and of the length of a file that it writes."""
 
@@ -72,7 +74,7 @@ def _started_by(process: int) -> Iterator[int]:
     with suppress(OSError):
         for task in Path(f"/proc/{process}/task").iterdir():
             with suppress(OSError):
-                yield from map(int, (task / "children").read_text().split())
+                yield from map(int, inputs.read_text(task / "children", inputs.SETTINGS).split())
 
 
 def exceeded(tighter: frozenset[str], code: int, complained: str) -> str:
